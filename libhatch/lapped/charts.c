@@ -5,9 +5,9 @@
 #include "lapped/heap.h"
 #include "mesh/edges.h"
 
-/* Sample points along a side of a face at which the visible patch is found; ten in all. */
+/* Sample points along a side of a face, ten on the whole face, at which the visible patch is determined. */
 #define SAMPLES_SIDE 4
-/* Faces of a chart may overlap by this share of their width, since their coordinates are rounded. */
+/* Faces of a chart may overlap by this share of their width, because their coordinates are rounded. */
 #define OVERLAP_TOLERANCE 0.01
 
 struct work {
@@ -28,9 +28,9 @@ struct work {
     uint32_t *queue, queue_capacity;
 };
 
-/* Counts the samples of a patch's face where the patch is visible.
+/* Counts the samples of a patch's face at which the patch is visible.
  *   entry   index in lapped's faces
- *   unseen  in, out: a bit per sample: no patch above is visible there */
+ *   unseen  in and out: a bit per sample, set while no patch above is visible there */
 static uint32_t count_shown(const struct hatch_lapped *lapped, const struct hatch_outline *outline,
                             const struct hatch_lapped_patch *patch, uint32_t entry, uint16_t *unseen)
 {
@@ -128,7 +128,7 @@ static void cell_range(const struct work *w, const double *positions, uint32_t r
     }
 }
 
-/* Returns whether a face overlaps one of the chart. */
+/* Returns whether a face overlaps another face of the chart. */
 static bool collides(const struct work *w, uint32_t face, uint32_t chart)
 {
     const double *positions = &w->charts.positions[6 * (size_t)face];
@@ -168,7 +168,7 @@ static enum hatch_status add_face(struct work *w, uint32_t face, uint32_t chart,
     return HATCH_OK;
 }
 
-/* Returns whether the faces of two opposite sides belong to one patch and join there. */
+/* Returns whether the faces of two opposite sides belong to one patch and are connected across these sides. */
 static bool joined(const struct work *w, uint32_t side, uint32_t other)
 {
     const uint32_t *corners = w->lapped->corners;

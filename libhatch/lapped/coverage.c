@@ -3,9 +3,9 @@
 
 #include "lapped/work.h"
 
-/* Subdivisions of a triangle into four before a part counts as uncovered: 1/64 of its width. */
+/* Depth of subdivision into four parts at which a part counts as uncovered; it is then 1/64 as wide as the triangle. */
 #define SUBDIVISIONS_MAX 6
-/* Subdivisions before a part counts as visible. */
+/* Depth of subdivision at which a part counts as visible. */
 #define SHOW_SUBDIVISIONS_MAX 4
 
 enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
@@ -20,15 +20,15 @@ enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, 
     return HATCH_OK;
 }
 
-/* Mask coordinates of a point given in barycentric coordinates. */
+/* Computes the mask coordinates of a point given in barycentric coordinates. */
 static void barycentric_point(const double mask[3][2], const double bary[3], double point[2])
 {
     for (int i = 0; i < 2; i++)
         point[i] = bary[0] * mask[0][i] + bary[1] * mask[1][i] + bary[2] * mask[2][i];
 }
 
-/* Finds the middle of a part of a triangle (corners in barycentric coordinates); returns the largest distance of a
- * corner from there. */
+/* Finds the centroid of a part of a triangle, whose corners are in barycentric coordinates. Returns the largest
+ * distance of a corner from it. */
 static double part_radius(const double mask[3][2], const double part[3][3], double middle[2])
 {
     double bary[3], radius = 0;
@@ -54,7 +54,7 @@ static bool core_contains_part(const struct hatch_outline *outline, const double
     return core_depth > 0 && core_depth >= radius;
 }
 
-/* One of the four parts of a subdivision. */
+/* Computes one of the four parts of a subdivision. */
 static void quarter(const double part[3][3], int which, double out[3][3])
 {
     for (int c = 0; c < 3; c++) {
@@ -90,7 +90,7 @@ static bool cores_contain(const struct core_union *cores, const double part[3][3
 
 static const double WHOLE[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-/* Tested first: most uncovered faces have an uncovered corner. */
+/* Returns whether every corner lies in a core. Tested first, because most uncovered faces have an uncovered corner. */
 static bool cores_contain_corners(const struct core_union *cores)
 {
     for (int c = 0; c < 3; c++) {
@@ -103,8 +103,8 @@ static bool cores_contain_corners(const struct core_union *cores)
     return true;
 }
 
-/* Returns whether a patch may be visible in a part, with opacity over 0 and no earlier core over it; false is
- * certain. */
+/* Returns whether a patch may be visible in a part, with opacity greater than 0 and not under the core of an earlier
+ * patch. A result of false is certain. */
 static bool may_show(const struct core_union *cores, const double mask[3][2], const double part[3][3], int depth)
 {
     double middle[2], radius = part_radius(mask, part, middle);
@@ -160,7 +160,7 @@ enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, 
     coverage->head[face] = coverage->entry_count;
     cores = (struct core_union){coverage->outline, coverage->entries, coverage->entry_count};
     coverage->covered[face] = cores_contain_corners(&cores) && cores_contain(&cores, WHOLE, 0);
-    /* A face that is covered needs no entries. */
+    /* A covered face needs no entry. */
     if (!coverage->covered[face])
         coverage->entry_count++;
     return HATCH_OK;

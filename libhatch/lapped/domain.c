@@ -6,27 +6,28 @@
 #include "math/vector.h"
 #include "mesh/edges.h"
 
-/* Faces, or points, per task. */
+/* Number of faces, or of points, per task. */
 #define SLICE 4096u
-/* Rounds of smoothing the turning rate, so that it describes a patch rather than a face. */
+/* Number of rounds in which the turning rate is smoothed, so that it describes a patch rather than a face. */
 #define BLUR_ROUNDS 4
-/* Default size of a patch: its diameter over the diagonal, and the fewest faces that it should have. */
+/* Default diameter of a patch over the diagonal of the mesh, and the fewest faces that a patch should have. */
 #define DEFAULT_SIZE 0.10
 #define FACES_MIN 250.0
-/* A patch of long faces should have more: faces that its border cuts are in at least two patches, and long faces reach
- * far in. A face is long where its longest side squared is over this many times that of an equilateral face. */
+/* A patch of long faces should have more faces: a face that the border cuts is in at least two patches, and long faces
+ * reach far into a patch. A face is long if the square of its longest side is more than LONG times that of an
+ * equilateral triangle of the same area. */
 #define LONG 2.5
 /* The most faces that a patch of default size should have, so that time stays proportional to the number of faces; and
- * how much larger than its default size FACES_MIN may make it. */
+ * the largest factor by which FACES_MIN may enlarge a patch. */
 #define FACES_MAX 1000.0
 #define SIZE_FACTOR_MAX 8.0
-/* Growth stops at this number of faces, by default and with options->size: a patch that comes from large faces into
- * small ones would otherwise add them all, with a matrix to match. */
+/* Growth stops at this number of faces, by default and with options->size: a patch that grows from large faces into
+ * small ones would otherwise add them all and need a huge matrix. */
 #define DEFAULT_FACES_MAX 2000u
 #define SIZED_FACES_MAX 20000u
 /* Radius of the visible disk of a patch over half the side of its square. */
 #define SHOWN 0.75
-/* Effect of options->curved, and the smallest share of its size to which a patch shrinks. */
+/* Factor on options->curved, and the smallest share of its size to which a patch shrinks. */
 #define CURVED_GAIN 1.0
 #define CURVED_MIN 0.25
 
@@ -40,7 +41,7 @@ struct work {
     const struct hatch_lapped_input *input;
     struct hatch_patch_domain *domain;
     double *area;      /* per face */
-    double *angle_rad; /* per point: of the field in its frame */
+    double *angle_rad; /* per point: angle of the field in the point's frame */
 };
 
 static double square(double x)
@@ -48,7 +49,7 @@ static double square(double x)
     return x * x;
 }
 
-/* Mean squared turning of the normals along a face's sides, per squared length. */
+/* Returns the mean squared turning of the normals along a face's sides, per squared length. */
 static double normals_turn(const struct work *w, uint32_t face)
 {
     const struct hatch_surface *surface = w->domain->surface;
@@ -66,8 +67,9 @@ static double normals_turn(const struct work *w, uint32_t face)
     return sum / 3;
 }
 
-/* The mean of the corners' directions, projected into the face's plane without turning them: readers of the file that
- * know nothing of parallel transport see the same. Along a crease it follows the crease on both sides.
+/* Computes the mean of the corners' directions, projected into the face's plane without parallel transport, so that
+ * readers of the file, which know nothing of transport, find the same direction. Along a crease it follows the crease
+ * on both sides.
  *   nearest  as in hatch_field_mean_direction */
 static void find_direction(const struct work *w, const uint32_t *corner, const double normal[3], double direction[3],
                            double *nearest)
@@ -106,8 +108,8 @@ static void measure_face(const struct work *w, uint32_t face)
         domain->flattened[(size_t)face * 4 + (size_t)(2 * c - 1)] = hatch_vec_dot(side, across);
     }
     domain->singular[face] = hatch_field_face_index(surface, w->input->frames, w->angle_rad, face) != 0;
-    /* The second term is the squared sine of the largest angle between the directions of face and corners' directions,
-     * per area. */
+    /* The second term is the squared sine of the largest angle between the face's direction and that of a corner, per
+     * area. */
     domain->turning_rate[face] = normals_turn(w, face) + (1 - nearest) / (2 * w->area[face]);
 }
 
@@ -127,7 +129,7 @@ static void measure_slice(void *context, uint32_t slice)
         measure_face(w, f);
 }
 
-/* A side as a vector in its face's plane. */
+/* Computes a side as a vector in its face's plane. */
 static void side_vector(const struct hatch_patch_domain *domain, uint32_t side, double vector[2])
 {
     double from[2], to[2];
@@ -137,7 +139,7 @@ static void side_vector(const struct hatch_patch_domain *domain, uint32_t side, 
     vector[1] = to[1] - from[1];
 }
 
-/* Compares the directions of the two faces at a side as if they were unfolded around it. */
+/* Returns the matching of a side: compares the directions of its two faces as if they were unfolded around it. */
 static int8_t matching_at(const struct hatch_patch_domain *domain, uint32_t side)
 {
     const struct hatch_surface *surface = domain->surface;
@@ -160,9 +162,9 @@ static void match_slice(void *context, uint32_t slice)
         w->domain->matching[i] = matching_at(w->domain, i);
 }
 
-/* Replaces each value by the mean, over the face's points, of the area-weighted means around them.
+/* Replaces each face's value by the mean, over the face's points, of the area-weighted mean around the point.
  *   value  per face
- *   sum    room for 2 values per point */
+ *   sum    scratch: 2 values per point */
 static void blur(const struct hatch_surface *surface, const double *area, double *value, double *sum)
 {
     memset(sum, 0, (size_t)surface->point_count * 2 * sizeof *sum);
@@ -181,7 +183,7 @@ static void blur(const struct hatch_surface *surface, const double *area, double
     }
 }
 
-/* Diagonal of the box around the whole mesh, in the mesh's units. */
+/* Returns the diagonal of the whole mesh's bounding box, in the mesh's units. */
 static double diagonal_of(const struct hatch_surface *surface)
 {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, at[3];
@@ -195,7 +197,7 @@ static double diagonal_of(const struct hatch_surface *surface)
     return hatch_vec_distance(low, high);
 }
 
-/* Radius of a patch that shows about this many faces of an area. */
+/* Returns the radius of a patch that shows about this many faces of an area. */
 static double radius_of_faces(double faces, double area)
 {
     return sqrt(faces * area / 3.14159265358979) / SHOWN;
@@ -212,8 +214,8 @@ static double longest_squared(const struct hatch_patch_domain *domain, uint32_t 
     return longest;
 }
 
-/* Factor, 1 .., on the number of faces that a patch should have: larger for long faces, except where normals turn so
- * far that a patch of that size could not be made. */
+/* Returns the factor, at least 1, by which FACES_MIN is raised for a face that is long for its area (see LONG). It
+ * falls back towards 1 where normals or field turn so fast that a patch of that size could not be made. */
 static double long_face_factor(const struct hatch_patch_domain *domain, uint32_t face, double area)
 {
     double more = fmax(0, longest_squared(domain, face) / (LONG * EDGE_SQUARED * area) - 1);
@@ -221,8 +223,8 @@ static double long_face_factor(const struct hatch_patch_domain *domain, uint32_t
     return 1 + more / (1 + square(turning * turning));
 }
 
-/* Radius of a patch whose core contains a face and neighbours of its size. If it contained the face alone, each of a
- * row of long faces would be in three patches. */
+/* Returns the radius of a patch whose core contains a face and neighbours of the same size. If it contained the face
+ * alone, each of a row of long faces would be in three patches. */
 static double radius_to_contain(const struct hatch_patch_domain *domain, const struct hatch_outline *outline,
                                 uint32_t face)
 {
@@ -276,7 +278,7 @@ enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input
     double *area = HATCH_NEW_UNSET(scratch, double, count, err);
     double *sum = area ? HATCH_NEW_UNSET(scratch, double, (size_t)surface->point_count * 2, err) : NULL;
     if (sum) {
-        /* The angles are no longer needed when the blur uses sum. */
+        /* The angles are kept in sum, because they are no longer needed when the blur uses it. */
         struct work w = {input, &made, area, sum};
         hatch_parallel_for(pool, (surface->point_count + SLICE - 1) / SLICE, angle_slice, &w);
         hatch_parallel_for(pool, (count + SLICE - 1) / SLICE, measure_slice, &w);

@@ -4,7 +4,7 @@
 #include "lapped/work.h"
 #include "mesh/edges.h"
 
-/* Covered faces that a patch may add one behind another. */
+/* Largest number of covered faces that a patch may add one behind another. */
 #define COVERED_DEPTH_MAX 1
 
 enum hatch_status hatch_growth_make(const struct hatch_patch_domain *domain, const struct hatch_outline *outline,
@@ -57,9 +57,9 @@ static int count_sides_inside(const struct hatch_growth *growth, uint32_t face)
     return count;
 }
 
-/* Returns the sign that a face would have in the patch, or 0 where the patch may not add it: its direction must agree
- * with its neighbours', it must not be reached through a face with an index alone, and the patch must stay a disk
- * with faces with an index only on its boundary. */
+/* Returns the sign that a face would have in the patch, or 0 if the patch may not add it. Its direction must agree with
+ * those of its neighbours, it must not be reached only through a face with an index, and the patch must remain a disk
+ * that has faces with an index on its boundary only. */
 static int8_t admissible_sign(const struct hatch_growth *growth, uint32_t face)
 {
     const struct hatch_patch_domain *domain = growth->domain;
@@ -93,7 +93,8 @@ static int8_t admissible_sign(const struct hatch_growth *growth, uint32_t face)
     return sign ? sign : through;
 }
 
-/* Adds to sum the position of a corner of a face when the face is laid into the plane at its corner `from`, at xy. */
+/* Adds to sum the position that a corner of a face has when the face is laid into the plane with its corner `from` at
+ * xy. */
 static void unfold(const struct hatch_patch_domain *domain, uint32_t face, int8_t sign, uint32_t corner, uint32_t from,
                    const double xy[2], double sum[2])
 {
@@ -104,7 +105,8 @@ static void unfold(const struct hatch_patch_domain *domain, uint32_t face, int8_
         sum[i] += xy[i] + sign * (b[i] - a[i]);
 }
 
-/* Grows arrays that share one capacity; sizes: bytes per item of each. */
+/* Grows arrays that share one capacity.
+ *   sizes  bytes per item of each array */
 static enum hatch_status reserve_all(struct hatch_arena *arena, void *const *arrays, const size_t *sizes, size_t count,
                                      uint32_t *capacity, uint32_t needed, struct hatch_err *err)
 {
@@ -178,7 +180,8 @@ static enum hatch_status push_side(struct hatch_growth *growth, uint32_t side, s
     return HATCH_OK;
 }
 
-/* Adds a face. new_corner: the corner whose vertex the patch lacks; 3: none. */
+/* Adds a face.
+ *   new_corner  the corner whose vertex the patch lacks; 3: none */
 static enum hatch_status add_face(struct hatch_growth *growth, uint32_t face, int8_t sign, uint8_t depth,
                                   uint32_t new_corner, struct hatch_err *err)
 {
@@ -246,7 +249,7 @@ static enum hatch_status start_at_seed(struct hatch_growth *growth, struct hatch
     return add_face(growth, patch->seed_face, 1, 0, 3, err);
 }
 
-/* The covered_depth of the face behind a side of the patch. */
+/* Returns the covered_depth that the face behind a side of the patch would have. */
 static uint8_t covered_depth_behind(const struct hatch_growth *growth, uint32_t side, uint32_t face)
 {
     return growth->covered[face] ? (uint8_t)(growth->patch.covered_depth[growth->face[side / 3].local] + 1) : 0;
@@ -279,7 +282,7 @@ static enum hatch_status find_boundary(struct hatch_growth *growth, struct hatch
     return HATCH_OK;
 }
 
-/* Adds the faces behind queued sides, nearest first, and those behind their sides. */
+/* Adds the faces behind queued sides, nearest first, and then those behind the sides of the added faces. */
 static enum hatch_status add_queued_faces(struct hatch_growth *growth, struct hatch_err *err)
 {
     struct hatch_patch *patch = &growth->patch;

@@ -60,7 +60,7 @@ static enum hatch_status add_to_coverage(struct making *making, struct hatch_err
     making->shown_count = making->newly_covered_count = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double mask[3][2];
-        /* Such faces lie outside the outline. */
+        /* Faces that exceed a limit lie outside the outline. */
         if (f > 0 && patch->limit_state[f] == HATCH_LAPPED_EXCEEDED)
             continue;
         for (uint32_t c = 0; c < 3; c++)
@@ -77,7 +77,7 @@ static enum hatch_status add_to_coverage(struct making *making, struct hatch_err
     return HATCH_OK;
 }
 
-/* Converts from the patch's plane to the mesh's units with v = -y. */
+/* Converts a vertex from the patch's plane to the mesh's units, with v = -y. */
 static void write_vertex(const struct making *making, uint32_t vertex, double scale, struct hatch_lapped_vertex *to)
 {
     const struct hatch_patch *patch = &making->growth.patch;
@@ -119,8 +119,9 @@ static enum hatch_status store_patch(struct making *making, double scale, struct
     return HATCH_OK;
 }
 
-/* Postpones the seed face, and the faces in the core, of a patch that had to shrink much until their neighbours are
- * covered: then the patch lies below those, and the faces that hindered it may be covered. */
+/* Called for a patch that had to shrink much: postpones its seed face, and the faces in its core, until their
+ * neighbours are covered. A patch made there then lies below those of its neighbours, and the faces that hindered it
+ * may be covered. */
 static void postpone(struct making *making, uint32_t seed_face)
 {
     const struct hatch_patch *patch = &making->growth.patch;
@@ -168,7 +169,7 @@ static enum hatch_status make_all(struct making *making, struct hatch_err *err)
     return HATCH_OK;
 }
 
-/* Copies the patches to arena in drawing order: the last one made is the lowest. */
+/* Copies the patches to arena in drawing order, in which the last one made is the lowest. */
 static enum hatch_status gather(const struct making *making, struct hatch_arena *arena, struct hatch_lapped *lapped,
                                 struct hatch_err *err)
 {

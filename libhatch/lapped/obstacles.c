@@ -2,9 +2,9 @@
 
 #include "lapped/work.h"
 
-/* Obstacle points along a segment. */
+/* Number of obstacle points along a segment. */
 #define POINTS_PER_SIDE 4
-/* Offsets that are tried: directions on half a turn, and distances. */
+/* Offsets that are tried: numbers of directions on half a turn and of distances. */
 #define DIRECTIONS 8
 #define DISTANCES 5
 
@@ -29,9 +29,10 @@ double hatch_patch_radius_min(const struct hatch_patch *patch, const struct hatc
     return (patch->seed_radius + away) / (2 * outline->core_min);
 }
 
-/* Returns the largest radius, up to the patch's, of an outline around center that contains no obstacle; 0 where it is
- * not over `least`.
- *   nearest  in: obstacle to begin with; out: the one that decides, probably also for the next center */
+/* Returns the largest radius, up to the patch's, at which an outline around center contains no obstacle; 0 if it is not
+ * greater than `least`.
+ *   nearest  in: obstacle to test first; out: obstacle that limits the radius, which probably also limits it at the
+ *            next center */
 static double largest_radius(const struct hatch_patch *patch, const struct hatch_outline *outline,
                              const struct hatch_obstacles *obstacles, const double center[2], double least,
                              uint32_t *nearest)

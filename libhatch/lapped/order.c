@@ -4,8 +4,8 @@
 #include "lapped/work.h"
 #include "math/vector.h"
 
-/* Distance of a seed face from covered faces, in radii of the core: disks that cover a plane with the least overlap are
- * √3 radii apart. */
+/* Distance of a seed face from covered faces, in radii of the core. Disks that cover a plane with the least overlap
+ * have centers √3 radii apart, so a new center is best √3 - 1 radii from another disk. */
 #define DISTANCE_BEST 0.73
 #define DISTANCE_MIN 0.55
 #define DISTANCE_MAX 1.0
@@ -68,7 +68,7 @@ void hatch_order_start_component(struct hatch_order *order, uint32_t number)
     struct hatch_order_item *items = &order->items[component->first_face];
     for (uint32_t i = 0; i < component->face_count; i++) {
         float rate = (float)order->domain->turning_rate[component->first_face + i];
-        /* The bits of floats that are not negative are ordered as the floats are. */
+        /* Floats that are not negative have the same order as their bits. */
         memcpy(&items[i].key, &rate, sizeof rate);
         items[i].face = component->first_face + i;
     }
@@ -78,8 +78,8 @@ void hatch_order_start_component(struct hatch_order *order, uint32_t number)
             order->smooth[order->smooth_count++] = items[i].face;
 }
 
-/* Distance to covered faces in radii of the core of a patch that begins here. Distances are between middles of faces:
- * one edge length of them is covered already. */
+/* Returns the distance from a face to covered faces, in radii of the core of a patch that begins at the face. Distances
+ * are measured between the middles of faces; the last edge length of them is already covered. */
 static double relative_distance(const struct hatch_order *order, uint32_t face)
 {
     return (order->distance[face] - order->domain->edge_length[face]) /

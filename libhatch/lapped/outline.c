@@ -6,17 +6,17 @@
 
 #include "base/random.h"
 
-/* Fourier coefficients of the radius. */
+/* Number of Fourier coefficients of the radius. */
 #define WAVES 8
 /* Largest radius: the mask's border texels must stay 0 under filtering. */
 #define REACH_MAX 0.48
 /* Depth of the dents of the roughest outline, as a share of its radius. */
 #define DENT_MAX 0.22
-/* Directions per half turn at which the border is measured. */
+/* Number of directions per half turn at which the border is measured. */
 #define SAMPLES 512
 
-/* The core's radius in a direction, by powers of a complex number of length 1: unlike sines of multiples of the angle
- * they have the same bits on every machine. */
+/* Returns the core's radius in a direction. It sums powers of a complex number of length 1, which, unlike sines of
+ * multiples of the angle, have the same bits on every machine. */
 static double wave_at(const struct hatch_outline *outline, double cosine, double sine)
 {
     double sum = outline->wave[0][0], re = 1, im = 0;
@@ -29,7 +29,7 @@ static double wave_at(const struct hatch_outline *outline, double cosine, double
     return sum;
 }
 
-/* Upper bound of the derivative of the radius with respect to the angle. */
+/* Returns an upper bound of the derivative of the radius with respect to the angle. */
 static double slope_of(const struct hatch_outline *outline)
 {
     double slope = 0;
@@ -38,7 +38,7 @@ static double slope_of(const struct hatch_outline *outline)
     return slope;
 }
 
-/* Bounds of the radius over all directions: of the samples, and of the change between two of them. */
+/* Computes bounds of the radius over all directions from samples and a bound of the change between two of them. */
 static void measure(const struct hatch_outline *outline, double bounds[2])
 {
     bounds[0] = HUGE_VAL;
@@ -59,7 +59,7 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
 {
     assert(roughness >= 0 && roughness <= 1 && feather >= 0.01 && feather <= 0.3);
     *outline = (struct hatch_outline){.feather = feather};
-    /* The first harmonic would only move the blob. */
+    /* The first harmonic would only shift the blob. */
     for (uint64_t k = 2; k < WAVES; k++)
         for (uint64_t i = 0; i < 2; i++)
             outline->wave[k][i] = (2 * (double)hatch_random_unit(seed, k, i) - 1) / (double)k;
@@ -74,7 +74,7 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
     measure(outline, bounds);
     outline->core_min = bounds[0];
     outline->reach_max = bounds[1] + feather;
-    /* See hatch_outline_depth. */
+    /* The bound of the slope that hatch_outline_depth relies on. */
     double inner = outline->core_min - (bounds[1] - bounds[0]) / 2;
     double slope = slope_of(outline) / inner;
     outline->steep = sqrt(1 + slope * slope);
@@ -95,9 +95,9 @@ double hatch_outline_opacity(const struct hatch_outline *outline, const double u
     return fmin(1, fmax(0, 1 - (distance - radius) / outline->feather));
 }
 
-/* Along a segment outside the circle of radius `inner`, the distance to the border along the radius changes by at most
- * `steep` per length. A segment to the border that enters that circle is at least as long as from uv to the circle plus
- * from the circle to core_min. */
+/* Along a segment outside the circle of radius `inner`, the radial distance to the border changes by at most `steep`
+ * per length. A segment from uv to the border that enters this circle is at least as long as the distance from uv to
+ * the circle plus that from the circle to radius core_min. */
 double hatch_outline_depth(const struct hatch_outline *outline, const double uv[2])
 {
     double radius, distance = polar(outline, uv, &radius);
@@ -121,12 +121,12 @@ double hatch_outline_distance(const struct hatch_outline *outline, const double 
     return outside_ramp <= 0 ? outside_ramp : fmax(outside, outside_ramp / outline->steep);
 }
 
-/* Half the side, in texels of the finest level, of the footprint of a bilinear read two levels coarser, where texels
- * are 4 wide. */
+/* Half the side, in texels of the finest level, of the footprint of a bilinear lookup two levels coarser, where a texel
+ * is 4 wide. */
 #define FOOTPRINT_PX 6.5
 
-/* Returns whether the core may reach into the square of half side `footprint` around uv, tested at 25 points: no point
- * of the square is farther than .36 of the half side from one of them. */
+/* Returns whether the core may reach into the square of half side `footprint` around uv. It is tested at 25 points; no
+ * point of the square is further than 0.36 of the half side from one of them. */
 static bool square_meets_core(const struct hatch_outline *outline, const double uv[2], double footprint)
 {
     double depth = hatch_outline_depth(outline, uv);

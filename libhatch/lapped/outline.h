@@ -1,6 +1,6 @@
-/* The outline of all patches: one irregular blob with a feathered border (Lapped Textures, SIGGRAPH 2000, §3; kept
- * apart from the strokes as in Real-Time Hatching, §6). Mask coordinates are those of a unit square with the blob in
- * its middle; outside the square opacity is 0. The core is the area with opacity 1. */
+/* The outline that all patches share: one irregular blob with a feathered border (Lapped Textures, SIGGRAPH 2000, §3;
+ * kept apart from the strokes as in Real-Time Hatching, §6). Mask coordinates are those of a unit square with the blob
+ * in its middle; outside the square opacity is 0. The core is the area with opacity 1. */
 #ifndef HATCH_LAPPED_OUTLINE_H
 #define HATCH_LAPPED_OUTLINE_H
 
@@ -10,9 +10,9 @@
 struct hatch_outline {
     double feather;    /* width of the ramp from opacity 1 to 0 */
     double core_min;   /* radius of the largest circle around the middle that the core contains */
-    double reach_max;  /* radius of the smallest circle around the middle that contains all opacity over 0 */
+    double reach_max;  /* radius of the smallest circle around the middle outside which opacity is 0 */
     double wave[8][2]; /* Fourier coefficients (cosine, sine) of the core's radius over the angle; [0][0] is its mean */
-    double steep;      /* a radial distance to the border is at most this many times the true one, 1 .. */
+    double steep;      /* bound of the radial distance to the border over the true distance, 1 .. */
 };
 
 /* Makes an outline.
@@ -24,10 +24,11 @@ void hatch_outline_make(uint64_t seed, double roughness, double feather, struct 
 /* Returns the opacity at mask coordinates uv, 0 .. 1; exactly 1 in the core. */
 double hatch_outline_opacity(const struct hatch_outline *outline, const double uv[2]);
 
-/* Returns a signed lower bound of the distance from uv to the core's border, over 0 in the core. */
+/* Returns a signed lower bound of the distance from uv to the core's border, positive in the core. */
 double hatch_outline_depth(const struct hatch_outline *outline, const double uv[2]);
 
-/* Returns a lower bound of the distance from uv to the nearest place with opacity over 0; at most 0 there. */
+/* Returns a lower bound of the distance from uv to the nearest place where opacity is greater than 0. At such a place
+ * it is at most 0. */
 double hatch_outline_distance(const struct hatch_outline *outline, const double uv[2]);
 
 /* Draws the outline as an image of one channel "Y", rows from the top (v = 0). A texel is 1 where its bilinear

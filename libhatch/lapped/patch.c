@@ -4,41 +4,41 @@
 #include "base/random.h"
 #include "lapped/work.h"
 
-/* Rounds of growing and solving before a patch is reduced to its seed face. */
+/* Largest number of rounds of growing and solving; after them, a patch is reduced to its seed face. */
 #define ROUNDS_MAX 24
 /* A face with a smaller determinant counts as turned over: its orientation must survive rounding to floats. */
 #define DETERMINANT_MIN 0.05
 /* Bounds of the determinant of a face that is visible. */
 #define AREA_MIN 0.25
 #define AREA_MAX 4.0
-/* One face in NEAR_ONE_IN of a patch may be farther off the field than NEAR_SHARE of the limit. */
+/* At most one face in NEAR_ONE_IN of a patch may be turned from the field by more than NEAR_SHARE of the limit. */
 #define NEAR_ONE_IN 12
 #define NEAR_SHARE 0.57
-/* Bisections of a segment before it counts as touched. */
+/* Number of bisections after which a segment counts as touched. */
 #define HALVINGS 4
-/* Factor by which the outline shrinks in a round: the largest, and the smallest while a face exceeds a limit. */
+/* Factor by which the outline shrinks in a round: its largest value, and its smallest while a face exceeds a limit. */
 #define SHRINK 0.97
 #define SHRINK_MIN 0.7
-/* A solution is kept while at most one vertex in UNSOLVED_ONE_IN has been added, and while the outline's area and the
- * number of faces are at least REUSE_MIN of those at the solution. */
+/* A solution is reused as long as at most one vertex in UNSOLVED_ONE_IN is new, and the outline's area and the number
+ * of faces are at least REUSE_MIN of those at the solution. */
 #define UNSOLVED_ONE_IN 12
 #define REUSE_MIN 0.8
 /* Positions are solved for the faces that an outline larger by this factor touches, since solving moves faces. */
 #define SOLVE_MARGIN 1.03
-/* The first faces_max of a patch: this factor times the number of faces of the last patch there, at least START_MIN.
- * While no limit is exceeded faces_max is raised by the same factor. */
+/* The initial faces_max of a patch is this factor times the number of faces of the last patch there, but at least
+ * START_MIN. While no limit is exceeded, faces_max is raised by the same factor. */
 #define START_FACTOR 4
 #define START_MIN 16u
-/* Also at most this factor times the number of faces that the outline would contain if all were like the seed face: a
- * patch that comes from large faces into small ones would otherwise add many in vain. */
+/* The initial faces_max is also at most this factor times the number of faces that the outline would contain if all
+ * were like the seed face: a patch that grows from large faces into small ones would otherwise add many in vain. */
 #define EXPECTED_FACTOR 2.0
 /* Number of equilateral triangles of side 1 in a circle of radius 1. */
 #define FACES_IN_CIRCLE 7.26
 /* The outline's radius does not shrink below this many edge lengths: faces that exceed a limit are then excluded, and
  * the patch is cut there. */
 #define RADIUS_MIN_EDGES 5.0
-/* The core is larger than the circle around the seed face by this factor, so that few subdivisions show that it
- * contains the face. */
+/* The core is larger than the circle around the seed face by this factor, so that few subdivisions suffice to show that
+ * it contains the face. */
 #define SEED_MARGIN 1.05
 
 void hatch_patch_mask(const struct hatch_patch *patch, const double xy[2], double mask[2])
@@ -91,7 +91,7 @@ double hatch_patch_enclosing_circle(const double at[3][2], double center[2])
     return sqrt(x * x + y * y);
 }
 
-/* Puts the outline's center at its offset from the seed face. */
+/* Puts the outline's center at its offset from the center of the seed face's circle. */
 static void center_on_seed(struct hatch_growth *growth)
 {
     struct hatch_patch *patch = &growth->patch;
@@ -110,17 +110,17 @@ static void center_on_seed(struct hatch_growth *growth)
     patch->radius = fmax(patch->radius, hatch_patch_radius_min(patch, growth->outline));
 }
 
-/* A patch at the end of a round. */
+/* The state of a patch at the end of a round. */
 struct verdict {
     uint32_t exceeding_face; /* the first local face that exceeds a limit and that the outline touches, or UINT32_MAX */
     bool can_grow;           /* the outline touches faces that growth may add */
     bool cut;                /* the outline touches a side behind which the patch has no face and cannot grow */
 };
 
-/* The rounds in which a patch is made. */
+/* The state of the rounds in which a patch is made. */
 struct trial {
     struct verdict verdict;
-    double solved_radius;   /* outline's radius at the last solution */
+    double solved_radius;   /* the outline's radius at the last solution */
     uint64_t solved_faces;  /* sum over all solutions */
     bool solve_due, solved; /* the next round must solve; the last round did */
     bool regrow;            /* the next round must grow from the seed face, since faces have been excluded */
@@ -128,7 +128,7 @@ struct trial {
     bool seed_face_exceeds; /* the seed face exceeded a limit in an outline that could not shrink */
 };
 
-/* Makes obstacles of boundary sides that the patch cannot grow across. */
+/* Judges the boundary sides, and makes obstacles of those that the patch cannot grow across. */
 static enum hatch_status judge_boundary(const struct hatch_growth *growth, struct hatch_obstacles *obstacles,
                                         struct verdict *verdict, struct hatch_err *err)
 {
@@ -167,8 +167,8 @@ static enum hatch_limit_state find_limit_state(const struct hatch_growth *growth
     return fit.angle_tan <= tan(options->turn_max_rad) ? HATCH_LAPPED_NEAR : HATCH_LAPPED_EXCEEDED;
 }
 
-/* Finds the limit_state of faces added since the last call. Where many faces are near a limit they count as exceeding
- * it. A few may stay: without them patches of few faces, as on creases, could not be made. */
+/* Finds the limit_state of faces added since the last call. If many faces are near a limit, these count as exceeding
+ * it. A few are tolerated; otherwise patches of few faces, as on creases, could not be made. */
 static void measure_faces(struct hatch_growth *growth, const struct hatch_lapped_options *options)
 {
     struct hatch_patch *patch = &growth->patch;
@@ -185,7 +185,7 @@ static void measure_faces(struct hatch_growth *growth, const struct hatch_lapped
     patch->near_count = 0;
 }
 
-/* Returns whether the outline touches a local face: one of its sides, or it is the seed face. */
+/* Returns whether the outline touches a side of a local face; always true for the seed face. */
 static bool face_touched(const struct hatch_growth *growth, uint32_t local)
 {
     const struct hatch_patch *patch = &growth->patch;
@@ -232,8 +232,8 @@ static void rotate_at_random(struct hatch_patch *patch, uint64_t seed)
     patch->rotation[1] = y / length;
 }
 
-/* Moves and shrinks the outline so that it avoids the obstacles. Where it cannot shrink further, excludes the faces
- * that exceed a limit; false when there are none. */
+/* Moves and shrinks the outline so that it avoids the obstacles. If it cannot shrink further, excludes the faces that
+ * exceed a limit, and returns false if the outline touches none of them. */
 static bool shrink_or_exclude(struct hatch_growth *growth, struct trial *trial)
 {
     const struct verdict *verdict = &trial->verdict;
@@ -301,8 +301,8 @@ static enum hatch_status store_first_attempt(struct hatch_growth *growth, struct
     return HATCH_OK;
 }
 
-/* Limits later patches that begin on faces of the first round: where this patch had to shrink much, they are likely to.
- * Otherwise each face of a crumpled area would cost a patch of full size. */
+/* Limits later patches that begin on faces of the first round: where this patch had to shrink much, they are likely to
+ * shrink too. Without the limit, each face of a crumpled area would cost a patch of full size. */
 static void set_start_faces_max(struct hatch_growth *growth)
 {
     uint32_t most = growth->domain->faces_max, count = growth->patch.face_count;
@@ -340,7 +340,7 @@ static enum hatch_status run_round(struct hatch_growth *growth, struct hatch_sol
     return judge(growth, options, &trial->verdict, err);
 }
 
-/* Prepares the next round; false when the patch is finished. */
+/* Prepares the next round. Returns false when the patch is finished. */
 static bool plan_next_round(struct hatch_growth *growth, struct trial *trial)
 {
     struct hatch_patch *patch = &growth->patch;

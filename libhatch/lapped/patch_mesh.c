@@ -3,12 +3,12 @@
 #include "lapped/work.h"
 #include "math/vector.h"
 
-/* A corner of the patch; corners that agree in the first three share a vertex of its mesh. */
+/* A corner of the patch. Corners that agree in the first three members share a vertex of its mesh. */
 struct corner {
-    uint32_t vertex;  /* of the patch */
+    uint32_t vertex;  /* vertex of the patch */
     uint32_t origin;  /* vertex of the source mesh */
-    uint32_t flipped; /* 1: its normal must be flipped */
-    uint32_t index;   /* among the patch's corners */
+    uint32_t flipped; /* 1 if its normal must be flipped */
+    uint32_t index;   /* its index among the patch's corners */
 };
 
 /* The patch and what its mesh is made from. */
@@ -16,11 +16,11 @@ struct patch_source {
     const struct hatch_lapped_input *input;
     const struct hatch_lapped *lapped;
     const struct hatch_lapped_patch *patch;
-    float *hatch;           /* 2 a vertex: TEXCOORD_0 */
-    struct corner *corners; /* by vertex, origin, flipped, index */
+    float *hatch;           /* 2 per vertex: TEXCOORD_0 */
+    struct corner *corners; /* sorted by vertex, origin, flipped, index */
 };
 
-/* Orders corners of one vertex. */
+/* Returns whether corner a comes before corner b of the same vertex. */
 static bool before(const struct corner *a, const struct corner *b)
 {
     if (a->origin != b->origin)
@@ -33,7 +33,7 @@ static bool same(const struct corner *a, const struct corner *b)
     return a->vertex == b->vertex && a->origin == b->origin && a->flipped == b->flipped;
 }
 
-/* Returns whether a corner's normal points to the wrong side, since the surface's face runs the other way round. */
+/* Returns whether a corner's normal points to the wrong side because the face was reversed in the surface. */
 static bool needs_flip(const struct hatch_lapped_input *input, const float *normals, uint32_t face, uint32_t c)
 {
     const struct hatch_surface *surface = input->surface;

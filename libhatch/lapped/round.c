@@ -3,22 +3,23 @@
 
 #include "lapped/work.h"
 
-/* Rounds over the faces that rounding has turned over, and distances that a vertex may be moved: 1, 2, 4 .. times the
- * distance between floats. */
+/* Number of rounds over the faces that rounding has turned over, and number of distances by which a vertex may be
+ * moved: 1, 2, 4 .. times the distance between floats. */
 #define ROUNDS 12
 #define DOUBLINGS 6
-/* Directions in which a vertex may be moved. */
+/* Number of directions in which a vertex may be moved. */
 #define DIRECTIONS 8
 
 struct rounding {
-    const uint32_t *corners; /* 3 a face */
+    const uint32_t *corners; /* 3 per face */
     uint32_t face_count, vertex_count;
-    float *uv;               /* 2 a vertex */
+    float *uv;               /* 2 per vertex */
     uint32_t *first, *faces; /* faces of vertex v: faces[first[v]] .. faces[first[v + 1] - 1] */
     double step;             /* distance between floats at the largest coordinate */
 };
 
-/* v rises downwards, so that a face runs clockwise. Differences and products of floats are exact in doubles. */
+/* Returns whether a face is turned over. Because v points down, a face that is not turned over has a negative area in u
+ * and v. Differences and products of floats are exact in doubles. */
 static bool turned_over(const struct rounding *rounding, uint32_t face)
 {
     const uint32_t *corner = &rounding->corners[3 * (size_t)face];
@@ -37,8 +38,8 @@ static uint32_t count_turned(const struct rounding *rounding, uint32_t vertex)
     return count;
 }
 
-/* Moves a vertex by the least distance with which the fewest of its faces are turned over; false where no move
- * helps. */
+/* Moves a vertex to where the fewest of its faces are turned over, by the shortest move that achieves this. Returns
+ * false if no move helps. */
 static bool move_vertex(const struct rounding *rounding, uint32_t vertex)
 {
     static const int direction[DIRECTIONS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};

@@ -3,10 +3,10 @@
 #include "lapped/atlas.h"
 #include "lapped/heap.h"
 
-/* Bisections in the search for the smallest square. */
+/* Number of bisections in the search for the smallest square. */
 #define SEARCH_ROUNDS 40
 
-/* Packs the boxes in the given order onto shelves of the given width; returns the height of all, infinite when a box is
+/* Packs the boxes in the given order onto shelves of the given width. Returns the total height, or infinity if a box is
  * too wide. */
 static double fill_shelves(const double *sizes, const uint32_t *order, uint32_t count, double width, double gap,
                            double *corners)

@@ -3,26 +3,28 @@
 
 #include "lapped/work.h"
 
-/* Weight of turning strokes against stretching them lengthwise or sideways. */
+/* Weight of turning strokes relative to stretching them lengthwise or sideways. */
 #define TURN_WEIGHT 5.0
-/* The scale of a face in the plane may vary over a patch, so that diverging strokes, and a surface that cannot be
- * flattened, need neither turning nor stretching: bounds of the scale, number of solutions, and over-relaxation of
- * the change between two of them. */
+/* Bounds of the scale of a face in the plane, number of solutions, and over-relaxation of the change of scales between
+ * two solutions. The scale may vary over a patch, so that diverging strokes, and a surface that cannot be flattened,
+ * need neither turning nor stretching. */
 #define SCALE_MIN 0.6
 #define SCALE_MAX 1.6
 #define SCALE_ROUNDS 4
 #define SCALE_STEP 1.7
-/* Mean change of the scales at which the rounds end. */
+/* The rounds end when the mean change of the scales is below this. */
 #define SCALE_SETTLED 0.005
-/* Other numberings are tried where the envelope has more entries than this times vertices to the power of 1.5. */
+/* Other numberings are tried where the envelope has more entries than this factor times the number of vertices to the
+ * power of 1.5. */
 #define ENVELOPE_FAIR 1.5
-/* Strips of the plane per vertex, for sorting. */
+/* Number of strips of the plane per vertex, for sorting. */
 #define STRIPS 4u
-/* Largest entry of a face in the matrix: a needle's would otherwise lose its neighbours' to rounding. */
+/* Largest entry that a face adds to the matrix; beside a larger one, that of a needle, the entries of its neighbours
+ * would be lost to rounding. */
 #define ENTRY_MAX 1e7
 /* Least pivot as a share of the diagonal entry. */
 #define PIVOT_MIN 1e-12
-/* Relative weight of a face with an index, which need not follow the field. */
+/* Relative weight of a face in which the field has an index; such a face need not follow the field. */
 #define SINGULAR_WEIGHT 1e-3
 
 static enum hatch_status reserve_arrays(struct hatch_solver *solver, const struct hatch_patch *patch,
@@ -55,7 +57,7 @@ static enum hatch_status reserve_arrays(struct hatch_solver *solver, const struc
     return HATCH_OK;
 }
 
-/* Finds the box around the vertices; returns its longer axis. */
+/* Finds the bounding box of the vertices. Returns its longer axis. */
 static uint32_t find_box(const struct hatch_patch *patch, double low[2], double high[2])
 {
     low[0] = low[1] = HUGE_VAL;
@@ -70,9 +72,9 @@ static uint32_t find_box(const struct hatch_patch *patch, double low[2], double 
     return high[1] - low[1] > high[0] - low[0];
 }
 
-/* Ranks the vertices in the order of a sweep along an axis, by strips that contain at most one on average: the envelope
- * is then about as wide as the patch. Axis 2 stands for the reverse order of growth, which is better where long faces
- * lie across each other. */
+/* Ranks the vertices in the order of a sweep along an axis, by strips that contain less than one vertex on average; the
+ * envelope is then about as wide as the patch. Axis 2 stands for the reverse order of growth, which is better where
+ * long faces lie across each other. */
 static void number_vertices(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t axis,
                             const double low[2], const double high[2])
 {
@@ -97,7 +99,7 @@ static void number_vertices(struct hatch_solver *solver, const struct hatch_patc
         rank[v] = solver->strip_rank[rank[v]]++;
 }
 
-/* Finds the first column of each row; returns the number of entries in the envelope. */
+/* Finds the first column of each row. Returns the number of entries in the envelope. */
 static uint64_t find_envelope(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
     for (uint32_t i = 0; i < patch->vertex_count; i++)
@@ -150,8 +152,8 @@ static enum hatch_status choose_numbering(struct hatch_solver *solver, const str
     return HATCH_OK;
 }
 
-/* Computes the gradients of a face's three hat functions in the face's plane, x along its signed direction; returns its
- * area. */
+/* Computes the gradients of a face's three hat functions in the face's plane, with x along its signed direction.
+ * Returns its area. */
 static double hat_gradients(const struct hatch_patch_domain *domain, uint32_t face, int8_t sign, double gradient[3][2])
 {
     const double *flat = &domain->flattened[(size_t)face * 4];
@@ -208,7 +210,7 @@ static void add_matrix(struct hatch_solver *solver, const struct hatch_patch *pa
     }
 }
 
-/* The mean of a face's scales along x and y in the plane. */
+/* Returns the mean of a face's scales along x and y in the plane. */
 static double scale_of(const struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t local)
 {
     const double *gradient = &solver->gradients[8 * local];
@@ -233,8 +235,8 @@ static void add_right_side(struct hatch_solver *solver, const struct hatch_patch
     }
 }
 
-/* Subtracts a dot product from value, of x and of y. Four partial sums hide the processor's latency; the order of
- * summation is fixed. */
+/* Subtracts the dot product of a and b from value, for x and for y. Four partial sums hide the processor's latency; the
+ * order of summation is fixed. */
 static void subtract_dot(double (*a)[2], double (*b)[2], uint32_t count, double value[2])
 {
     double sum[4][2] = {{0, 0}, {0, 0}, {0, 0}, {0, 0}};
@@ -280,7 +282,7 @@ static void factorize(const struct hatch_solver *solver, uint32_t count)
     }
 }
 
-/* Replaces the right sides by the solutions. */
+/* Replaces the right-hand sides by the solutions. */
 static void substitute(const struct hatch_solver *solver, uint32_t count)
 {
     double(*restrict right)[2] = solver->right_side;
@@ -302,7 +304,7 @@ static void substitute(const struct hatch_solver *solver, uint32_t count)
     }
 }
 
-/* Moves the faces' target scales towards those of the solution; false when they hardly change. */
+/* Moves the faces' target scales towards those of the solution. Returns false when they hardly change. */
 static bool update_scales(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
     double change = 0, whole = 0;

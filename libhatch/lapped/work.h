@@ -1,37 +1,39 @@
 /* Internals that the files of lapped share: the surface prepared for patches, the patch being grown, the solver, and
- * the record of covered faces. Lengths are those of the surface: 1 is a component's mean edge. In the plane of a patch
- * x runs along the field and y at a right angle, so that faces are counter-clockwise; v falls with y only in the
- * coordinates that leave this module. */
+ * the record of covered faces. Lengths are those of the surface: 1 is a component's mean edge. In a patch's plane x
+ * runs along the field and y is turned 90° counter-clockwise from it, so that faces stay counter-clockwise. The
+ * published coordinates (struct hatch_lapped_vertex) have v = -y. */
 #ifndef HATCH_LAPPED_WORK_H
 #define HATCH_LAPPED_WORK_H
 
 #include "lapped/heap.h"
 #include "lapped/lapped.h"
 
-/* Lower bound of twice a face's area over the sum of its squared sides: smaller values are rounding. */
+/* Lower bound of twice a face's area over the sum of its squared sides; smaller values are rounding errors. */
 #define HATCH_LAPPED_AREA_FLOOR 1e-12
 
-/* The surface with what patches need to know of each face. A face has one direction: the mean of its corners' as they
- * stand in space. */
+/* The surface with the data that patches need for each face. A face has one direction: the mean of its corners'
+ * directions in space, without parallel transport. */
 struct hatch_patch_domain {
     const struct hatch_surface *surface;
-    double *flattened;     /* 4 a face: corners 1 and 2 relative to corner 0, x along the face's direction */
+    double *flattened;     /* 4 per face: corners 1 and 2 relative to corner 0, x along the face's direction */
     double *turning_rate;  /* per face: radians by which normals and field turn per length, smoothed */
     double *target_radius; /* per face: radius of a patch that begins there, half the side of the mask's square */
-    double *edge_length;   /* per face: typical length of an edge around it */
+    double *edge_length;   /* per face: side of an equilateral triangle with the face's smoothed area; a typical edge
+                              length there */
     uint8_t *singular;     /* per face: 1 where the field has an index */
-    int8_t *matching;   /* per side: sign that takes the direction of the face behind it to this face's; 1 or -1, 2 or
-                           -2 where the two are within 60°; 0 where no patch may cross */
-    uint32_t faces_max; /* of one patch */
+    int8_t *matching; /* per side: the sign that makes the direction of the face behind it agree with this face's, times
+                         2 where the two are within 60°, else times 1; 0 where no patch may cross */
+    uint32_t faces_max; /* largest number of faces of one patch */
 };
 
-/* Prepares a surface for patches; the same for any number of threads. The arrays live in arena. */
+/* Prepares a surface for patches; the result is the same for any number of threads. The arrays live in arena. */
 enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input,
                                           const struct hatch_lapped_options *options, struct hatch_pool *pool,
                                           struct hatch_arena *arena, struct hatch_arena *scratch,
                                           struct hatch_patch_domain *domain, struct hatch_err *err);
 
-/* Returns a face's corner (0 .. 2) in the face's plane: relative to corner 0, x along the face's direction. */
+/* Computes the position of a face's corner (0 .. 2) in the face's plane, relative to corner 0, with x along the face's
+ * direction. */
 static inline void hatch_patch_domain_corner(const struct hatch_patch_domain *domain, uint32_t face, uint32_t corner,
                                              double xy[2])
 {
@@ -43,61 +45,62 @@ static inline void hatch_patch_domain_corner(const struct hatch_patch_domain *do
 /* Finds the smallest circle around a triangle of the plane; returns its radius. */
 double hatch_patch_enclosing_circle(const double corners[3][2], double center[2]);
 
-/* Least radius of a patch's core over that of the circle around its seed face: neighbours of the same size then fit
- * into the core, too. */
+/* Least ratio of the radius of a patch's core to that of the smallest circle around its seed face; neighbours of the
+ * same size then fit into the core too. */
 #define HATCH_LAPPED_CORE_FACTOR 1.9
 
 /* A side on the boundary of a patch; another face of the surface lies behind it. */
 struct hatch_boundary_side {
-    uint32_t side;    /* of the surface */
+    uint32_t side;    /* side of the surface */
     uint32_t ends[2]; /* local vertices */
     bool covered;     /* the face behind is covered */
     bool growable;    /* growth may add the face behind */
 };
 
-/* Distortion of a face against the limits; near: within them, but not far from the one of the angle. */
+/* Distortion of a face compared with the limits. HATCH_LAPPED_NEAR: within all of them, but close to that of the
+ * angle. */
 enum hatch_limit_state { HATCH_LAPPED_WITHIN, HATCH_LAPPED_EXCEEDED, HATCH_LAPPED_NEAR };
 
 /* The patch being grown. Local faces and vertices are numbered in order of growth: the first n faces are a disk for any
  * n. Arrays live in the growth's arena. */
 struct hatch_patch {
     uint32_t seed_face;
-    double center[2], radius, rotation[2]; /* of the outline; rotation: cosine and sine from the plane to the mask */
-    double offset[2];                      /* of the center, from that of the circle around the seed face */
-    double seed_radius;                    /* radius that the core needs there to contain the seed face */
+    double center[2], radius, rotation[2]; /* of the outline; rotation: cosine and sine, from the plane to the mask */
+    double offset[2];   /* from the center of the circle around the seed face to that of the outline */
+    double seed_radius; /* radius that a core around the center of that circle needs to contain the seed face */
     uint32_t face_count, vertex_count;
     uint32_t *faces;        /* the surface's faces */
-    uint32_t *corners;      /* 3 a face: local vertices */
+    uint32_t *corners;      /* 3 per face: local vertices */
     int8_t *sign;           /* per face: 1 where x runs along the face's direction, -1 where against it */
     uint32_t *points;       /* per vertex: the surface's point */
-    double *xy;             /* 2 a vertex: position in the patch's plane */
+    double *xy;             /* 2 per vertex: position in the patch's plane */
     uint8_t *covered_depth; /* per face: 0 when not covered, else 1 + the depth of the face from which it was added */
     uint8_t *limit_state;   /* per face: enum hatch_limit_state */
     struct hatch_boundary_side *boundary;
     uint32_t boundary_count;
-    uint32_t measured_count;             /* the first so many faces have a limit_state */
-    uint32_t exceeded_count, near_count; /* of measured faces: that are HATCH_LAPPED_EXCEEDED, HATCH_LAPPED_NEAR */
+    uint32_t measured_count;             /* number of faces, from the first on, that have a limit_state */
+    uint32_t exceeded_count, near_count; /* number of measured faces in the state EXCEEDED, and in NEAR */
     uint32_t face_capacity, vertex_capacity, boundary_capacity;
     uint32_t faces_max; /* growth stops at this number */
 };
 
-/* Computes a patch's texture coordinates as floats, in tiles, moved by up to 32 float steps where rounding would
- * turn faces over and a move can prevent it.
- *   patch  one of lapped's
+/* Computes a patch's texture coordinates as floats, in tiles. They are moved by up to 32 float steps where rounding
+ * would turn faces over and a move can prevent it.
+ *   patch  a patch of lapped
  *   tile   side of a tile, in the mesh's units
- *   hatch  out: 2 a vertex */
+ *   hatch  out: 2 per vertex */
 enum hatch_status hatch_lapped_round(const struct hatch_lapped *lapped, const struct hatch_lapped_patch *patch,
                                      double tile, struct hatch_arena *scratch, float *hatch,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Points of the plane that the outline must leave outside. Starts as {.arena = a}. */
+/* Points of the plane that must stay outside the outline. Initialise with {.arena = a}. */
 struct hatch_obstacles {
     struct hatch_arena *arena;
-    double *xy; /* 2 a point */
+    double *xy; /* 2 per point */
     uint32_t count, capacity;
 };
 
-/* Local index of a face or point; valid while round is the growth's. */
+/* Local index of a face or point; valid only if round equals that of the growth. */
 struct hatch_local_index {
     uint32_t round, local;
 };
@@ -108,7 +111,7 @@ struct hatch_last_position {
     uint32_t patch_number;
 };
 
-/* Growth of one patch after another. */
+/* The state of growing one patch after another. */
 struct hatch_growth {
     const struct hatch_patch_domain *domain;
     const struct hatch_outline *outline;
@@ -122,7 +125,7 @@ struct hatch_growth {
     uint32_t *excluded_from;                   /* per face: number of the patch that must not contain it */
     struct hatch_last_position *last_position; /* per point */
     uint32_t unsolved_count;                   /* vertices that no solution for this patch has placed */
-    uint32_t *start_faces_max;                 /* per face: the first faces_max of a patch that begins there */
+    uint32_t *start_faces_max;                 /* per face: the initial faces_max of a patch that begins there */
     uint32_t *first_attempt;                   /* faces of the patch after its first round */
     uint32_t first_attempt_count, first_attempt_capacity;
 };
@@ -136,8 +139,9 @@ enum hatch_status hatch_growth_make(const struct hatch_patch_domain *domain, con
 /* Begins a new patch, without faces yet. */
 void hatch_growth_begin(struct hatch_growth *growth, uint32_t seed_face);
 
-/* Grows the patch again from its seed face over all faces that the outline touches, as far as the patch keeps the
- * guarantees of lapped.h. Points keep their last position, others are unfolded next to their neighbours. */
+/* Grows the patch anew from its seed face over all faces that the outline touches, as far as the patch keeps the
+ * guarantees of lapped.h. Points keep their last position; those without one are placed by unfolding a face next to its
+ * neighbours. */
 enum hatch_status hatch_growth_grow(struct hatch_growth *growth, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Continues growth from the faces that the patch has, where the outline reaches beyond its boundary. */
@@ -146,23 +150,25 @@ enum hatch_status hatch_growth_extend(struct hatch_growth *growth, struct hatch_
 /* Converts a position in the patch's plane to mask coordinates. */
 void hatch_patch_mask(const struct hatch_patch *patch, const double xy[2], double mask[2]);
 
-/* Returns whether a segment of the plane may contain a point with opacity over 0; false is certain. */
+/* Returns whether a segment of the plane may contain a point with opacity greater than 0. A result of false is
+ * certain. */
 bool hatch_patch_touches(const struct hatch_patch *patch, const struct hatch_outline *outline, const double a[2],
                          const double b[2]);
 
-/* Returns whether the patch contains the face behind a side of the surface and joins it there. */
+/* Returns whether the patch contains the face behind a side of the surface and is connected to it across that side. */
 bool hatch_growth_side_inside(const struct hatch_growth *growth, uint32_t side);
 
-/* Solves for the positions of a patch's vertices by least squares to the field: normal equations for x and for y,
- * Cholesky factors within their envelope. Starts as {.arena = a}; arrays are reused from patch to patch. */
+/* Solves for the positions of a patch's vertices by least squares to the field: normal equations for x and for y, with
+ * Cholesky factors stored within their envelope. Initialise with {.arena = a}; arrays are reused from patch to
+ * patch. */
 struct hatch_solver {
     struct hatch_arena *arena;
-    uint32_t *rank;                        /* per vertex: its row */
-    uint32_t *strip_rank;                  /* per strip of the plane: the next rank there */
-    uint32_t *first_column;                /* per row: where its envelope begins */
-    uint32_t *row_start;                   /* per row: index in matrix of column 0; wraps around below 0 */
-    double *gradients;                     /* 8 a face: of its corners' hat functions, 2 each; weight; target scale */
-    double (*matrix)[2], (*right_side)[2]; /* of x and of y */
+    uint32_t *rank;         /* per vertex: its row */
+    uint32_t *strip_rank;   /* per strip of the plane: rank of the next vertex there */
+    uint32_t *first_column; /* per row: where its envelope begins */
+    uint32_t *row_start;    /* per row: index in matrix that its column 0 would have, modulo 2^32 */
+    double *gradients; /* 8 per face: gradients of its corners' hat functions, 2 numbers each; weight; target scale */
+    double (*matrix)[2], (*right_side)[2]; /* [0] for x, [1] for y */
     uint32_t rank_capacity, strip_capacity, column_capacity, start_capacity;
     uint32_t gradient_capacity, matrix_capacity, right_capacity;
 };
@@ -173,9 +179,10 @@ enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct h
 
 /* Distortion of a face by its map into the plane. */
 struct hatch_fit {
-    double determinant; /* 1 keeps the area; under 0 when turned over */
+    double determinant; /* 1 keeps the area; negative when turned over */
     double stretch;     /* larger over smaller singular value, 1 ..; infinite when turned over */
-    double angle_tan;   /* tangent of the angle between field and x axis; infinite when turned over or over 90° */
+    double angle_tan;   /* tangent of the angle between field and x axis; infinite when turned over or when the angle
+                           exceeds 90° */
 };
 
 /* Measures the distortion of a local face. */
@@ -185,13 +192,13 @@ void hatch_patch_fit(const struct hatch_patch_domain *domain, const struct hatch
 /* Stores the vertices' positions as the last ones of their points. */
 void hatch_growth_store_positions(struct hatch_growth *growth);
 
-/* Adds points along the segment from a to b. */
+/* Adds obstacle points along the segment from a to b. */
 enum hatch_status hatch_obstacles_add(struct hatch_obstacles *obstacles, const double a[2], const double b[2],
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Moves the outline, within the room that its core has around the seed face, to where it can be largest without
- * containing an obstacle, and sets that radius; where none over radius_min is possible, the larger of radius_min and
- * hatch_patch_radius_min. */
+/* Moves the outline to where it can be largest without containing an obstacle, as far as its core still contains the
+ * seed face, and sets its radius to that size. If no radius over radius_min is possible, the radius becomes about
+ * radius_min, or hatch_patch_radius_min if that is larger. */
 void hatch_patch_avoid_obstacles(struct hatch_patch *patch, const struct hatch_outline *outline,
                                  const struct hatch_obstacles *obstacles, double radius_min);
 
@@ -202,7 +209,7 @@ struct hatch_patch_notes {
     bool cut;              /* its faces end inside its outline */
     bool enlarged;         /* its outline is larger than the options ask for, to hold the seed face */
     bool given_up;         /* it would be smaller than radius_min, or its seed face exceeds a limit */
-    uint64_t solved_faces; /* faces in all systems solved: the cost */
+    uint64_t solved_faces; /* sum of the faces over all systems solved, a measure of the cost */
 };
 
 /* Grows and solves a patch from a seed face until it is within the limits; the result is growth->patch.
@@ -211,11 +218,11 @@ enum hatch_status hatch_patch_make(struct hatch_growth *growth, struct hatch_sol
                                    const struct hatch_lapped_options *options, uint32_t seed_face, double radius_min,
                                    struct hatch_patch_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* The faces covered by the union of the cores of all patches so far. A new patch is drawn below those: a face is left
- * out of it once it is covered. */
+/* The faces covered by the union of the cores of all patches so far. A new patch is drawn below these patches, so it
+ * leaves out the faces that are already covered. */
 struct hatch_core_coverage_entry {
-    uint32_t next;     /* of the same face, or UINT32_MAX */
-    double mask[3][2]; /* of the face's corners in one patch */
+    uint32_t next;     /* next entry of the same face, or UINT32_MAX */
+    double mask[3][2]; /* mask coordinates of the face's corners in one patch */
 };
 
 struct hatch_core_coverage {
@@ -227,13 +234,13 @@ struct hatch_core_coverage {
     uint32_t entry_count, entry_capacity;
 };
 
-/* Makes a coverage without patches, in arena. */
+/* Makes a coverage that has no patches yet, in arena. */
 enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
                                            struct hatch_arena *arena, struct hatch_core_coverage *coverage,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds a face of a patch. covered[face] becomes 1 only when the cores certainly contain the whole face.
- *   mask   of the face's corners
+ *   mask   mask coordinates of the face's corners
  *   shows  out: whether the patch may be visible on the face */
 enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, uint32_t face, const double mask[3][2],
                                           bool *shows, struct hatch_err *err) HATCH_MUST_USE;
@@ -242,19 +249,19 @@ struct hatch_order_item {
     uint32_t key, face;
 };
 
-/* The order in which faces become seed faces: smooth places first, each next one at the best distance from covered
- * faces, gaps at the end. */
+/* The order in which faces become seed faces: at the best distance from covered faces, else in the smoothest place that
+ * is left, and in gaps at the end. */
 struct hatch_order {
     const struct hatch_patch_domain *domain;
     double core_ratio; /* radius of the core over that of the outline's square */
     const uint8_t *covered;
-    double *distance;   /* per face: over the surface to the nearest covered face; infinite when far */
-    double *middle;     /* 3 a face */
+    double *distance;   /* per face: distance over the surface to the nearest covered face; infinite when far */
+    double *middle;     /* 3 per face */
     uint8_t *postponed; /* per face: no patch begins here before gaps are filled */
-    uint32_t *smooth;   /* faces of the component, by rising turning_rate */
+    uint32_t *smooth;   /* faces of the component, in ascending order of turning_rate */
     uint32_t smooth_count, smooth_next;
-    struct hatch_order_item *items, *spare; /* per face: to sort them */
-    struct hatch_heap queue;                /* of Dijkstra's algorithm: faces whose distance has fallen */
+    struct hatch_order_item *items, *spare; /* per face: for sorting */
+    struct hatch_heap queue;                /* queue of Dijkstra's algorithm: faces whose distance has fallen */
     struct hatch_heap candidates;           /* faces at a suitable distance from covered ones, best first */
     struct hatch_heap gaps;                 /* remaining faces, farthest first */
     bool filling_gaps;                      /* only gaps remain in this component */

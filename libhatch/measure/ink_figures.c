@@ -6,14 +6,15 @@
 
 #include "image/color.h"
 
-/* Classes of pixels by darkness: inked over INKED, edge to EDGE_MAX, grey from GREY_MIN, ink from INK_MIN. */
+/* Classes of pixels by darkness: inked above INKED; edge between INKED and EDGE_MAX; grey between GREY_MIN and INK_MIN;
+ * ink from INK_MIN on. */
 #define INKED 0.1f
 #define EDGE_MAX 0.9f
 #define GREY_MIN 0.25f
 #define INK_MIN 0.75f
-#define WINDOW_MIN 0.01 /* of a window's mean */
+#define WINDOW_MIN 0.01 /* mean darkness above which the reference darkens a window */
 
-/* Darkness of each pixel, 0 (paper) .. 1 (ink). */
+/* Returns the darkness of each pixel, 0 (paper) .. 1 (ink), in scratch. */
 static float *darkness_of(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t count = (size_t)image->width * image->height;
@@ -27,7 +28,7 @@ static float *darkness_of(const struct hatch_image *image, struct hatch_arena *s
     return dark;
 }
 
-/* Whether one of the eight neighbours of (x, y) is ink. */
+/* Returns whether one of the eight neighbours of (x, y) is ink. */
 static bool has_ink_next_to(const float *dark, uint32_t width, uint32_t height, uint32_t x, uint32_t y)
 {
     for (uint32_t row = y ? y - 1 : 0; row <= y + 1 && row < height; row++)
@@ -53,7 +54,7 @@ static void count_greys(const float *dark, uint32_t width, uint32_t height, stru
     figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
 }
 
-/* Summed area table: sums[y * (width + 1) + x] is the sum of the values above row y and left of column x. */
+/* Returns a summed-area table: sums[y * (width + 1) + x] is the sum of the values above row y and left of column x. */
 static double *sum_areas(const float *dark, uint32_t width, uint32_t height, struct hatch_arena *scratch,
                          struct hatch_err *err)
 {

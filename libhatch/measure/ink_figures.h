@@ -1,4 +1,4 @@
-/* Figures of strokes in a picture: the share that is grey, and the errors of tone and edges against a
+/* Measurements of the strokes in a picture: the share that is grey, and the errors of tone and edges against a
  * reference; hatchstat(1) has the formulas. */
 #ifndef HATCH_MEASURE_INK_FIGURES_H
 #define HATCH_MEASURE_INK_FIGURES_H
@@ -10,11 +10,11 @@
 struct hatch_ink_figures {
     double inked;        /* share of the pixels that are not paper */
     double grey;         /* share of the inked pixels that are grey */
-    double grey_strokes; /* share of the inked pixels that are grey without ink next to them: not edges */
-    /* Against the reference; NaN without one. */
-    double tone_error; /* mean of |difference of means| over the windows that the reference darkens */
-    double tone_worst; /* maximum of the same */
-    double edge_error; /* root mean square difference over the reference's edge pixels */
+    double grey_strokes; /* share of the inked pixels that are grey and, unlike edges, have no ink next to them */
+    /* Errors against the reference; NaN without one. */
+    double tone_error; /* mean of |difference of mean darkness| over the windows that the reference darkens */
+    double tone_worst; /* largest of these differences */
+    double edge_error; /* root mean square difference of darkness over the reference's edge pixels */
 };
 
 /* Measures a picture in linear light, 0 (ink) to 1 (paper): grey, or colours in the first three channels.

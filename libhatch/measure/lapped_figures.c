@@ -10,13 +10,13 @@
 #include "math/vector.h"
 #include "measure/stretch.h"
 
-/* Smallest opacity that counts as 1, given the rounding of bilinear interpolation. */
+/* Smallest opacity that counts as 1, to allow for the rounding of bilinear interpolation. */
 #define OPAQUE (1 - 1e-6)
 #define DEGREES (180 / 3.14159265358979323846)
 
 static const double shares[HATCH_LAPPED_SHARES] = {0.5, 0.95, 0.99, 1};
 
-/* A face of a patch. Two lie on one face of the surface when group and points are equal. */
+/* A face of a patch. Two of them lie on the same face of the surface when their groups and points are equal. */
 struct face {
     uint32_t group;       /* first mesh of the node that uses the patch */
     uint32_t point[3];    /* numbers of the corners' positions, ascending */
@@ -25,16 +25,16 @@ struct face {
 };
 
 struct faces {
-    uint32_t count;         /* of the patches' faces */
+    uint32_t count;         /* number of the patches' faces */
     struct face *list;      /* grouped by faces of the surface, in drawing order within each */
-    uint32_t surface_count; /* of the surface's faces */
+    uint32_t surface_count; /* number of the surface's faces */
     uint32_t *first;        /* surface_count + 1: per face of the surface, the first entry in list */
     const struct hatch_scene_mesh **patches;
     const struct hatch_image **masks; /* per patch */
     uint32_t patch_count;
 };
 
-/* Whether two faces lie on one face of the surface. */
+/* Returns whether two faces lie on the same face of the surface. */
 static bool coincide(const struct face *a, const struct face *b)
 {
     return a->group == b->group && memcmp(a->point, b->point, sizeof a->point) == 0;
@@ -51,8 +51,8 @@ static int compare(const void *pa, const void *pb)
     return 0;
 }
 
-/* Collects the patches. group: per mesh, the first mesh of its node, or HATCH_NONE unless it is a patch that a
- * node uses. */
+/* Collects the patches.
+ *   group  out: per mesh, the first mesh of its node; HATCH_NONE if it is not a patch that a node uses */
 static enum hatch_status find_patches(const struct hatch_scene *scene, const struct hatch_image *masks, uint32_t *group,
                                       struct faces *faces, struct hatch_err *err)
 {
@@ -80,7 +80,8 @@ static enum hatch_status find_patches(const struct hatch_scene *scene, const str
     return HATCH_OK;
 }
 
-/* Joins all patches' positions in one mesh. first: per patch, its first vertex. */
+/* Joins all patches' positions into one mesh.
+ *   first  out: per patch, its first vertex */
 static enum hatch_status gather(const struct faces *faces, struct hatch_arena *scratch, struct hatch_mesh *all,
                                 size_t *first, struct hatch_err *err)
 {
@@ -99,7 +100,7 @@ static enum hatch_status gather(const struct faces *faces, struct hatch_arena *s
     return HATCH_OK;
 }
 
-/* Sorts the three points and records their corners. */
+/* Sorts the three points of a face and records their corners. */
 static void set_points(const uint32_t points[3], struct face *face)
 {
     for (uint8_t c = 0; c < 3; c++) {
@@ -177,7 +178,7 @@ static double texel(const struct hatch_image *mask, int channel, double x, doubl
     return (double)mask->pixels[(row * mask->width + column) * mask->channel_count + (size_t)channel];
 }
 
-/* Bilinear between texel centres, clamped to the edge, as in a texture unit. */
+/* Returns the opacity at uv, bilinear between texel centres and clamped to the edge, as in a texture unit. */
 static double opacity_at(const struct hatch_image *mask, const double uv[2])
 {
     int channel = hatch_image_channel(mask, "A");
@@ -190,7 +191,8 @@ static double opacity_at(const struct hatch_image *mask, const double uv[2])
     return (1 - fy) * above + fy * below;
 }
 
-/* weights: barycentric, in the order of the face's points. */
+/* Returns the opacity of a patch at a point of one of its faces.
+ *   weights  barycentric, in the order of the face's points */
 static double face_opacity(const struct faces *faces, const struct face *face, const double weights[3])
 {
     const struct hatch_mesh *mesh = &faces->patches[face->patch]->mesh;
@@ -204,7 +206,9 @@ static double face_opacity(const struct faces *faces, const struct face *face, c
     return opacity_at(faces->masks[face->patch], uv);
 }
 
-/* Takes a sample: its patches from the last drawn to the first, until one is opaque. seen: per patch. */
+/* Takes a sample: looks at the patches there from the last drawn to the first, until one is opaque.
+ *   seen     in and out: per patch, 1 once it has been visible at a sample
+ *   covered  in and out: number of samples at which a patch is opaque */
 static void take_sample(struct work *w, uint32_t surface_face, const double weights[3], uint8_t *seen,
                         uint32_t *covered)
 {
@@ -222,7 +226,7 @@ static void take_sample(struct work *w, uint32_t surface_face, const double weig
     w->out->opacity_min = fmin(w->out->opacity_min, 1 - transparency);
 }
 
-/* Barycentric weights uniformly distributed over a triangle. */
+/* Computes random barycentric weights, uniformly distributed over a triangle. */
 static void random_weights(uint64_t seed, uint64_t index, double weights[3])
 {
     double root = sqrt((double)(hatch_random_u64(seed, 1, index) >> 11) * 0x1p-53);
@@ -232,7 +236,7 @@ static void random_weights(uint64_t seed, uint64_t index, double weights[3])
     weights[2] = root * t;
 }
 
-/* The first face whose cumulative area exceeds area. */
+/* Returns the first face whose cumulative area exceeds area. */
 static uint32_t find_face(const double *area_up_to, uint32_t count, double area)
 {
     uint32_t low = 0, high = count - 1;
@@ -274,8 +278,9 @@ static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_
     return HATCH_OK;
 }
 
-/* Mean of the corners' lines in the face's plane: the squared complex number with axes u and v. False when the
- * lines cancel. */
+/* Computes the mean of the corners' directions, without their sign, in the face's plane: as complex numbers with axes u
+ * and v, their squares are summed. Returns false when they cancel.
+ *   line  out: the sum of the squares */
 static bool face_line(const struct hatch_mesh *mesh, const float *directions, uint32_t face, const double u[3],
                       const double v[3], double line[2])
 {
@@ -292,7 +297,7 @@ static bool face_line(const struct hatch_mesh *mesh, const float *directions, ui
     return hypot(line[0], line[1]) > 1e-6;
 }
 
-/* Angle between rising u and the field, 0 .. 90 degrees; -1 without a field. */
+/* Returns the angle between the direction in which u rises and the field, 0 .. 90 degrees; -1 without a field. */
 static double angle_to_field(const struct hatch_mesh *mesh, uint32_t face, const double u[3])
 {
     const float *directions = hatch_mesh_find(mesh, "_HATCH_DIR", 4);
@@ -308,13 +313,13 @@ static double angle_to_field(const struct hatch_mesh *mesh, uint32_t face, const
     return fabs(atan2(line[1], line[0])) / 2 * DEGREES;
 }
 
-/* Samples, one per patch face that has the figure. */
+/* Values for percentiles, one per patch face that has them. */
 struct lists {
     struct hatch_weighted *stretch, *area, *angle;
     uint32_t stretches, angles;
 };
 
-/* Measures the faces begin .. end of the list, one group, relative to its mean texture area. */
+/* Measures the faces begin .. end - 1 of the list, which form one group, relative to the group's mean texture area. */
 static void measure_group(struct work *w, uint32_t begin, uint32_t end, struct lists *lists)
 {
     double area = 0, uv_area = 0;

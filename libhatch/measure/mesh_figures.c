@@ -12,9 +12,9 @@ struct work {
     const struct hatch_mesh *mesh;
     struct hatch_arena *scratch;
     struct hatch_mesh_figures *out;
-    uint32_t *point;     /* per corner */
-    uint8_t *dropped;    /* per face: degenerate */
-    uint8_t *point_used; /* per point: by a face that is not degenerate */
+    uint32_t *point;     /* per corner: its point */
+    uint8_t *dropped;    /* per face: 1 if degenerate */
+    uint8_t *point_used; /* per point: 1 if a face that is not degenerate uses it */
     uint32_t *sets;      /* per point: disjoint sets of points */
     struct hatch_edges edges;
 };
@@ -66,7 +66,8 @@ static void find_components(struct work *w)
     w->out->components = count_sets(w, w->point_used);
 }
 
-/* on_boundary: zeros, one per point. */
+/* Counts boundary loops, non-manifold edges and contrary edges.
+ *   on_boundary  scratch: zeros, one per point */
 static void find_boundary(struct work *w, uint8_t *on_boundary)
 {
     uint32_t a, b;

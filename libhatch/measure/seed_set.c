@@ -15,7 +15,7 @@ static void read_integer(const struct hatch_seed_set *set, uint32_t seed, uint32
         bits[k] = set->crumbs[(seed + k) % set->count] >> shift & 1u;
 }
 
-/* Doubles modulo 2^count - 1: a carry out of the highest bit is added at the lowest. */
+/* Doubles an integer modulo 2^count - 1: a carry out of the highest bit is added at the lowest. */
 static void zoom(uint8_t *bits, uint32_t count)
 {
     uint32_t carry = 0;
@@ -57,7 +57,7 @@ static enum hatch_status count_astray(const struct hatch_seed_set *set, struct h
     return HATCH_OK;
 }
 
-/* e^(-2 pi i k x) for k = 0 .. steps - 1. */
+/* Computes e^(-2 pi i k x) for k = 0 .. steps - 1. */
 static void fill_waves(double x, uint32_t steps, double complex *waves)
 {
     for (uint32_t k = 0; k < steps; k++) {
@@ -68,7 +68,7 @@ static void fill_waves(double x, uint32_t steps, double complex *waves)
 
 struct waves {
     uint32_t count, steps;
-    double complex *u, *v; /* steps per seed point */
+    double complex *u, *v; /* per seed point, `steps` numbers */
 };
 
 static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)
@@ -152,8 +152,8 @@ static enum hatch_status ratio_of(const struct hatch_seed_point *places, uint32_
     return HATCH_OK;
 }
 
-/* The first points of the recursive Bayer order (Bayer, ICC 1973): the base-4 digits of i, lowest first, select
- * the quarters 00, 11, 10 or 01 in which point i lies. */
+/* Computes the first points of the recursive Bayer order (Bayer, ICC 1973): the base-4 digits of i, lowest first,
+ * select the quarters 00, 11, 10 or 01 in which point i lies. */
 static void bayer_places(struct hatch_seed_point *places, uint32_t count)
 {
     static const uint64_t u_of[4] = {0, 1, 1, 0}, v_of[4] = {0, 1, 0, 1};
@@ -166,8 +166,8 @@ static void bayer_places(struct hatch_seed_point *places, uint32_t count)
     }
 }
 
-/* Seed points of a tile of the next level, which spans four tiles: of each tile, those remain whose last bits
- * equal the tile's parities. Returns their number. */
+/* Computes the seed points of a tile of the next level, which spans four tiles. In each of these, those seed points
+ * remain whose last crumb is the tile's number, 2 v + u. Returns their number. */
 static uint32_t sparse_places(const struct hatch_seed_set *set, const struct hatch_seed_point *dense,
                               struct hatch_seed_point *sparse)
 {

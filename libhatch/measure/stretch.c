@@ -4,7 +4,8 @@
 
 #include "math/vector.h"
 
-/* Singular values s1, s2 of the derivative: (s1 ± s2)² = E ± 2 |det|, E the sum of the squared entries. */
+/* For the singular values s1, s2 of the derivative, (s1 ± s2)² = E ± 2 |det|, where E is the sum of the squared
+ * entries. */
 bool hatch_measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face, struct hatch_stretch *stretch)
 {
     double p[3][3], normal[3], x[3], y[3], ab[3], ac[3], t[3][2];

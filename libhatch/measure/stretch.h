@@ -11,7 +11,7 @@ struct hatch_stretch {
     double u[3];    /* unit direction on the triangle in which u rises and v is constant; zero without uv_area */
 };
 
-/* Computes the stretch of a face; false when it has no area.
+/* Computes the stretch of a face. Returns false when the face has no area.
  *   uv  2 floats per vertex of the mesh */
 bool hatch_measure_stretch(const struct hatch_mesh *mesh, const float *uv, uint32_t face,
                            struct hatch_stretch *stretch);

@@ -34,7 +34,7 @@ static uint64_t count_lighter(const struct hatch_tam *tam, const struct hatch_im
     return count;
 }
 
-/* Mean absolute difference between a column (axis 0) or row (axis 1) and the next one, wrapped. */
+/* Returns the mean absolute difference between a column (axis 0) or row (axis 1) and the next one, with wrap-around. */
 static double jump(const struct hatch_tam *tam, const struct hatch_image *image, uint32_t axis, uint32_t i)
 {
     uint32_t size = image->width, next = (i + 1) % size;

@@ -1,4 +1,4 @@
-/* Figures that need the strokes: nesting by stroke, a stroke's darkness, evenness. */
+/* Measurements that need the strokes: nesting by stroke, a stroke's darkness, evenness. */
 #include <assert.h>
 
 #include "base/random.h"
@@ -9,8 +9,8 @@
 #define HALF_STEP 0x1p-11f
 
 /* Makes a canvas of the map's size with white paper on its first levels.
- *   style  out: the strokes' style, with limits raised to the longest and widest stroke of the list; kept by
- *          the canvas */
+ *   style  out: the strokes' style, with length_max and width_px raised to those of the list's strokes; the canvas
+ *          refers to it, so it must outlive the canvas */
 static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
                                       uint32_t levels, struct hatch_style *style, struct hatch_arena *scratch,
                                       struct hatch_canvas *canvas, struct hatch_err *err)
@@ -25,7 +25,7 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
     return hatch_canvas_make(&options, scratch, canvas, err);
 }
 
-/* Whether a pixel of the footprint is lighter in any channel than the stroke alone would make it. */
+/* Returns whether a pixel of the footprint is lighter in any channel than the stroke alone would make it. */
 static bool is_missing(const struct hatch_tam *tam, const struct hatch_canvas *canvas,
                        const struct hatch_stroke *stroke, const struct hatch_image *image)
 {
@@ -90,7 +90,7 @@ enum hatch_status hatch_measure_stroke_darkness(const struct hatch_tam *tam, con
     return status;
 }
 
-/* Draws the strokes of a column at random positions. */
+/* Draws the strokes that a column adds, at random positions. */
 static void draw_at_random(struct hatch_canvas *canvas, const struct hatch_stroke_list *list, uint32_t column,
                            uint32_t draw)
 {

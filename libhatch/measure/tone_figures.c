@@ -5,7 +5,8 @@
 #include "base/random.h"
 
 #define SEED 0x746f6e65u
-/* Limits: of inked darknesses, of grey ones, of the difference to a column. */
+/* Limits: least darkness of inked samples, largest darkness of grey ones, and difference from which on a sample is
+ * unlike a column. */
 #define INKED 0.1f
 #define GREY_MAX 0.9f
 #define UNLIKE 0.1f
@@ -22,7 +23,7 @@ struct job {
     struct sums *tones;
 };
 
-/* Finds the last column of at most a tone, -1 for paper.
+/* Returns the last column whose tone is at most the given one; -1 for paper.
  *   share  out: weight of the next column, 0 .. 1 */
 static int column_at(const struct hatch_tam *map, float tone, float *share)
 {
@@ -53,7 +54,7 @@ static void measure_tone(void *context, uint32_t index)
     const struct job *job = context;
     const struct hatch_tone_test *test = job->test;
     struct sums *sums = &job->tones[index];
-    /* Random within its 64th: even steps would coincide with those of a file. */
+    /* The tone is random within its 64th of the range, because even steps would coincide with those of a file. */
     float share, offset = hatch_random_unit(SEED, 2 * HATCH_TONES_MEASURED, index);
     float tone = ((float)index + offset) / HATCH_TONES_MEASURED;
     int column = column_at(test->map, tone, &share), next = share > 0 ? column + 1 : column;

@@ -1,5 +1,5 @@
-/* Errors of tone: a volume, threshold texture, exact runs or map of few columns against a map of many columns,
- * sampled as a shader does, at random places over all tones; hatchstat(1) has the formulas. */
+/* Errors of tone: compares a volume, threshold textures, exact runs or a map of few columns with a map of many columns.
+ * Both are sampled as by a shader, at random places over all tones; hatchstat(1) has the formulas. */
 #ifndef HATCH_MEASURE_TONE_FIGURES_H
 #define HATCH_MEASURE_TONE_FIGURES_H
 
@@ -17,13 +17,13 @@ typedef float (*hatch_tone_sample)(const void *subject, float u, float v, float 
  *   subject  a struct hatch_tam */
 float hatch_tone_sample_map(const void *subject, float u, float v, float tone, float lod);
 
-/* Darknesses of the subject (S), of the map (M) and of the map's columns around the tone. */
+/* S is the darkness of the subject, M that of the map; columns are those of the map around the tone. */
 struct hatch_tone_figures {
     double tone_error; /* mean over tones of |mean of S - M| */
-    double tone_worst; /* maximum over tones of the same */
+    double tone_worst; /* largest of these over tones */
     double error;      /* mean of |S - M| */
     double error_max;
-    double grey;     /* share of the inked samples that are grey and unlike both columns */
+    double grey;     /* share of the inked samples that are grey and differ from both columns */
     double grey_all; /* share of the inked samples that are grey */
 };
 
@@ -35,7 +35,7 @@ struct hatch_tone_test {
     uint64_t samples;         /* at least 1; divided among HATCH_TONES_MEASURED tones */
 };
 
-/* Compares a subject with a map. The result does not depend on threads.
+/* Compares a subject with a map. The result does not depend on the number of threads.
  *   pool  NULL: on the caller's thread */
 enum hatch_status hatch_measure_tones(const struct hatch_tone_test *test, struct hatch_pool *pool,
                                       struct hatch_arena *scratch, struct hatch_tone_figures *figures,

@@ -2,7 +2,8 @@
 
 #include "base/random.h"
 
-/* A standard normal number, as the sum of twelve uniform ones: the same on every machine, and within 6 of 0. */
+/* Returns an approximately standard normal number, the sum of twelve uniform ones minus 6, which is the same on every
+ * machine and lies in -6 .. 6. */
 static float normal(uint64_t seed, uint64_t stream, uint64_t index)
 {
     float sum = -6;

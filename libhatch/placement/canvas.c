@@ -29,7 +29,8 @@ enum hatch_status hatch_canvas_make(const struct hatch_canvas_options *options, 
     return HATCH_OK;
 }
 
-/* The reflectance of one channel after a stroke. Never larger than before, so that columns nest pixel by pixel. */
+/* Returns the reflectance of one channel after a stroke. It is never larger than before, so that columns nest pixel by
+ * pixel. */
 static float inked(enum hatch_overlap overlap, float paper, float alpha, float color)
 {
     float alone = 1 - alpha * (1 - color);
@@ -68,7 +69,8 @@ static double measure_change(struct hatch_canvas *canvas, const struct hatch_str
     return sum / (size * size);
 }
 
-/* A growing stroke widens half as fast as it lengthens: a stroke that starts very thin would be grey. */
+/* Returns the width scale of a growing stroke. It widens half as fast as it lengthens, because a stroke that starts
+ * very thin would be grey. */
 static float width_scale(float scale)
 {
     return (1 + scale) * 0.5f;

@@ -1,5 +1,5 @@
-/* Canvases: the images of one column while it is filled, finest level first, and how strokes change them.
- * For placement and for measurements. */
+/* A canvas holds one image per mip level (index 0 is the finest) and draws strokes on them. It is kept from column to
+ * column, because darker columns contain the strokes of lighter ones. For placement and for measurements. */
 #ifndef HATCH_PLACEMENT_CANVAS_H
 #define HATCH_PLACEMENT_CANVAS_H
 
@@ -20,13 +20,13 @@ struct hatch_canvas {
     const struct hatch_brush *brush;
     uint32_t size_px, levels;
     float *paper[HATCH_MIP_LEVELS_MAX]; /* reflectance per pixel of each level, 1 = paper; in colour the mean of rgb */
-    float *rgb[HATCH_MIP_LEVELS_MAX];   /* three per pixel; NULL without colour */
+    float *rgb[HATCH_MIP_LEVELS_MAX];   /* R, G and B of each pixel; NULL without colour */
     double darkness[HATCH_MIP_LEVELS_MAX]; /* 1 - mean reflectance of each level */
-    float *id[HATCH_MIP_LEVELS_MAX];       /* first stroke drawn on each pixel; 0: none; NULL without ids */
+    float *id[HATCH_MIP_LEVELS_MAX];       /* id of the first stroke drawn on each pixel; 0: none; NULL without ids */
     float *along[HATCH_MIP_LEVELS_MAX];    /* position along that stroke, 0 .. 1; NULL without ids */
-    struct hatch_footprint footprint;      /* of the stroke drawn or tried last */
+    struct hatch_footprint footprint;      /* footprint of the stroke drawn or tried last */
     float *change;                         /* loss of reflectance per pixel of footprint, in colour the mean of three */
-    struct hatch_footprint before;         /* scratch: of a growing stroke at its previous size */
+    struct hatch_footprint before;         /* scratch: footprint of a growing stroke at its previous size */
 };
 
 /* Makes a canvas of white paper.
@@ -40,9 +40,9 @@ static inline uint32_t hatch_canvas_size(const struct hatch_canvas *canvas, uint
     return canvas->size_px >> level;
 }
 
-/* Returns the darkness that the stroke would add to the mean of the level. Fills footprint and change, draws
+/* Returns the darkness that the stroke would add to the mean of the level. Fills footprint and change, but draws
  * nothing.
- *   scale  0 .. 1: share of its full length; its width scales by (1 + scale) / 2 */
+ *   scale  0 .. 1: share of the stroke's full length; its width scales by (1 + scale) / 2 */
 double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *stroke, uint32_t level, float scale);
 
 /* Draws the stroke. Fills footprint and change.

@@ -9,7 +9,7 @@
 /* Collects the metadata of a map.
  *   seed      random seed
  *   growth    of struct hatch_fill_options
- *   arena     receives the digits of seed; a sink may keep the attributes of a column longer than its pixels
+ *   arena     receives seed as text; it must outlive the attributes, which a sink may keep longer than the pixels
  *   metadata  out: refers to style */
 enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
                                         struct hatch_arena *arena, struct hatch_tam_metadata *metadata,

@@ -6,23 +6,25 @@
 #include "placement/column.h"
 #include "placement/place.h"
 
-/* After this many choices in a row without a stroke that darkens the image, or without one short enough, the image
- * counts as full: the ink may be too light to reach the target. */
+/* An image counts as full after this many choices in a row that yield no stroke that darkens it, or none that is short
+ * enough: the ink may be too light to reach the target. */
 #define FRUITLESS_MAX 8u
-/* Lower bound of the darkness of a stroke per length, relative to the previous one: more paper is covered since. */
+/* Lower bound of a stroke's darkness per length, relative to that of the stroke before it; it falls because more paper
+ * is covered. */
 #define OVERLAP_SHARE 0.8
 
 struct filler {
     const struct hatch_style *style;
     const struct hatch_fill_options *options;
     struct hatch_canvas canvas;
-    struct hatch_potential field;                                /* method FIELD */
-    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX]; /* method EXHAUSTIVE; [level][0] is canvas.paper */
+    struct hatch_potential field; /* for HATCH_FILL_FIELD */
+    /* For HATCH_FILL_EXHAUSTIVE; [level][0] is canvas.paper. */
+    float *pyramids[HATCH_MIP_LEVELS_MAX][HATCH_MIP_LEVELS_MAX];
     float targets[HATCH_TAM_TONES_MAX];
-    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* darkness of the last stroke tried on each level; 0: none */
+    double gain_per_length[HATCH_MIP_LEVELS_MAX]; /* of the last stroke tried on a level; 0: none */
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
-    uint64_t choices; /* number of choices so far, the stream of random numbers of the next */
+    uint64_t choices; /* number of choices so far, which selects the random numbers of the next one */
     float *scale;     /* per stroke: share of its full length at which it is drawn */
     uint32_t scale_capacity;
 };
@@ -81,7 +83,7 @@ static uint32_t candidates_of(const struct filler *f, uint32_t tone)
     return (uint32_t)((double)light + ((double)dark - (double)light) * share + 0.5);
 }
 
-/* The directions for a target tone; all directions if none is for it. */
+/* Lists the directions for a target tone, or all directions if there is none for it. Returns their number. */
 static uint32_t directions_of(const struct hatch_style *style, float target, float *angles)
 {
     uint32_t count = 0;
@@ -119,8 +121,8 @@ static enum hatch_status add_stroke(struct filler *f, struct hatch_stroke *strok
     return hatch_stroke_list_add(&f->strokes, f->arena, stroke, err);
 }
 
-/* Grows the strokes whose coarsest level is this one by one step each, the oldest first, while the image is lighter
- * than its target. */
+/* While the image is lighter than its target, grows the strokes whose coarsest level is this one, by one step each, the
+ * oldest first. */
 static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
 {
     if (!(f->options->growth > 0))
@@ -139,9 +141,9 @@ static void grow_strokes(struct filler *f, uint32_t tone, uint32_t level)
     }
 }
 
-/* The darkness of a stroke that fits best. Finer images receive the stroke too, half as dark from one level to the
- * next; if one of them is closer to its target, the errors of both are made equal. 0 or less: no stroke fits in this
- * column. */
+/* Returns the darkness of the stroke that fits best; 0 or less if no stroke fits in this column. Finer images receive
+ * the stroke too, each half as dark as the next coarser one. If one of them is closer to its target than this image,
+ * the errors of both are made equal. */
 static double room_for_stroke(const struct filler *f, uint32_t level, double target)
 {
     double missing = target - f->canvas.darkness[level], room = missing;
@@ -161,7 +163,8 @@ static bool is_shortest_too_dark(const struct filler *f, uint32_t tone, uint32_t
     return shortest > step && shortest > 2 * room;
 }
 
-/* TAKE: the stroke brings the image closer to its target; SHORTER: a shorter one may. */
+/* TAKE: the stroke brings the image closer to its target. SHORTER: a shorter one may. FRUITLESS: it does not darken the
+ * image. */
 enum verdict { TAKE, SHORTER, FRUITLESS };
 
 static enum verdict judge(double gain, double room)

@@ -10,7 +10,7 @@
 
 enum hatch_fill_method {
     HATCH_FILL_FIELD,     /* default: scores candidates on a potential field, then refines their positions */
-    HATCH_FILL_EXHAUSTIVE /* loop of the paper: each candidate's footprint on every level of every pyramid */
+    HATCH_FILL_EXHAUSTIVE /* the loop of the paper: scores each candidate's footprint on every level of every pyramid */
 };
 
 struct hatch_fill_options {
@@ -21,8 +21,8 @@ struct hatch_fill_options {
     uint32_t levels;                 /* number of drawn levels, 1 upwards; the coarsest has at least 32 pixels */
     enum hatch_fill_method method;
     uint64_t seed; /* random seed */
-    float growth;  /* 0 .. 0.9: strokes start shorter by this share, and thinner by half of it, and grow to full size
-                      over a third of the columns (§8, "stroke growth") */
+    float growth;  /* 0 .. 0.9: at first strokes are shorter by this share, and thinner by half of it; they grow to full
+                      size over a third of the columns (Praun et al. 2001, §8, "stroke growth") */
     bool color;    /* columns hold R, G and B, strokes have the colours of the style */
     bool ids;      /* columns also hold the channels id (0: no stroke) and t (0 .. 1 along the stroke); where strokes
                       cross, the first one drawn keeps the pixel */

@@ -8,7 +8,8 @@ struct scored {
     struct hatch_stroke stroke;
 };
 
-/* Inserts into the list, which is sorted, lowest score first; of equal scores the earlier candidate comes first. */
+/* Inserts an entry into the list, which is sorted by score, the lowest first; of equal scores the earlier candidate
+ * comes first. Returns the new length of the list. */
 static uint32_t insert(struct scored *list, uint32_t count, const struct scored *entry)
 {
     uint32_t at = count < SHORTLIST ? count : SHORTLIST - 1;
@@ -55,7 +56,7 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
     uint32_t count = 0;
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct scored entry = {0, hatch_choice_candidate(style, choice, c)};
-        entry.stroke.length *= choice->scale; /* score it at the size at which it will be drawn first */
+        entry.stroke.length *= choice->scale; /* it is scored at the size at which it will first be drawn */
         entry.score = hatch_potential_score(field, &entry.stroke, COARSE_SAMPLES);
         count = insert(list, count, &entry);
     }

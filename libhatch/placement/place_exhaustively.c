@@ -8,9 +8,9 @@ struct line {
     float width_px;
 };
 
-/* Moves a point of the straight line to the arc. Ignores that arcs fan out across the stroke.
- *   along   in and out: from the middle of the stroke
- *   across  out */
+/* Moves a point of the straight line to the arc. Ignores that the outer side of an arc is longer than its inner side.
+ *   along   in and out: position from the middle of the stroke
+ *   across  out: offset across the stroke */
 static void bend(float curvature, float *along, float *across)
 {
     double angle = (double)(*along * curvature);
@@ -18,7 +18,8 @@ static void bend(float curvature, float *along, float *across)
     *across = (float)(1 - cos(angle)) / curvature;
 }
 
-/* The darkness that the stroke adds to one square image of a pyramid, from about one sample per pixel of its footprint.
+/* Returns the darkness that the stroke adds to one square image of a pyramid, from about one sample per pixel of its
+ * footprint.
  *   width_px  of the stroke at the scale of the image */
 static float added_darkness(const struct line *line, const struct hatch_brush *brush, float width_px,
                             const float *paper, uint32_t size)

@@ -58,8 +58,8 @@ enum hatch_status hatch_potential_make(struct hatch_arena *arena, uint32_t canva
     return HATCH_OK;
 }
 
-/* The weight of a level: a stroke of width_px covers width_px / size of the tile, so a coarser level weighs more, as
- * in the sum of the paper. */
+/* Returns the weight of a level. A stroke of width_px covers width_px / size of the tile, so a coarser level weighs
+ * more, as in the sum of the paper. */
 static float level_weight(uint32_t size_px)
 {
     return 1.0f / (float)size_px;
@@ -92,7 +92,8 @@ void hatch_potential_deposit(struct hatch_potential *field, const struct hatch_c
     }
 }
 
-/* Adds the darkness of a level to the field; rows are repeated to the size of a cell of its grid. */
+/* Adds the darkness of a level to the field. Each cell of the level's grid is repeated over the cells of the field that
+ * it covers. */
 static void deposit_level(struct hatch_potential *field, uint32_t level)
 {
     uint32_t size = field->size, grid = field->grid[level], cells = size / grid;
@@ -194,7 +195,8 @@ void hatch_potential_update(struct hatch_potential *field)
     expand(field->octave[1], field->size / 2, field->row, field->potential);
 }
 
-/* Samples along a stroke, in cells, 16.16 fixed point; the caller's mask wraps them around the torus. */
+/* Position of a sample on a stroke and the step to the next, in cells, 16.16 fixed point; the caller's mask wraps them
+ * around the torus. */
 struct walk {
     uint32_t x, y, step_x, step_y;
     float dx, dy, cosine, sine; /* of an arc: the next step, and the rotation from one step to the next */

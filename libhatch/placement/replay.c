@@ -9,13 +9,13 @@
 #include "placement/column.h"
 #include "placement/potential.h"
 
-/* With fit, the one in the emptiest part of the image comes first of so many strokes. A larger number makes the image
- * more even and its colours less so. */
+/* With fit: of this many next strokes, the one in the emptiest part of the image is taken first. A larger number makes
+ * the image more even and its colours less so. */
 #define LOOKAHEAD 4u
-/* With fit, the number of strokes considered for the last one of an image. */
+/* With fit: number of strokes considered for the last one of an image. */
 #define LAST_CANDIDATES 64u
 
-/* A stroke and its key in the order in which fit takes strokes. */
+/* A stroke and the key by which fit orders strokes. */
 struct ordered_stroke {
     uint32_t key, stroke;
 };
@@ -28,9 +28,10 @@ struct replay {
     float targets[HATCH_TAM_TONES_MAX];
     uint16_t *entered[HATCH_STROKE_LEVELS_MAX]; /* per stroke: first column that holds it on a level, plus 1; 0: none */
     uint32_t cursor[HATCH_STROKE_LEVELS_MAX];   /* per level: next stroke in drawing order */
-    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX]; /* with fit, of the strokes of each level but the finest */
-    struct ordered_stroke *order;                          /* with fit, the new strokes of an image */
-    double largest;                                        /* largest darkness that a stroke adds to an image */
+    /* With fit: per level but the finest, the potential of its strokes. */
+    struct hatch_potential field[HATCH_STROKE_LEVELS_MAX];
+    struct ordered_stroke *order; /* with fit: the new strokes of an image */
+    double largest;               /* largest darkness that a stroke adds to an image */
     struct hatch_replay_result result;
 };
 
@@ -83,8 +84,8 @@ static bool fill_in_order(struct replay *r, uint32_t level, uint32_t tone, doubl
     return false;
 }
 
-/* Takes strokes that were left out, if the others leave the image too light: the latest first, because they have the
- * colour of this tone. */
+/* Takes strokes that were left out, if the others leave the image too light. The latest come first, because they have
+ * the colour of this tone. */
 static bool fill_backwards(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
     for (uint32_t stroke = r->cursor[level]; stroke-- > 0;) {
@@ -104,8 +105,8 @@ static int compare_keys(const void *a, const void *b)
     return (first > second) - (first < second); /* keys are distinct */
 }
 
-/* Lists the strokes that the finer level received in this column and returns their number. They are ordered by
- * frac(i / φ) for the i-th, so that the first ones, of any number, are spread evenly over the drawing. */
+/* Lists the strokes that the finer level received in this column and returns their number. The i-th has the key frac(i
+ * / φ), so that the first n strokes in the order of keys are spread evenly over the drawing for any n. */
 static uint32_t order_new_strokes(struct replay *r, uint32_t level, uint32_t tone)
 {
     uint32_t count = 0, start = (uint32_t)hatch_random_u64(r->options->seed, level, tone);
@@ -118,8 +119,8 @@ static uint32_t order_new_strokes(struct replay *r, uint32_t level, uint32_t ton
     return count;
 }
 
-/* Moves the stroke in the emptiest part of the image to the front of the next few. A random selection of the strokes
- * of an even drawing alone would be uneven. A path is scored along its chord. */
+/* Of the next few strokes, moves the one in the emptiest part of the image to the front. Without this, a random
+ * selection of the strokes of an even drawing would be uneven. A path is scored along its chord. */
 static void choose_emptiest(struct replay *r, uint32_t level, uint32_t from, uint32_t count)
 {
     uint32_t best = from;
@@ -136,7 +137,7 @@ static void choose_emptiest(struct replay *r, uint32_t level, uint32_t from, uin
     r->order[from] = chosen;
 }
 
-/* Takes the stroke that brings the image closest to its target, of the next ones in order. */
+/* Takes that one of the next strokes in order that brings the image closest to its target. */
 static void take_last(struct replay *r, uint32_t level, uint32_t tone, double target, uint32_t from, uint32_t count)
 {
     double missing = target - r->canvas.darkness[level], best_error = fabs(missing);
@@ -153,7 +154,7 @@ static void take_last(struct replay *r, uint32_t level, uint32_t tone, double ta
 }
 
 /* Takes the share of this column's new strokes that meets its tone. Because strokes are taken in order, the first one
- * that overshoots ends the search; no bisection is needed. Returns whether the tone is met. */
+ * that overshoots ends the search, and no bisection is needed. Returns whether the tone is met. */
 static bool fill_by_share(struct replay *r, uint32_t level, uint32_t tone, double target)
 {
     uint32_t count = order_new_strokes(r, level, tone);
@@ -205,8 +206,8 @@ static void compare_colors(struct replay *r)
     }
 }
 
-/* Draws all strokes on the finest level and returns its darkness. If the style has colours, sets those of the strokes,
- * by the darkness when they are drawn. */
+/* Draws all strokes on the finest level and returns its darkness. If the style has colours, gives each stroke the
+ * colour of the darkness at which it is drawn. */
 static double draw_all(const struct replay *r, struct hatch_canvas *canvas)
 {
     for (uint32_t stroke = 0; stroke < r->count; stroke++) {
@@ -218,7 +219,8 @@ static double draw_all(const struct replay *r, struct hatch_canvas *canvas)
 }
 
 /* Makes a canvas with room for the longest and the widest stroke.
- *   style  out: kept by the canvas */
+ *   style  out: the options' style, with length_max and width_px raised to those of the strokes; the canvas refers to
+ *          it, so it must outlive the canvas */
 static enum hatch_status make_canvas(const struct replay *r, uint32_t levels, bool ids, struct hatch_style *style,
                                      struct hatch_arena *scratch, struct hatch_canvas *canvas, struct hatch_err *err)
 {

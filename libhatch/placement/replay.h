@@ -1,6 +1,6 @@
-/* Makes a tonal art map from a drawing: replays its strokes in their order; the images of a tone hold the strokes
- * up to the point at which the drawing is that dark (Webb, Praun, Finkelstein & Hoppe, "Fine Tone Control in Hardware
- * Hatching", NPAR 2002, §4). */
+/* Makes a tonal art map from a drawing by replaying its strokes in order. The finest image of a tone holds the strokes
+ * up to the point at which the drawing is that dark; each coarser image holds a selection of those (Webb, Praun,
+ * Finkelstein & Hoppe, "Fine Tone Control in Hardware Hatching", NPAR 2002, §4). */
 #ifndef HATCH_PLACEMENT_REPLAY_H
 #define HATCH_PLACEMENT_REPLAY_H
 
@@ -8,35 +8,36 @@
 
 struct hatch_replay_options {
     const struct hatch_style *style;
-    const struct hatch_brush *brush; /* of all strokes */
+    const struct hatch_brush *brush; /* the brush of all strokes */
     uint32_t size_px, tones;         /* as in struct hatch_fill_options */
     uint32_t levels;                 /* number of drawn levels, 1 .. HATCH_STROKE_LEVELS_MAX */
-    uint64_t seed;                   /* random seed for leaving out strokes */
+    uint64_t seed;                   /* random seed that selects the strokes to leave out */
     bool ids, color;                 /* as in struct hatch_fill_options, but strokes have their own colours */
-    const float *targets; /* target tone of each column, rising; NULL: even steps to the darkness of the whole
-                             drawing, deformed by the tone_gamma of the style */
-    float keep; /* how a coarser level chooses strokes of the next finer one. Below 1: a random selection, this share
-                   of the drawing per level, from which the first strokes are taken until the tone is met; 1: the
-                   first strokes */
-    bool fit;   /* instead of keep: of the new strokes of each tone, the share that meets the tone */
+    const float *targets; /* target tone of each column, ascending; NULL: even steps to the darkness of the whole
+                             drawing, shaped by the tone_gamma of the style */
+    float keep; /* how a coarser level chooses strokes of the next finer one. Below 1: it takes the first strokes of a
+                   random selection until the tone is met; each level's selection is this share of that of the next
+                   finer level. 1: it takes the first strokes */
+    bool fit;   /* true: instead, a coarser level takes of the new strokes of each tone the share that meets the tone;
+                   keep is ignored */
 };
 
-/* Tone error below what is visible. */
+/* A tone error that is too small to be seen. */
 #define HATCH_REPLAY_TONE 0.003f
 
 /* Chroma and hue are those of image/color.h. */
 struct hatch_replay_result {
     float darkest;          /* mean darkness of the finest level with every stroke */
-    uint32_t short_columns; /* columns whose target is more than HATCH_REPLAY_TONE darker than that */
+    uint32_t short_columns; /* number of columns whose target is darker than `darkest` by more than HATCH_REPLAY_TONE */
     float tone_error;       /* largest difference between the mean of an image and its target */
-    float tone_bound;       /* bound of tone_error unless images are exhausted: half of the largest darkness that a
-                               stroke adds to an image */
-    uint32_t exhausted;     /* images more than HATCH_REPLAY_TONE lighter than their target although they hold all
-                               strokes of the next finer image */
-    float chroma_error;     /* largest distance of an image's mean (chroma, hue) from that of its tone's finest image;
-                               as both are means, no blend of images has a larger one */
-    float hue_error_deg;    /* largest such difference of hue, where the finest image has at least
-                               HATCH_COLOR_CHROMA_MIN */
+    float tone_bound;   /* bound of tone_error unless images are exhausted: half of the largest darkness that a single
+                           stroke adds to an image */
+    uint32_t exhausted; /* number of images that are more than HATCH_REPLAY_TONE lighter than their target although they
+                           hold all strokes of the next finer image */
+    float chroma_error; /* largest distance of an image's mean (chroma, hue) from that of its tone's finest image;
+                           as both are means, no blend of images has a larger one */
+    float hue_error_deg; /* largest difference in hue between an image's mean and that of its tone's finest image, over
+                            tones whose finest image has a chroma of at least HATCH_COLOR_CHROMA_MIN */
 };
 
 /* Replays a drawing and passes each column to sink. Every stroke of an image is also in all darker images of its

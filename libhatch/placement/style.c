@@ -65,7 +65,7 @@ struct number_key {
     const char *name;
     uint32_t count;
     double low, high;
-    double scale;     /* from the unit of the file to that of the struct */
+    double scale;     /* factor from the unit of the file to that of the struct */
     size_t offset[2]; /* in struct hatch_style */
 };
 
@@ -163,7 +163,7 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple, round or image FILE",
                           (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX), word.at);
-    rest_of_line = trimmed(*rest); /* file names may hold spaces */
+    rest_of_line = trimmed(*rest); /* file names may contain spaces */
     if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
         return hatch_fail(err, HATCH_BAD_INPUT, "brush: image needs a file name of up to %zu bytes",
                           sizeof r->style.brush_file - 1);

@@ -1,5 +1,5 @@
-/* Drawing styles: small text files with one "key value ..." per line; '#' begins a comment. hatch-style(5)
- * lists the keys, one for each member of struct hatch_style. */
+/* Drawing styles: small text files with one "key value ..." per line; '#' begins a comment. hatch-style(5) describes
+ * the keys, whose values struct hatch_style holds. */
 #ifndef HATCH_PLACEMENT_STYLE_H
 #define HATCH_PLACEMENT_STYLE_H
 
@@ -12,15 +12,15 @@
 #define HATCH_STYLE_DIRECTIONS_MAX 8u
 #define HATCH_STYLE_COLORS_MAX 32u
 
-/* One direction of cross-hatching (§4): for the columns whose target tone lies in from .. to. Strokes of a column
- * alternate between all of its directions. */
+/* One direction of cross-hatching (Praun et al. 2001, §4), for the columns whose target tone is in from .. to. The
+ * strokes of a column alternate between all of its directions. */
 struct hatch_style_direction {
     float angle_rad;
     float from, to; /* tones, 0 .. 1 */
 };
 
-/* Combination of crossing strokes; no pixel ever gets lighter. A stroke of colour c and alpha a changes the reflectance
- * p of each channel to: */
+/* How crossing strokes combine; no pixel ever gets lighter. A stroke of colour c and alpha a changes the reflectance p
+ * of each channel to: */
 enum hatch_overlap {
     HATCH_OVERLAP_DARKENS, /* p (1 - a (1 - c)): layers of thin colour */
     HATCH_OVERLAP_FLAT,    /* min(p, 1 - a (1 - c)): the darker stroke wins */
@@ -41,26 +41,27 @@ struct hatch_style {
     float length_min, length_max;     /* fractions of the tile, 0 .. 4; 0 0 makes dots */
     float jitter_rad;                 /* standard deviation of the direction */
     float ink;                        /* darkness of a stroke, 0.01 .. 1 */
-    float bend_min_rad, bend_max_rad; /* turn of a stroke from start to end, 0 .. HATCH_STROKE_BEND_MAX, to a random
-                                         side */
+    float bend_min_rad, bend_max_rad; /* range of the turn of a stroke from start to end, 0 .. HATCH_STROKE_BEND_MAX, to
+                                         a random side */
     enum hatch_overlap overlap;
     float tone_max; /* target tone of the last column, 0.01 .. 1 */
     bool tone_max_given;
-    float tone_gamma; /* 0.1 .. 10; 1: even steps of darkness from paper, which is not a column */
+    float tone_gamma; /* exponent of the target tones, 0.1 .. 10; 1: even steps of darkness, the first of which is
+                         already darker than paper */
     uint32_t direction_count;
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
     uint32_t color_count; /* 0: strokes are black */
     struct hatch_style_color colors[HATCH_STYLE_COLORS_MAX];
-    uint32_t candidates_light, candidates_dark; /* candidates per stroke in the lightest and the darkest column;
-                                                   1000 and 100 in §4 */
+    uint32_t candidates_light, candidates_dark; /* candidates per stroke in the lightest and the darkest column; 1000
+                                                   and 100 in Praun et al. 2001, §4 */
 };
 
-/* Sets the style "ink", the meaning of an empty file. */
+/* Sets the style "ink", which an empty file stands for. */
 void hatch_style_default(struct hatch_style *style);
 
 /* Parses a style file.
- *   style  in: the defaults; out; unchanged on failure
- * HATCH_BAD_INPUT with the line for an unknown key, a wrong number of values or a value out of range. */
+ *   style  in: values for absent keys; out: the style; unchanged on failure
+ * HATCH_BAD_INPUT, naming the line, for an unknown key, a wrong number of values or a value out of range. */
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

@@ -2,14 +2,15 @@
 
 #include <math.h>
 
-#define MARGIN 1e-9 /* tiles, against rounding */
+#define MARGIN 1e-9 /* in tiles, against rounding errors */
 
-/* A stroke's rectangle, grown by a texel: the middles of texels that it intersects lie within. */
+/* A stroke's rectangle, grown by half the extent of a texel on every side, so that it contains the centre of every
+ * texel that the stroke intersects. */
 struct reach {
     double cosine, sine;
-    double per_cosine, per_sine; /* 1 / cosine, 1 / sine; 0 if nearly infinite */
+    double per_cosine, per_sine; /* 1 / cosine, 1 / sine; 0 where that would be nearly infinite */
     double along, across;        /* half of the grown rectangle's length and width */
-    double u, v;                 /* half of the rectangle's bounding box */
+    double u, v;                 /* half of the bounding box of the rectangle before it is grown */
     uint32_t side;
 };
 
@@ -32,7 +33,8 @@ static struct reach reach_of(const struct hatch_coverage_stroke *stroke, uint32_
                           .side = side};
 }
 
-/* Narrows *low .. *high to the x where |x / per_a + b| <= most. */
+/* Narrows *low .. *high to the x for which |a x + b| <= most.
+ *   per_a  1 / a, or 0 for a near 0 */
 static void clip(double per_a, double b, double most, double *low, double *high)
 {
     if (!(per_a > 0) && !(per_a < 0)) {
@@ -49,7 +51,7 @@ static void clip(double per_a, double b, double most, double *low, double *high)
 static void find_span(const struct reach *reach, double u, double v, uint32_t row, uint32_t *begin, uint32_t *end)
 {
     double side = reach->side, away_v = (row + 0.5) / side - v;
-    double low = -reach->u - 0.5 / side, high = reach->u + 0.5 / side; /* of the middles of texels, from u */
+    double low = -reach->u - 0.5 / side, high = reach->u + 0.5 / side; /* of texel centres, relative to u */
     clip(reach->per_cosine, reach->sine * away_v, reach->along, &low, &high);
     clip(-reach->per_sine, reach->cosine * away_v, reach->across, &low, &high);
     double first = ceil((low + u) * side - 0.5), last = floor((high + u) * side - 0.5);
@@ -59,7 +61,8 @@ static void find_span(const struct reach *reach, double u, double v, uint32_t ro
     *end = last >= first ? (uint32_t)last + 1 : 0;
 }
 
-/* Adds one stroke to the lists: counts it in counts[texel + 1], or if that is NULL stores it at next[texel]. */
+/* Adds one stroke to the lists of all texels that it intersects: counts it in counts[texel + 1] or, if counts is NULL,
+ * stores it at copies[next[texel]]. */
 static void add_copy(const struct reach *reach, const struct hatch_seed_point *point,
                      const struct hatch_coverage_copy *copy, uint32_t *counts, uint32_t *next,
                      struct hatch_coverage_copy *copies)
@@ -101,7 +104,8 @@ enum hatch_status hatch_coverage_make(const struct hatch_seed_point *points, uin
     size_t texels = (size_t)side * side;
     struct hatch_coverage made = {.side = side};
     struct reach reach = reach_of(stroke, side);
-    HATCH_TRY(HATCH_ALLOC(arena, &made.first, texels + 2, err)); /* one more, used while filling */
+    /* One entry more than the lists need, used while they are filled. */
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, texels + 2, err));
     add_all(points, count, &reach, made.first + 1, NULL, NULL);
     uint64_t total = 0;
     for (size_t t = 0; t <= texels + 1; t++)

@@ -7,15 +7,15 @@ double hatch_fade_share(enum hatch_fade_law law, double m)
     return law == HATCH_FADE_PAPER ? 1 - m : (pow(4, 1 - m) - 1) / 3;
 }
 
-/* The inverse of the share of EVEN. */
+/* The inverse of hatch_fade_share for HATCH_FADE_EVEN. */
 double hatch_fade_death(double rank)
 {
     return 1 - log2(1 + 3 * rank) / 2;
 }
 
-/* Weights fall from 1 to 0 over an interval of ranks of width overlap / (1 - overlap), which moves from below rank 0
- * to above rank 1 while the front goes from 0 to 1. The mean weight over ranks is quadratic in the front at both ends,
- * where the interval is cut off, and linear between; this is its inverse. */
+/* Over the ranks, weights fall from 1 to 0 within an interval of width overlap / (1 - overlap). It moves from below
+ * rank 0 to above rank 1 while the front goes from 0 to 1. The mean weight is quadratic in the front at both ends,
+ * where the interval is cut off, and linear in between; this function is its inverse. */
 double hatch_fade_front(double f, double overlap)
 {
     double p = fmax(overlap, HATCH_FADE_OVERLAP_MIN), q = 1 - p;

@@ -43,7 +43,7 @@ static enum hatch_status parse_tone(struct hatch_text word, struct hatch_layer_l
     return HATCH_OK;
 }
 
-/* Parses the rest of the line, because file names may hold spaces. */
+/* Parses the name of a stroke. It is the whole rest of the line, because file names may contain spaces. */
 static enum hatch_status parse_stroke(struct hatch_text *rest, struct hatch_arena *arena, struct hatch_layer_line *line,
                                       struct hatch_err *err)
 {

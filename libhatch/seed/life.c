@@ -7,11 +7,11 @@ uint8_t hatch_life_tile(const struct hatch_seed_set *set, uint32_t seed)
     return set->crumbs[(seed + set->count - 1) % set->count];
 }
 
-/* A stroke in one of four tiles, which together are a torus of 2^32 units. */
+/* A stroke in one of four merging tiles. Together the tiles are a torus with sides of 2^32 units. */
 struct stroke {
     uint32_t u, v;
     uint32_t index; /* 4 seed + tile */
-    float square;   /* squared distance to the nearest stroke that is ordered already */
+    float square;   /* squared distance to the nearest stroke that is already ordered */
 };
 
 static float squared_distance(const struct stroke *a, const struct stroke *b)
@@ -20,8 +20,8 @@ static float squared_distance(const struct stroke *a, const struct stroke *b)
     return u * u + v * v;
 }
 
-/* Updates the distances of the strokes from i on for a newly ordered stroke, and returns the one farthest from all
- * ordered strokes; of equally far ones that of the lowest index. */
+/* Updates the squared distances of strokes i .. count - 1 for `last`, which was just ordered. Returns the position of
+ * the one farthest from all ordered strokes, ties going to the lowest index. */
 static uint32_t update_farthest(struct stroke *strokes, uint32_t i, uint32_t count, const struct stroke *last)
 {
     uint32_t best = i;
@@ -35,8 +35,8 @@ static uint32_t update_farthest(struct stroke *strokes, uint32_t i, uint32_t cou
     return best;
 }
 
-/* Orders the strokes from begin on by farthest-point sampling.
- *   begin  number of strokes ordered already, 1 upwards */
+/* Orders strokes begin .. count - 1 by farthest-point sampling.
+ *   begin  number of strokes that are already ordered, 1 upwards */
 static void order(struct stroke *strokes, uint32_t begin, uint32_t count)
 {
     uint32_t best = begin;

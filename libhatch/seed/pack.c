@@ -9,8 +9,9 @@ static uint32_t life_in(const struct hatch_rptam_layer *layer, uint32_t seed, in
     return layer->life[4 * seed + 2 * ((uint32_t)tile_v & 1u) + ((uint32_t)tile_u & 1u)];
 }
 
-/* The lives of a stroke whose tile is known relative to the drawn one only: bytes by the drawn tile modulo 2, and for a
- * stroke that stays bytes by the drawn tile of the next level modulo 2. */
+/* The lives of a stroke for which only the offset of its tile from the drawn tile is known. `here` has a byte for each
+ * position of the drawn tile modulo 2; for a stroke that stays, `next_level` has a byte for each position, modulo 2, of
+ * the next level's tile that contains the drawn one. */
 struct hatch_rptam_lives {
     uint32_t here, next_level;
 };
@@ -35,14 +36,15 @@ static struct hatch_rptam_lives lives_of(const struct hatch_rptam_layer *layer, 
     return lives;
 }
 
-/* Computes lives[16 * seed + 4 * v + u] of the strokes that are u, v tiles, modulo 4, from the drawn tile. */
+/* Computes lives[16 * seed + 4 * v + u] for strokes whose tile is u columns and v rows, modulo 4, from the drawn
+ * one. */
 static void make_lives(const struct hatch_rptam_layer *layer, bool weighted, struct hatch_rptam_lives *lives)
 {
     for (uint32_t i = 0; i < 16 * layer->count; i++)
         lives[i] = lives_of(layer, weighted, i / 16, (int32_t)(i & 3), (int32_t)(i >> 2 & 3));
 }
 
-/* Writes a seed entry: position as bits of floats, and lives. */
+/* Writes one entry of seeds: the position as bits of floats, and the lives. */
 static void put_seed(const struct hatch_rptam_layer *layer, const struct hatch_rptam_lives *lives,
                      const struct hatch_coverage_copy *copy, uint32_t to[4])
 {
@@ -70,7 +72,7 @@ static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch
     }
 }
 
-/* Returns alpha at a texel, 0 outside the image. */
+/* Returns the alpha of a texel in 1/255; 0 outside the image. */
 static uint8_t byte_at(const struct hatch_image *image, uint32_t x, uint32_t y)
 {
     bool inside = x < image->width && y < image->height;
@@ -89,7 +91,7 @@ static void pack_stroke(const struct hatch_rptam_layer *layer, struct hatch_rpta
             }
 }
 
-/* Returns whether a layer before this one has the same stroke.
+/* Returns whether an earlier layer has the same stroke.
  *   other  out: the first such layer */
 static bool shares_stroke(const struct hatch_rptam *rptam, uint32_t index, uint32_t *other)
 {

@@ -4,44 +4,50 @@
 
 #include "seed/rptam.h"
 
-#define HATCH_RPTAM_IMAGES_SHIFT 16 /* of at[3] below; the lower bits hold the number of seed points */
+/* Position of the number of images in at[3] below; the lower bits hold the number of seed points. */
+#define HATCH_RPTAM_IMAGES_SHIFT 16
 
 /* A layer, std140, 80 bytes. */
 struct hatch_rptam_layer_block {
-    float turn[4];   /* cosine, sine of the strokes' direction; tile_px²; ink */
-    float tone[4];   /* amount = x * progress + y; least progress with strokes; number of further lists, for smaller
-                        strokes */
-    float stroke[4]; /* texels per pixel, along and across; texels of the image minus 1, along and across */
-    int32_t at[4];   /* first list; lists along the tile's side; first texel of the stroke; where strokes differ: images
-                        << HATCH_RPTAM_IMAGES_SHIFT | seed points (their numbers), else 0 */
+    float turn[4];   /* x, y: cosine and sine of the strokes' direction; z: tile_px²; w: ink */
+    float tone[4];   /* x, y: amount = x * progress + y; z: progress at which the layer begins; w: number of coverage
+                        sizes after the first */
+    float stroke[4]; /* x, y: texels per pixel, along and across; z, w: texels of one image minus 1, along and across */
+    int32_t at[4];   /* x: first list; y: lists along the tile's side; z: first texel of the stroke's images; w: for a
+                        varied layer, number of images << HATCH_RPTAM_IMAGES_SHIFT | number of seed points, else 0 */
     float thin[4];   /* x, y: least factors of a stroke's length and width when it fades by size */
 };
 
 /* All layers and the law of fading, std140. */
 struct hatch_rptam_block {
-    float front[4]; /* of the fading front: 2 p (1 - p) with the overlap p; its linear part: start, factor, constant */
-    float fade[4];  /* weight = x * front + y + z * life in steps (+ w in the next level) */
-    float law[4]; /* 1: HATCH_FADE_WEIGHTED; 1: HATCH_FADE_PAPER; unused; tones of the progress table per unit of ink */
-    int32_t counts[4]; /* number of layers; unused */
+    float front[4]; /* terms of hatch_fade_front with p = overlap: x: 2 p (1 - p); y, z, w: smallest f of the linear
+                       part, its factor and its constant */
+    float fade[4];  /* weight = x * front + y + z * life in steps, and + w for a stroke that stays; in a weighted set m
+                       takes the place of front */
+    float law[4]; /* x: 1 for HATCH_FADE_WEIGHTED, else 0; y: 1 for HATCH_FADE_PAPER, else 0; z: unused; w: steps of the
+                     progress table per unit of mean darkness */
+    int32_t counts[4]; /* x: number of layers; the others are unused */
     struct hatch_rptam_layer_block layers[HATCH_RPTAM_LAYERS_MAX];
 };
 
-/* A packed model; its arrays are in the arena of hatch_rptam_pack. A seed point has an entry for each list that
- * contains it, so that shaders find it with one read. */
+/* A packed model; its arrays are in the arena of hatch_rptam_pack. Each list holds copies of its seed points, so that a
+ * shader reads a seed point with one access. */
 struct hatch_rptam_packed {
     struct hatch_rptam_block block;
-    uint32_t *seeds;        /* 4 per seed entry: u and v (bits of floats), lives, lives in the next level */
-    int32_t *lists;         /* 2 per list: its first seed entry, one past its last */
-    uint8_t *strokes;       /* 4 per texel: alpha there, to the right, below, below right */
-    uint16_t *seed_numbers; /* per seed entry: its seed point; NULL: no layer has differing strokes */
-    float progress[2 * HATCH_RPTAM_TONE_STEPS]; /* 2 per tone: its progress, difference to that of the next tone */
-    struct hatch_rptam_lives *lives;            /* scratch: 16 per seed point of a layer */
-    size_t seed_count, list_count;              /* of seed entries; of lists */
-    size_t stroke_count;                        /* texels of strokes */
+    uint32_t *seeds;        /* 4 per entry of a list: u and v (as bits of floats), lives, lives in the next level */
+    int32_t *lists;         /* 2 per list: its first entry in seeds, and one past its last */
+    uint8_t *strokes;       /* 4 per texel of a stroke's image: alpha there, to the right, below, and below right */
+    uint16_t *seed_numbers; /* per entry of seeds: number of its seed point; NULL if no layer is varied */
+    float progress[2 * HATCH_RPTAM_TONE_STEPS]; /* 2 per step of tone: its progress, and the difference to that of the
+                                                   next step */
+    struct hatch_rptam_lives *lives;            /* scratch while packing: 16 per seed point of a layer */
+    size_t seed_count, list_count;              /* number of entries of seeds; of lists */
+    size_t stroke_count;                        /* number of texels of strokes */
 };
 
 /* Packs a model.
- *   all  true: every list has all strokes that may reach into the tile, for tests of the lists; slow to draw */
+ *   all  true: each layer has one list, with all strokes that may reach into the tile; slow to draw, for tests of the
+ *        other lists */
 enum hatch_status hatch_rptam_pack(const struct hatch_rptam *rptam, bool all, struct hatch_arena *arena,
                                    struct hatch_rptam_packed *packed, struct hatch_err *err) HATCH_MUST_USE;
 

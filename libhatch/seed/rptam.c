@@ -16,7 +16,7 @@ static double bilinear(const struct hatch_image *image, double x, double y)
            low * ((1 - right) * (double)lower[0] + right * (double)lower[1]);
 }
 
-/* Alpha of a stroke at a position in pixels from its middle. */
+/* Returns the alpha of a stroke at a position, in pixels from its middle. */
 static double stroke_alpha(const struct hatch_rptam_layer *layer, uint32_t variant, double along_px, double across_px)
 {
     struct hatch_image image = layer->stroke;
@@ -31,7 +31,7 @@ static int odd(double tile)
     return tile - 2 * floor(tile / 2) != 0;
 }
 
-/* The weight of the stroke of a seed point in a tile. */
+/* Returns the weight of the stroke of a seed point in one tile. */
 static double weight_of(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u, double tile_v)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
@@ -46,13 +46,13 @@ static double weight_of(const struct hatch_rptam_pattern *pattern, uint32_t seed
     return life == HATCH_LIFE_STAYS ? 1 : hatch_fade_weight(&pattern->fade, hatch_life_value(life), pattern->fade.next);
 }
 
-/* The transmittance of the stroke of a seed point in a tile.
- *   du, dv  position, tiles from its middle */
+/* Returns the transmittance of the stroke of a seed point in one tile.
+ *   du, dv  position relative to the stroke's middle, in tiles */
 static double stroke_transmittance(const struct hatch_rptam_pattern *pattern, uint32_t seed, double tile_u,
                                    double tile_v, double du, double dv)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;
-    /* Outside a stroke of full size and its soft border the weight does not matter. */
+    /* Outside the full-size stroke and its soft border the weight does not matter. */
     double across = (layer->cosine * dv - layer->sine * du) * pattern->tile_px;
     if (fabs(across) > layer->style.width_px / 2 + 1)
         return 1;
@@ -73,7 +73,7 @@ static double stroke_transmittance(const struct hatch_rptam_pattern *pattern, ui
     return 1 - layer->style.ink * stroke_alpha(layer, variant, along, across) * weight;
 }
 
-/* Tests the strokes of every seed point in all tiles within reach. */
+/* Returns the transmittance, testing the strokes of every seed point in all tiles within reach. */
 static double transmittance_of_all(const struct hatch_rptam_pattern *pattern, double u, double v)
 {
     const struct hatch_rptam_layer *layer = pattern->layer;

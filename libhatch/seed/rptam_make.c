@@ -1,4 +1,4 @@
-/* Construction of the model: coverage lists and the table of tones. */
+/* Makes the model: coverage lists and the table of tones. */
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
@@ -6,12 +6,13 @@
 #include "seed/rptam.h"
 
 #define SIDE_MIN 16u
-#define SIDE_MAX 256u     /* texels along the tile, of coverage lists */
-#define MARGIN 1.0001     /* factor of the size of listed strokes, against rounding on the GPU */
+#define SIDE_MAX 256u     /* SIDE_MIN .. SIDE_MAX: texels of the coverage lists along the tile */
+#define MARGIN 1.0001     /* factor by which listed strokes are enlarged, against rounding on the GPU */
 #define TONE_POINTS 4181u /* sample points for the table of tones: a Fibonacci lattice */
-#define TONE_STRIDE 2584u /* of the lattice, the Fibonacci number before */
-#define TONE_TILES 4.0    /* side of the lattice, for amounts down to 1/16 */
-#define TONE_PARTS 5u     /* amounts to measure per layer */
+#define TONE_STRIDE 2584u /* of the lattice: the preceding Fibonacci number */
+/* Side of the lattice in texture coordinates, for amounts over 1/16; it doubles with each further nesting level. */
+#define TONE_TILES 4.0
+#define TONE_PARTS 5u /* number of amounts at which a layer is measured; twice as many for a dense layer */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
@@ -19,7 +20,9 @@ static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct
            !(a->length_px > b->length_px) && !(a->width_px < b->width_px) && !(a->width_px > b->width_px);
 }
 
-/* Texels along the tile, about as wide as the thinnest strokes. */
+/* Returns the number of texels along the tile, SIDE_MIN .. SIDE_MAX: the lowest power of two for which a texel is no
+ * wider than a stroke.
+ *   width  of a stroke, in tiles */
 static uint32_t side_for(double width)
 {
     uint32_t side = SIDE_MIN;
@@ -81,7 +84,7 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
     return HATCH_OK;
 }
 
-/* Samples of mean darkness as a function of progress, both rising. */
+/* Samples of the mean darkness as a function of progress, both ascending. */
 struct curve {
     uint32_t count;
     double *progress, *darkness;
@@ -100,16 +103,16 @@ static void draw_layer(const struct hatch_rptam *rptam, uint32_t layer, double a
     hatch_rptam_pattern_make(rptam, layer, 0, amount, false, &pattern);
     double tiles = TONE_TILES * exp2(fmax(pattern.level - 1, 0));
     for (uint32_t i = 0; i < TONE_POINTS; i++) {
-        /* v rises slowly, so that many points use the coverage lists of one row. */
+        /* v rises slowly, so that many consecutive points use the coverage lists of one row. */
         const double uv[2] = {tiles * (i * TONE_STRIDE % TONE_POINTS) / TONE_POINTS, tiles * (i + 0.5) / TONE_POINTS};
         transmittance[i] *= hatch_rptam_transmittance(&pattern, uv);
     }
 }
 
-/* The mean darkness at a progress, which rises from call to call.
- *   complete       in and out: layers whose range has ended
- *   base           in and out: their transmittance per sample point
- *   transmittance  scratch: per sample point */
+/* Returns the mean darkness at a progress, which must not fall from call to call.
+ *   complete       in and out: per layer, whether its range has ended
+ *   base           in and out: transmittance of the complete layers at each sample point
+ *   transmittance  scratch: one entry per sample point */
 static double darkness_at(const struct hatch_rptam *rptam, double progress, bool *complete, double *base,
                           double *transmittance)
 {
@@ -131,9 +134,9 @@ static double darkness_at(const struct hatch_rptam *rptam, double progress, bool
     return sum / TONE_POINTS;
 }
 
-/* Chooses the amounts in [0, 1) at which a layer is measured, and returns their number. They are evenly spaced, except
- * where strokes overlap so often that a part of them makes the tile black: then there are twice as many, and at the
- * first amount after 0 a point is under a third of a stroke on average. */
+/* Chooses the amounts in [0, 1) at which a layer is measured, and returns their number. They are evenly spaced, unless
+ * the strokes overlap so much that a part of them already makes the tile nearly black. Then there are twice as many,
+ * closer together near 0; at the first amount after 0 a point is covered by at most a third of a stroke on average. */
 static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[2 * TONE_PARTS])
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
@@ -155,7 +158,7 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
     HATCH_TRY(HATCH_ALLOC(scratch, &curve->darkness, capacity, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &base, TONE_POINTS, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &transmittance, TONE_POINTS, err));
-    curve->count = 1; /* at progress 0 */
+    curve->count = 1; /* progress 0 */
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
         double amounts[2 * TONE_PARTS];
@@ -175,13 +178,13 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
     return HATCH_OK;
 }
 
-/* Returns the mean number of randomly placed strokes over a point at which the mean darkness is the given one. */
+/* Returns the mean number of randomly placed opaque strokes over a point that gives a mean darkness. */
 static double mean_covers(double darkness)
 {
     return -log(fmax(1 - darkness, 1e-9));
 }
 
-/* Inverts the curve: progress at equal steps of darkness. */
+/* Inverts the curve: finds the progress at equal steps of darkness. */
 static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rptam *rptam, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -197,7 +200,7 @@ static enum hatch_status make_table(struct hatch_arena *scratch, struct hatch_rp
         while (k + 2 < curve.count && curve.darkness[k + 1] < target)
             k++;
         if (k + 1 == curve.count)
-            break; /* no layer */
+            break; /* there is no layer */
         double from = mean_covers(curve.darkness[k]), rise = mean_covers(curve.darkness[k + 1]) - from;
         double part = rise > 0 ? (mean_covers(target) - from) / rise : 0;
         rptam->progress[step] = curve.progress[k] + part * (curve.progress[k + 1] - curve.progress[k]);

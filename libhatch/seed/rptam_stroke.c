@@ -1,14 +1,14 @@
-/* Images of strokes at their size on screen. */
+/* Makes the images of strokes at their size on screen. */
 #include <assert.h>
 #include <math.h>
 
 #include "base/random.h"
 #include "seed/rptam.h"
 
-#define SIDE_MAX 2048.0      /* texels along an image of a stroke */
-#define TEXELS_MAX 1048576.0 /* of all images of a stroke, if there are several */
+#define SIDE_MAX 2048.0      /* largest number of texels along a side of a stroke's image */
+#define TEXELS_MAX 1048576.0 /* largest number of texels of all images of a stroke, if it has several */
 
-/* The mean of an image over a box. */
+/* Returns the mean of an image over a box. */
 static double mean_over(const struct hatch_image *image, double left, double right, double top, double bottom)
 {
     double sum = 0;
@@ -19,7 +19,7 @@ static double mean_over(const struct hatch_image *image, double left, double rig
     return sum / ((right - left) * (bottom - top));
 }
 
-/* Resamples alpha, without grain and border. */
+/* Resamples the alpha of a stroke, still without grain and border. */
 static double *resample(const struct hatch_image *from, uint32_t width, uint32_t height, struct hatch_arena *arena,
                         struct hatch_err *err)
 {
@@ -32,7 +32,7 @@ static double *resample(const struct hatch_image *from, uint32_t width, uint32_t
     return means;
 }
 
-/* The factor of the grain at a position in pixels from the corner of a stroke's image.
+/* Returns the factor of the grain at a position, in pixels from the corner of a stroke's image.
  *   image  number of the image, which selects an offset */
 static double grain_at(const struct hatch_image *grain, uint32_t image, double x_px, double y_px)
 {

@@ -4,7 +4,7 @@
 
 void hatch_seed_points(const struct hatch_seed_set *set, struct hatch_seed_point *points)
 {
-    /* The last point bit by bit; each point before it has one more crumb in front. */
+    /* The last point is built bit by bit; each point before it has one more crumb in front. */
     struct hatch_seed_point point = {0, 0};
     for (uint64_t k = 0; k < 64; k++) {
         uint8_t crumb = set->crumbs[(set->count - 1u + k) % set->count];

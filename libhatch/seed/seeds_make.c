@@ -6,10 +6,10 @@
 
 struct choice {
     const struct hatch_seeds_options *options;
-    struct hatch_seed_point *points; /* of the chosen layers, then of a candidate */
+    struct hatch_seed_point *points; /* those of the chosen layers, followed by those of a candidate */
     uint32_t chosen;                 /* number of points of the chosen layers */
     uint8_t *crumbs;                 /* of a candidate */
-    uint64_t steps;                  /* sum of hatch_cycle_make */
+    uint64_t steps;                  /* sum over all calls of hatch_cycle_make */
 };
 
 static enum hatch_status make_candidate(struct choice *choice, uint64_t stream, struct hatch_arena *scratch,

@@ -1,4 +1,4 @@
-/* Makes random seed sets and keeps those whose seed points are spread best. */
+/* Makes random seed sets and keeps those whose seed points are spread most evenly. */
 #ifndef HATCH_SEED_SEEDS_MAKE_H
 #define HATCH_SEED_SEEDS_MAKE_H
 
@@ -7,13 +7,13 @@
 struct hatch_seeds_options {
     struct hatch_cycle_options cycle; /* its stream is ignored */
     uint32_t layers;                  /* 1 .. HATCH_SEED_LAYERS_MAX */
-    uint32_t candidates;              /* random sets per layer; 0: by cycle.count, from 1000 for up to a hundred seed
-                                         points to 1 from a hundred thousand on */
+    uint32_t candidates;              /* random sets tried per layer; 0: 100000 / cycle.count, within 1 .. 1000 */
 };
 
-/* Makes a random seed set per layer, the best of several candidates: the one with the largest product of two figures,
- * the square of the smallest distance within the set over its bound, and the smallest distance among the set and all
- * layers before it over their bound, so that layers do not put strokes on top of each other.
+/* Makes a random seed set for each layer, the best of several candidates. The best one has the largest a² b, where a
+ * is the smallest distance within the set and b the smallest distance among the points of the set and of all layers
+ * before it, each divided by its bound (hatch_spread_bound). The factor b keeps layers from putting strokes on top of
+ * each other; the first layer is chosen by a alone.
  *   seeds  out, in arena
  *   steps  out: number of crumbs that HATCH_CYCLE_BACKTRACK tried
  * Statuses of hatch_cycle_make. */

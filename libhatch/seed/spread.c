@@ -9,7 +9,7 @@ double hatch_spread_bound(uint32_t count)
     return sqrt(2.0 / (sqrt(3.0) * count));
 }
 
-/* Differences wrap with the tile; as signed numbers they are the shorter of both ways around. */
+/* Unsigned differences wrap with the tile; read as signed numbers they are the shorter way around it. */
 static double squared_distance(const struct hatch_seed_point *a, const struct hatch_seed_point *b)
 {
     double u = (double)(int64_t)(a->u - b->u) * 0x1p-64;
@@ -17,11 +17,11 @@ static double squared_distance(const struct hatch_seed_point *a, const struct ha
     return u * u + v * v;
 }
 
-/* Points by cell of a grid of 2^bits by 2^bits. A cell is at least as wide as the largest possible smallest distance,
- * so that the nearest point is in one of nine cells. */
+/* Points sorted into the cells of a grid of 2^bits by 2^bits. A cell is at least as wide as hatch_spread_bound, so that
+ * two points at the smallest distance lie in the same cell or in adjacent ones. */
 struct cells {
     int bits;
-    uint32_t *first; /* per cell, first entry in index; 4^bits + 1 entries */
+    uint32_t *first; /* per cell, its first entry in index; 4^bits + 1 entries */
     uint32_t *index; /* points, ordered by cell */
 };
 
@@ -42,7 +42,8 @@ static enum hatch_status sort_into_cells(const struct hatch_seed_point *points, 
     size_t cell_count = (size_t)1 << 2 * cells->bits;
     HATCH_TRY(HATCH_ALLOC(scratch, &cells->first, cell_count + 2, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &cells->index, count, err));
-    uint32_t *next = cells->first + 1; /* shifted by one; filling index turns it into first */
+    uint32_t *next = cells->first + 1; /* next[c] is the first entry of cell c; filling index advances it to the end of
+                                          that cell, which is first[c + 1] */
     for (uint32_t i = 0; i < count; i++)
         next[cell_of(cells, &points[i]) + 1]++;
     for (size_t c = 0; c < cell_count; c++)
@@ -88,9 +89,12 @@ static int compare_u(const void *a, const void *b)
     return p->v < q->v ? -1 : p->v > q->v;
 }
 
-/* The largest difference over boxes with upper corners on the grid of the points' coordinates, where the extreme over
- * all boxes is: closed boxes up to u, which hold too many points, and open boxes up to next_u, which hold too few.
- *   sorted_v  v of the filled points up to u, rising */
+/* Returns the largest difference over the boxes that end at u or next_u. The extreme over all boxes has its upper
+ * corner on the grid of the points' coordinates: it is a closed box up to u, which holds too many points, or an open
+ * box up to next_u, which holds too few.
+ *   sorted_v  v of the points up to u, ascending
+ *   filled    number of these points
+ *   count     number of all points */
 static double worst_box(const uint64_t *sorted_v, uint32_t filled, uint32_t count, double u, double next_u)
 {
     double worst = 0;

@@ -4,23 +4,23 @@
 
 #include "seed/seeds.h"
 
-/* Returns the largest possible smallest distance between count points of a unit torus: that of the hexagonal grid,
- * sqrt(2 / (sqrt(3) count)). */
+/* Returns the upper bound of the smallest distance between count points on a unit torus: the spacing of a hexagonal
+ * grid of the same density, sqrt(2 / (sqrt(3) count)). */
 double hatch_spread_bound(uint32_t count);
 
-/* Computes the smallest distance between two seed points, on the torus; 1 for a single one. Time is about linear in
- * count. */
+/* Computes the smallest distance between any two seed points on the torus; 1 for a single point. Time is about linear
+ * in count. */
 enum hatch_status hatch_spread_distance(const struct hatch_seed_point *points, uint32_t count,
                                         struct hatch_arena *scratch, double *distance,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the star discrepancy: the largest difference, over all boxes with a corner at 0, between the area of the
- * box and its share of the seed points. Time is quadratic in count. */
+/* Computes the star discrepancy: the largest difference, over all boxes with a corner at 0, between the area of the box
+ * and the share of the seed points that it contains. Time is quadratic in count. */
 enum hatch_status hatch_spread_discrepancy(const struct hatch_seed_point *points, uint32_t count,
                                            struct hatch_arena *scratch, double *discrepancy,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the spread of seed sets.
+/* Computes how evenly the seed points of seed sets are spread.
  *   within    out: smallest distance within a layer over its bound, the least of all layers
  *   together  out: smallest distance between any two seed points of all layers, over their bound */
 enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hatch_arena *scratch, double *within,

@@ -26,12 +26,12 @@ struct pressure {
     float alpha;     /* 0 .. 1 */
 };
 
-/* The pressure at s, 0 .. 1 along the stroke. */
+/* Returns the pressure at s, 0 .. 1 along the stroke. */
 static struct pressure pressure_at(enum hatch_brush_kind kind, float s)
 {
     float from_end = s < 0.5f ? s : 1 - s;
     switch (kind) {
-    case HATCH_BRUSH_INK: /* starts blunt and ends in a point */
+    case HATCH_BRUSH_INK: /* starts blunt and ends in a long taper */
         return (struct pressure){0.25f + 0.75f * smooth_step(0, s < 0.5f ? 0.10f : 0.30f, from_end), 1};
     case HATCH_BRUSH_PENCIL:
         return (struct pressure){0.6f + 0.4f * smooth_step(0, 0.25f, from_end),
@@ -51,7 +51,7 @@ static struct pressure pressure_at(enum hatch_brush_kind kind, float s)
     }
 }
 
-/* The width of the fall-off at the edge, as a share of half the stroke's width. */
+/* Returns the width of the fall-off at the edge, as a share of half the stroke's width. */
 static float edge_softness(enum hatch_brush_kind kind)
 {
     switch (kind) {
@@ -79,8 +79,8 @@ static void draw_envelope(struct hatch_brush *brush)
     }
 }
 
-/* Toroidal value noise, 0 .. 1.
- *   cell  pixels, a divisor of HATCH_GRAIN_SIZE */
+/* Returns toroidal value noise, 0 .. 1.
+ *   cell  side of a noise cell in pixels, a divisor of HATCH_GRAIN_SIZE */
 static float value_noise(uint32_t x, uint32_t y, uint32_t cell, uint64_t stream)
 {
     uint32_t cells = HATCH_GRAIN_SIZE / cell;
@@ -97,7 +97,7 @@ static float value_noise(uint32_t x, uint32_t y, uint32_t cell, uint64_t stream)
     return top + (bottom - top) * v;
 }
 
-/* Tooth of the paper: less ink where noise is below a threshold. */
+/* Draws the tooth of the paper: less ink where noise is below a threshold. */
 static void draw_grain(struct hatch_brush *brush)
 {
     struct {
@@ -160,7 +160,7 @@ static float ink_at(const struct hatch_image *image, size_t pixel, int alpha)
     return ink > 0 ? (ink < 1 ? ink : 1) : 0; /* NaN becomes 0 */
 }
 
-/* The index of the A channel if its values vary, else -1. */
+/* Returns the index of the A channel if its values vary, else -1. */
 static int varying_alpha(const struct hatch_image *image, size_t pixels)
 {
     int alpha = hatch_image_channel(image, "A");

@@ -13,7 +13,7 @@ enum hatch_brush_kind {
     HATCH_BRUSH_CHARCOAL, /* broad, very grainy, soft edge */
     HATCH_BRUSH_STIPPLE,  /* full alpha, for dots */
     HATCH_BRUSH_ROUND,    /* full alpha, half discs at the ends: the round caps of drawing programs */
-    HATCH_BRUSH_IMAGE     /* a grey image of the user */
+    HATCH_BRUSH_IMAGE     /* a grey image that the user supplies */
 };
 
 #define HATCH_GRAIN_SIZE 64u
@@ -23,8 +23,8 @@ struct hatch_brush {
     uint32_t width, height;
     float *alpha;      /* [y * width + x], 0 .. 1: x runs along the stroke from start to end, y across it */
     float *cumulative; /* [x * (height + 1) + y]: sum of alpha over rows 0 .. y - 1, divided by height */
-    float *grain;      /* factor of alpha, 0 .. 1, repeating, HATCH_GRAIN_SIZE² pixels of the image drawn on; starts
-                          at an offset chosen by the stroke's texture_seed; NULL: none */
+    float *grain; /* factor for alpha, 0 .. 1: a repeating square with a side of HATCH_GRAIN_SIZE pixels of the image
+                     drawn on, at an offset chosen by the stroke's texture_seed; NULL: none */
 };
 
 /* Returns "ink", "pencil" and so on; NULL for HATCH_BRUSH_IMAGE. */

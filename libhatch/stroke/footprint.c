@@ -5,7 +5,7 @@
 #include "stroke/frame.h"
 #include "stroke/path.h"
 
-/* Upper bound of the number of pixels of a stroke; pixels that it covers twice count twice. */
+/* Returns an upper bound of the number of pixels of a stroke; pixels that it covers twice count twice. */
 static double pixel_bound(double length, uint32_t size_px, double width_px)
 {
     double reach = length * size_px + width_px + 4, across = width_px + 4;
@@ -17,7 +17,7 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
 {
     struct hatch_footprint made = {0};
     double whole = pixel_bound((double)length, size_px, (double)width_px);
-    /* Strokes over HATCH_LINE_LENGTH_MAX have paths, whose footprints have no pixel twice. */
+    /* Strokes longer than HATCH_LINE_LENGTH_MAX have paths, whose footprints never hold a pixel twice. */
     double straight = pixel_bound(fmin((double)length, HATCH_LINE_LENGTH_MAX), size_px, (double)width_px);
     double pixels = fmax(straight, fmin(whole, (double)size_px * size_px));
     if (!(whole < INFINITY) || !(pixels < UINT32_MAX / 2))
@@ -44,8 +44,8 @@ static void add_pixel(const struct hatch_frame *f, const struct hatch_brush *bru
     out->along[out->count++] = t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* Adds a pixel of an arc, whose positions along and across are polar coordinates.
- *   dx, dy  from the middle of the arc */
+/* Adds a pixel of an arc; its positions along and across the stroke are polar coordinates.
+ *   dx, dy  position relative to the middle of the arc, px */
 static void add_arc_pixel(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx, float dy,
                           struct hatch_footprint *out)
 {
@@ -81,7 +81,8 @@ static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *
     }
 }
 
-/* Merges entries of one pixel, which a stroke that overlaps itself around the torus has, into the darkest. */
+/* Merges the entries of each pixel into the darkest one. A stroke that overlaps itself around the torus has several for
+ * one pixel. */
 static void keep_darkest(struct hatch_footprint *out)
 {
     uint32_t kept = 0;
@@ -115,7 +116,7 @@ void hatch_footprint_draw(const struct hatch_stroke *stroke, const struct hatch_
     }
     float reach_x = f.half_length * fabsf(f.cosine) + f.half_width * fabsf(f.sine) + 1;
     float reach_y = f.half_length * fabsf(f.sine) + f.half_width * fabsf(f.cosine) + 1;
-    if (f.radius != 0) /* an arc lies within half its length of its middle */
+    if (f.radius != 0) /* no point of an arc is further than half the arc's length from its middle */
         reach_x = reach_y = f.half_length + f.half_width + 1;
     int32_t from = (int32_t)floorf(f.centre_y - reach_y), to = (int32_t)ceilf(f.centre_y + reach_y);
     for (int32_t y = from; y <= to; y++)

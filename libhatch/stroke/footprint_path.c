@@ -1,5 +1,5 @@
-/* Footprints of drawn paths: each pixel belongs to the nearest piece of the line, which gives its position along and
- * across; then the path is treated like a straight line. */
+/* Footprints of drawn paths. Each pixel belongs to the nearest piece of the line, which determines its position along
+ * and across; from there on the path is treated like a straight line. */
 #include <assert.h>
 #include <stdbool.h>
 
@@ -7,7 +7,7 @@
 #include "stroke/frame.h"
 #include "stroke/path.h"
 
-/* Shorter pieces are joined before they are drawn; on coarse levels most are shorter. */
+/* Pieces shorter than this are joined before they are drawn; on coarse levels most are. */
 #define PIECE_PX 0.25f
 
 struct piece {
@@ -15,7 +15,7 @@ struct piece {
     float cosine, sine; /* direction */
     float length;       /* px */
     float start;        /* px along the whole line, from its middle */
-    float stretch;      /* length of the line over that of its joined pieces, which cut corners */
+    float stretch;      /* factor from lengths along the joined pieces, which cut corners, to lengths along the line */
     bool first, last;
 };
 
@@ -25,7 +25,7 @@ static float reach_px(const struct hatch_frame *f)
     return f->half_width + 0.75f;
 }
 
-/* Adds the pixel, or assigns it to this piece if that is nearer. Until all pieces are drawn, out->along and
+/* Adds the pixel, or assigns it to this piece if this piece is nearer. Until all pieces are drawn, out->along and
  * out->alpha hold the positions along and across, in px. */
 static void assign_pixel(const struct hatch_frame *f, uint32_t at, float along, float across,
                          struct hatch_footprint *out)
@@ -46,8 +46,8 @@ static void assign_pixel(const struct hatch_frame *f, uint32_t at, float along, 
     out->alpha[*entry - 1] = across;
 }
 
-/* Assigns a pixel to the piece if it covers it. If the nearest point is an inner corner of the line, the distance to
- * the corner counts as across.
+/* Assigns a pixel to the piece if the piece covers it. If the nearest point is an inner corner of the line, the
+ * distance to the corner is taken as the position across.
  *   dx, dy  px from the start of the piece */
 static void test_pixel(const struct hatch_frame *f, const struct piece *piece, uint32_t at, float dx, float dy,
                        struct hatch_footprint *out)
@@ -88,7 +88,7 @@ static void draw_piece(const struct hatch_frame *f, const struct piece *piece, u
     }
 }
 
-/* Advances to the next piece of at least PIECE_PX, or the rest of the line; false at the end.
+/* Advances to the next piece of at least PIECE_PX, or to the rest of the line. Returns false at the end.
  *   next  in and out: end point of the piece; 0 before the first */
 static bool next_piece(const struct hatch_path *path, float size, uint32_t *next, struct piece *piece)
 {

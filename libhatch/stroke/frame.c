@@ -32,8 +32,8 @@ struct hatch_frame hatch_frame_make(const struct hatch_stroke *stroke, const str
     return f;
 }
 
-/* The integral of alpha from the edge of the stroke to `across`, 0 .. 1 of the width; exact for brush pixels that are
- * boxes. */
+/* Returns the integral of alpha over a brush column from the edge of the stroke to `across`, a share of its width. It
+ * is exact when brush pixels are taken as boxes. */
 static float cumulative_at(const float *column, uint32_t height, float across)
 {
     if (across <= 0)
@@ -47,21 +47,22 @@ static float cumulative_at(const float *column, uint32_t height, float across)
 
 static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float across)
 {
-    /* Nearest, not linear: interpolation would blur the grain. */
+    /* Nearest neighbour, because interpolation would blur the grain. */
     uint32_t x = (uint32_t)(int32_t)floorf(along + f->half_length) + f->grain_x;
     uint32_t y = (uint32_t)(int32_t)floorf(across + f->half_width) + f->grain_y;
     return brush->grain[y % HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE + x % HATCH_GRAIN_SIZE];
 }
 
-/* The integral of alpha of one column of the brush between two positions across. */
+/* Returns the integral of alpha over one column of the brush between two positions across. */
 static float column_coverage(const struct hatch_brush *brush, uint32_t x, float from, float to)
 {
     const float *column = brush->cumulative + (size_t)x * (brush->height + 1);
     return cumulative_at(column, brush->height, to) - cumulative_at(column, brush->height, from);
 }
 
-/* The brush's alpha over a pixel, times the coverage along. If brush columns are smaller than pixels, averages those
- * within the pixel, because a single one would lose or double ink; else uses the column at the centre of the pixel. */
+/* Returns the brush's alpha, integrated across a pixel, times the pixel's coverage along the stroke. If brush columns
+ * are smaller than pixels, it averages those within the pixel, because a single one would lose or double ink; otherwise
+ * it uses the column at the centre of the pixel. */
 static float pixel_coverage(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float from,
                             float to)
 {
@@ -81,7 +82,7 @@ static float pixel_coverage(const struct hatch_brush *brush, const struct hatch_
     return sum / f->columns_per_px;
 }
 
-/* The share of a pixel's extent across that lies within half_width of the line. */
+/* Returns the share of a pixel's extent across the stroke that lies within half_width of the centre line. */
 static float chord(float across, float half_width)
 {
     float low = across - 0.5f > -half_width ? across - 0.5f : -half_width;
@@ -89,8 +90,8 @@ static float chord(float across, float half_width)
     return high > low ? high - low : 0;
 }
 
-/* The coverage of a line with half discs at its ends. Pixels at an end are cut into slices, so that the coverages sum
- * to the area even for thin lines. */
+/* Returns the coverage of a pixel by a line with half discs at its ends. Pixels at an end are cut into slices, so that
+ * the coverages sum to the area even for thin lines. */
 static float round_coverage(const struct hatch_frame *f, float along, float across)
 {
     along = fabsf(along);

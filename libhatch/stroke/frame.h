@@ -10,13 +10,13 @@ struct hatch_frame {
     float cosine, sine;            /* of the stroke's direction */
     float radius;                  /* px, of an arc, negative for a negative bend; 0: straight */
     float half_length, half_width; /* px */
-    float core;                    /* px: half the length of the line whose ends get the caps of a round brush */
-    float per_length, per_width;   /* 1 / px: converts px to 0 .. 1 along and across */
-    float columns;                 /* width of the brush image */
-    float columns_per_px;          /* brush columns per pixel */
-    float opacity;                 /* of the stroke, 0 .. 1 */
-    float alpha_per_width;         /* converts a difference of cumulative alphas to the alpha of a pixel */
-    uint32_t grain_x, grain_y;     /* offset into the grain, px */
+    float core; /* px: half the length of the centre line; a round brush has its caps at the ends of this line */
+    float per_length, per_width; /* 1 / px: converts px to 0 .. 1 along and across */
+    float columns;               /* width of the brush image */
+    float columns_per_px;        /* brush columns per pixel */
+    float opacity;               /* of the stroke, 0 .. 1 */
+    float alpha_per_width;       /* converts a difference of cumulative alphas to the alpha of a pixel */
+    uint32_t grain_x, grain_y;   /* offset into the grain, px */
 };
 
 /* Makes the frame of a stroke; arguments as for hatch_footprint_draw. */

@@ -33,15 +33,15 @@ enum hatch_status hatch_path_add_line(struct hatch_path_builder *b, double x, do
     return HATCH_OK;
 }
 
-/* The number of equal parameter steps that keep within the tolerance. The chord of a step h is off by at most h² / 8
- * times the second derivative, which is largest at an end of a cubic. */
+/* Returns the number of equal parameter steps that keep the polyline within the tolerance. The chord of a step h is off
+ * by at most h² / 8 times the second derivative, which is largest at an end of a cubic. */
 static double count_pieces(const double *from, const double *control, double tolerance)
 {
     double first = hypot(from[0] - 2 * control[0] + control[2], from[1] - 2 * control[1] + control[3]);
     double second = hypot(control[0] - 2 * control[2] + control[4], control[1] - 2 * control[3] + control[5]);
     double bend = 6 * fmax(first, second);
     double pieces = ceil(sqrt(bend / (8 * tolerance)));
-    return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN: one, whose end point is rejected */
+    return pieces > 1 ? fmin(pieces, CURVE_PIECES_MAX) : 1; /* NaN gives one piece, whose end point is then rejected */
 }
 
 enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *b, const double control[6], struct hatch_err *err)
@@ -59,7 +59,7 @@ enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *b, const doubl
     return hatch_path_add_line(b, control[4], control[5], err);
 }
 
-/* The centre of the bounding box, and half of its larger side. */
+/* Computes the centre of the bounding box, and half of its larger side. */
 static void find_middle(const struct hatch_path_builder *b, double *middle, double *reach)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};

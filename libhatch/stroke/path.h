@@ -7,11 +7,12 @@
 #include "stroke/stroke.h"
 
 #define HATCH_PATH_REACH_MAX 64.0      /* tiles: largest distance of a point from the middle, per axis */
-#define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles */
-#define HATCH_LINE_LENGTH_MAX 16.0     /* tiles: of strokes without a path */
+#define HATCH_PATH_LENGTH_MAX 65536.0f /* tiles: largest length of a path */
+#define HATCH_LINE_LENGTH_MAX 16.0     /* tiles: largest length of a stroke without a path */
 #define HATCH_PATH_POINTS_MAX 1048576u
 
-/* Immutable, in an arena. A round brush has its caps centred on the end points; other brushes end there. */
+/* Immutable, in an arena. A round brush has its caps centred on the end points; with other brushes the stroke ends at
+ * these points. */
 struct hatch_path {
     uint32_t count;  /* 2 .. HATCH_PATH_POINTS_MAX */
     const float *xy; /* points in drawing order, tiles from the stroke's x and y, not wrapped */
@@ -20,33 +21,34 @@ struct hatch_path {
 /* Returns the length of the polyline, in tiles. */
 float hatch_path_length(const struct hatch_path *path);
 
-/* A line in the making. Initialise with {.arena = a, .tolerance = t}; the points double in arena. */
+/* A polyline under construction. Initialise with {.arena = a, .tolerance = t}; the array of points doubles in arena as
+ * it grows. */
 struct hatch_path_builder {
     struct hatch_arena *arena;
-    double tolerance;         /* largest distance of the polyline from a curve, in the unit of the points, over 0 */
-    double *xy;               /* two numbers per point */
-    uint32_t count, capacity; /* points */
+    double tolerance; /* largest distance of the polyline from a curve, in the unit of the points, greater than 0 */
+    double *xy;       /* two numbers per point */
+    uint32_t count, capacity; /* number of points */
 };
 
-/* Adds a point, connected to the one before by a line; the first call begins the path. A point equal to the one
- * before is left out.
+/* Adds a point, joined to the one before by a line; the first call begins the path. A point equal to the one before is
+ * left out.
  * HATCH_BAD_INPUT for a point that is not finite; HATCH_LIMIT for more than HATCH_PATH_POINTS_MAX points. */
 enum hatch_status hatch_path_add_line(struct hatch_path_builder *builder, double x, double y,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Adds a cubic Bézier curve from the last point.
- *   control  x1 y1 x2 y2 x y
+/* Adds a cubic Bézier curve that starts at the last point.
+ *   control  the two control points and the end point: x1 y1 x2 y2 x y
  * Statuses as for hatch_path_add_line. */
 enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *builder, const double control[6],
                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* Sets the geometry of a stroke from a builder whose points are fractions of the tile: x, y (centre of the bounding
- * box, wrapped into the tile), length (of the line), angle_rad (of the chord), bend_rad 0 and path, which is NULL for
- * a line of one point, a dot.
+/* Sets the geometry of a stroke from a builder whose points are fractions of the tile: x and y (centre of the bounding
+ * box, wrapped into the tile), length (of the polyline), angle_rad (of the chord from the first to the last point),
+ * bend_rad (0) and path (NULL for a dot, which has only one point).
  *   builder  with at least one point
  *   arena    receives the path
  *   stroke   out: other members keep their values; unchanged on failure
- * HATCH_BAD_INPUT for a line that passes HATCH_PATH_REACH_MAX or HATCH_PATH_LENGTH_MAX. */
+ * HATCH_BAD_INPUT for a line that exceeds HATCH_PATH_REACH_MAX or HATCH_PATH_LENGTH_MAX. */
 enum hatch_status hatch_path_finish(const struct hatch_path_builder *builder, struct hatch_arena *arena,
                                     struct hatch_stroke *stroke, struct hatch_err *err) HATCH_MUST_USE;
 

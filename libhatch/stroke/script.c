@@ -167,7 +167,7 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     return HATCH_OK;
 }
 
-/* Removes the text before the next separator, or all, from *rest and returns it. */
+/* Removes the text before the next separator from *rest, or all of it if there is none, and returns it. */
 static struct hatch_text take_until(struct hatch_text *rest, char separator)
 {
     const char *end = rest->length ? memchr(rest->at, separator, rest->length) : NULL;

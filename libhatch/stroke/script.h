@@ -15,12 +15,12 @@ enum hatch_status hatch_script_print(const struct hatch_stroke *strokes, uint32_
                                      const char *comment, struct hatch_buffer *text,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Parses a script. Columns may come in any order, unknown ones are ignored, missing optional ones are 0; positions
- * are wrapped into the tile.
+/* Parses a script. Columns may come in any order, unknown ones are ignored, missing optional ones are 0; positions are
+ * wrapped into the tile.
  *   size_px  as for hatch_script_print
  *   strokes  out, in arena; unchanged on failure
- * HATCH_BAD_INPUT for a missing or repeated column; with the line for a wrong number of fields, a field that is not
- * a number, or a value out of range. */
+ * HATCH_BAD_INPUT for a missing or repeated column and, naming the line, for a wrong number of fields, a field that is
+ * not a number, or a value out of range. */
 enum hatch_status hatch_script_parse(struct hatch_bytes text, uint32_t size_px, struct hatch_arena *arena,
                                      struct hatch_stroke_list *strokes, struct hatch_err *err) HATCH_MUST_USE;
 

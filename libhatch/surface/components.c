@@ -41,7 +41,7 @@ static void order_faces(const struct hatch_surface_work *w, struct hatch_surface
 }
 
 /* Numbers the points in the order in which the faces use them.
- *   new_point  per fan; in: HATCH_NO_SIDE each */
+ *   new_point  in: HATCH_NO_SIDE for every fan; out: the points of the fans */
 static void number_points(const struct hatch_surface_work *w, struct hatch_surface *s, uint32_t *new_point)
 {
     const float *positions = w->mesh->attributes[0].data;
@@ -67,7 +67,8 @@ static void number_points(const struct hatch_surface_work *w, struct hatch_surfa
     assert(count == s->point_count);
 }
 
-/* A flipped face has the corners 0, 2, 1: its sides are reversed, in reverse order. */
+/* Converts a side of the mesh to one of the surface. A flipped face has the corners 0, 2, 1, so its sides are reversed
+ * and in reverse order. */
 static uint32_t new_side(const struct hatch_surface_work *w, const uint32_t *new_face, uint32_t side)
 {
     uint32_t face = side / 3, c = side % 3;
@@ -102,7 +103,7 @@ enum hatch_status hatch_surface_build_components(const struct hatch_surface_work
     return HATCH_OK;
 }
 
-/* Whether a side is the one that counts for its edge: the only or the lower one. */
+/* Returns whether a side stands for its edge: it is the edge's only side or the lower-numbered one. */
 static bool owns_edge(const struct hatch_surface *s, uint32_t side)
 {
     return s->opposite[side] == HATCH_NO_SIDE || side < s->opposite[side];

@@ -6,8 +6,8 @@
 
 #define FULL_TURN (2 * 3.14159265358979323846)
 
-/* Cotangents are clamped (angles under 3° and over 87° count as those): slivers would give an edge a huge weight, or
- * one of 0 or less. */
+/* Cotangents are clamped to those of about 87° and 3°; a sliver would otherwise give an edge a huge weight, or one of
+ * 0 or less. */
 #define COT_MIN 0.05
 #define COT_MAX 20.0
 
@@ -81,7 +81,7 @@ static void measure_ring(const struct hatch_surface *surface, const struct corne
     double scale = open ? fmin(1, FULL_TURN / sum) : FULL_TURN / sum;
     for (uint32_t i = first; i < end; i++)
         frames->angle_rad[i] *= scale;
-    /* The normals of faces folded onto one another cancel: take the first. */
+    /* The normals of faces folded onto one another cancel; the first face's normal is used then. */
     if (!(hatch_vec_normalize(normal) > 1e-12))
         for (int i = 0; i < 3; i++)
             normal[i] = (surface->ring_flipped[first] ? -1 : 1) *

@@ -1,7 +1,7 @@
 /* Tangent planes at the points of a surface and parallel transport between them (Knöppel, Crane, Pinkall, Schröder,
  * "Globally optimal direction fields", SIGGRAPH 2013, §5.1 and §6.1). The face angles around a point are scaled to
- * sum to 2π (at a border point only if they sum to more), so that a tangent direction is one angle against the axis
- * of the point, and transport along an edge adds a fixed angle. */
+ * sum to 2π (at a border point only if they sum to more). A tangent direction is then one angle from the axis of the
+ * point, and transport along an edge adds a fixed angle. */
 #ifndef HATCH_SURFACE_FRAMES_H
 #define HATCH_SURFACE_FRAMES_H
 
@@ -11,16 +11,16 @@
 
 /* Rings and corners are those of surface/surface.h. */
 struct hatch_frames {
-    double *normal;         /* 3 per point: unit, on the ring's outside; the faces' mean, weighted by angle */
-    double *axis;           /* 3 per point: unit tangent of angle 0 */
-    double *angle_rad;      /* per ring entry: scaled angle of the edge in the point's plane, 0 .. 2π */
-    double *transport_rad;  /* per ring entry i from p to its neighbour q: angle a at q is a + transport_rad[i] at p,
-                               or transport_rad[i] - a where ring_turned[i]; -π .. π */
-    double *weight;         /* per ring entry: cotangent weight of the edge, clamped, over 0; same from both ends */
-    double *area;           /* per point: a third of the area of its faces */
-    bool *folded;           /* per point: faces overlap in its plane, so that transport follows from the normals and
-                               not from angle_rad; set by hatch_frames_set_normals, false before */
-    uint32_t *twin;         /* per ring entry: the entry of the same edge in the ring at its other end */
+    double *normal;        /* 3 per point: unit, on the ring's outside; mean of the faces' normals, weighted by angle */
+    double *axis;          /* 3 per point: unit tangent of angle 0 */
+    double *angle_rad;     /* per ring entry: scaled angle of the edge in the point's plane, 0 .. 2π */
+    double *transport_rad; /* per ring entry i from p to its neighbour q: angle a at q is a + transport_rad[i] at p,
+                              or transport_rad[i] - a where ring_turned[i]; -π .. π */
+    double *weight; /* per ring entry: cotangent weight of the edge, clamped, greater than 0; the same from both ends */
+    double *area;   /* per point: a third of the area of its faces */
+    bool *folded;   /* per point: faces overlap in its plane, so that transport follows from the normals and
+                       not from angle_rad; set by hatch_frames_set_normals, false before */
+    uint32_t *twin; /* per ring entry: the entry of the same edge in the ring at its other end */
     uint32_t *corner_entry; /* per corner 3 * f + c: the entry of the corner's point whose ring_face is f */
 };
 
@@ -30,21 +30,22 @@ enum hatch_status hatch_frames_make(const struct hatch_surface *surface, struct 
                                     struct hatch_arena *scratch, struct hatch_frames *frames,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes frames that hatch_frames_set_normals completes: axes are arbitrary tangents, transport_rad is unset. */
+/* Computes incomplete frames, for hatch_frames_set_normals to complete: axes are arbitrary tangents, transport_rad is
+ * unset. */
 enum hatch_status hatch_frames_begin(const struct hatch_surface *surface, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_frames *frames,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Replaces the normals, so that a direction field does not follow the noise of the faces. Angles become those of the
- * edges projected into the new planes; transport is the smallest rotation between the planes. Points whose faces
+ * edges projected into the new planes; transport becomes the smallest rotation between the planes. Points whose faces
  * overlap in the new plane keep their scaled angles and are marked as folded.
  *   normal  3 per point, unit, on the side of the present normals; must not be frames->normal */
 enum hatch_status hatch_frames_set_normals(const struct hatch_surface *surface, const double *normal,
                                            struct hatch_arena *scratch, struct hatch_frames *frames,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the angle in radians by which a direction turns when it is transported around a face: its integrated
- * Gaussian curvature. The faces of a closed component sum to 2π times the Euler characteristic. */
+/* Returns the angle in radians by which a direction turns when it is transported around a face: the face's integrated
+ * Gaussian curvature. Over the faces of a closed component it sums to 2π times the Euler characteristic. */
 double hatch_frames_face_holonomy(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                   uint32_t face);
 
@@ -65,18 +66,18 @@ double hatch_frames_corner_angle(const struct hatch_surface *surface, const stru
 
 /* Steps shared by frames.c, frames_normals.c and frames_folds.c. */
 
-/* Sets the axis of a point to the least-squares fit of its scaled angles to its edges in space, so that one direction
- * in space has similar angles at neighbouring points. */
+/* Sets the axis of a point so that the scaled angles of its edges fit their directions in space in the least-squares
+ * sense. A direction in space then hardly changes when it is transported to a neighbouring point. */
 void hatch_frames_fit_axis(const struct hatch_surface *surface, uint32_t point, struct hatch_frames *frames);
 
 /* Sets transport_rad from angle_rad. */
 void hatch_frames_find_transport(const struct hatch_surface *surface, struct hatch_frames *frames);
 
-/* Returns the angle in -π .. π that differs by a multiple of 2π. */
+/* Returns the equivalent angle in -π .. π, which differs by a multiple of 2π. */
 double hatch_frames_wrap_angle(double angle_rad);
 
-/* Sets transport_rad at folded points from the normals. Where that would change the sum of indices, points are
- * unmarked as folded and keep the transport of their angles. */
+/* Sets transport_rad at folded points from the normals. Where that would change the sum of the indices of a direction
+ * field, the points are no longer marked as folded and keep the transport that follows from their angles. */
 enum hatch_status hatch_frames_transport_folded(const struct hatch_surface *surface, struct hatch_arena *scratch,
                                                 struct hatch_frames *frames, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -1,5 +1,6 @@
-/* Where faces overlap in a point's plane, its angles are meaningless. Transport along an edge is there the smallest
- * rotation between the planes, and the holonomy of a face the solid angle of the normals at its corners. */
+/* Where faces overlap in a point's tangent plane, its angles are meaningless. There, transport along an edge is the
+ * smallest rotation between the planes, and the holonomy of a face is the solid angle spanned by the normals at its
+ * corners. */
 #include <math.h>
 
 #include "math/vector.h"
@@ -7,7 +8,7 @@
 
 #define PI 3.14159265358979323846
 
-/* Returns the sum of the face's scaled angles, less π. */
+/* Returns the sum of the face's scaled angles minus π. */
 static double angle_excess(const struct hatch_surface *surface, const struct hatch_frames *frames, uint32_t face)
 {
     double sum = -PI;
@@ -57,7 +58,7 @@ static uint32_t first_folded(const struct hatch_surface *surface, const struct h
     return frames->folded[corner[0]] ? corner[0] : frames->folded[corner[1]] ? corner[1] : corner[2];
 }
 
-/* Folded points connected by edges. */
+/* A cluster of folded points that are connected by edges. */
 struct cluster {
     uint32_t *points, count;
     bool *visited; /* per point of the surface */
@@ -79,8 +80,9 @@ static void find_cluster(const struct hatch_surface *surface, const struct hatch
         }
 }
 
-/* Whether solid angles and angle excesses of the faces of a cluster sum to the same holonomy: they differ by a multiple
- * of 2π. Where it is not 0 the normals are wrong, and indices would no longer sum to the Euler characteristic. */
+/* Returns whether the solid angles of the faces of a cluster sum to the same holonomy as their angle excesses. The two
+ * sums differ by a multiple of 2π. If that is not 0, the normals are wrong, and indices would no longer sum to the
+ * Euler characteristic. */
 static bool keeps_holonomy(const struct hatch_surface *surface, const struct hatch_frames *frames,
                            const struct cluster *cluster)
 {

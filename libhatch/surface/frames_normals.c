@@ -19,7 +19,7 @@ static void project_edge(const struct hatch_surface *surface, const double *norm
     hatch_vec_add_scaled(edge, -hatch_vec_dot(edge, bisector), bisector, edge);
 }
 
-/* Returns the angle of entry i's edge in p's plane against an axis. */
+/* Returns the angle of entry i's edge in p's plane, measured from an axis. */
 static double edge_angle(const struct hatch_surface *surface, const double *normal, uint32_t p, uint32_t i,
                          const double axis[3])
 {
@@ -29,8 +29,8 @@ static double edge_angle(const struct hatch_surface *surface, const double *norm
     return atan2(hatch_vec_dot(edge, side), hatch_vec_dot(edge, axis));
 }
 
-/* Measures a ring in the plane of its new normal. Returns false when faces overlap there: the edges do not go around
- * the point once, always forward.
+/* Measures a ring in the plane of its new normal. Returns false if faces overlap there, that is, unless the edges go
+ * once around the point, each ahead of the one before.
  *   axis       out: direction of the first edge
  *   angle_rad  out: per ring entry */
 static bool measure_ring(const struct hatch_surface *surface, const double *normal, uint32_t p, double axis[3],
@@ -57,7 +57,8 @@ static bool measure_ring(const struct hatch_surface *surface, const double *norm
     return open || (last >= 0 && sum + last > FULL_TURN / 2);
 }
 
-/* Marks a point as folded: it keeps its scaled angles, on a border rescaled to end at the last edge. */
+/* Marks a point as folded. It keeps its scaled angles; at a border point they are rescaled so that they span the angle
+ * between its first and its last edge in the new plane. */
 static void keep_scaled_angles(const struct hatch_surface *surface, const double *normal, uint32_t p,
                                struct hatch_frames *frames)
 {
@@ -75,7 +76,7 @@ static void keep_scaled_angles(const struct hatch_surface *surface, const double
     hatch_frames_fit_axis(surface, p, frames);
 }
 
-/* transport_rad holds the ring's new angles until they prove valid. */
+/* Each ring's new angles are kept in transport_rad until they prove valid. */
 enum hatch_status hatch_frames_set_normals(const struct hatch_surface *surface, const double *normal,
                                            struct hatch_arena *scratch, struct hatch_frames *frames,
                                            struct hatch_err *err)

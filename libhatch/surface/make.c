@@ -54,8 +54,8 @@ static enum hatch_status orient(struct hatch_surface_work *w, struct hatch_surfa
     return HATCH_OK;
 }
 
-/* Faces at an edge with more than two faces can be paired once they are oriented; the components that pairs join are
- * then oriented again as one. */
+/* Faces at an edge with more than two faces can be paired only once they are oriented. Components that are joined by
+ * such pairs are then oriented again, as one. */
 static enum hatch_status join_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
                                     struct hatch_err *err)
 {

@@ -17,7 +17,8 @@ static void find_orientations(const struct hatch_surface *s, const struct hatch_
     }
 }
 
-/* w of a tangent changes sign with the normal, which keeps the direction of falling v, w * (NORMAL × TANGENT). */
+/* Negates the normals of reversed vertices. w of a tangent changes sign too, which keeps the bitangent w * (NORMAL ×
+ * TANGENT), the direction in which v falls. */
 static void flip_normals(const uint8_t *orientations, struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);

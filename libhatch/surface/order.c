@@ -2,14 +2,14 @@
 
 #include "surface/surface.h"
 
-#define BLOCK_POINTS 256u /* at most */
+#define BLOCK_POINTS 256u /* largest number of points of a block */
 #define QUEUED UINT32_MAX
 
 struct numbering {
     const struct hatch_surface *surface;
     uint32_t count, *order; /* the points numbered so far */
     uint32_t *state;        /* per point: the new number plus one, QUEUED, or 0: unvisited */
-    uint32_t *queue;        /* where blocks may start */
+    uint32_t *queue;        /* points at which blocks may start */
     uint32_t queue_count;
 };
 
@@ -19,7 +19,8 @@ static void number_point(struct numbering *n, uint32_t point)
     n->state[point] = n->count;
 }
 
-/* Numbers points in breadth-first order until the block is full; the neighbours it leaves over are queued. */
+/* Numbers points in breadth-first order from start until the block is full; unnumbered neighbours are queued as starts
+ * of further blocks. */
 static void number_block(struct numbering *n, uint32_t start)
 {
     const uint32_t *ring_first = n->surface->ring_first;
@@ -39,8 +40,8 @@ static void number_block(struct numbering *n, uint32_t start)
         }
 }
 
-/* Numbers block by block: a single breadth-first traversal (Cuthill & McKee, "Reducing the bandwidth of sparse
- * symmetric matrices", 1969) would put a whole front between neighbours. */
+/* Numbers block by block: in a single breadth-first traversal (Cuthill & McKee, "Reducing the bandwidth of sparse
+ * symmetric matrices", 1969) the numbers of neighbours would differ by the size of a whole front. */
 static void number_points(struct numbering *n)
 {
     for (uint32_t start = 0; start < n->surface->point_count; start++) {

@@ -6,7 +6,7 @@ struct walk {
     bool flipped;    /* whether the face is clockwise seen from the outside of the ring */
 };
 
-/* Returns the side over which a counter-clockwise walk enters or leaves the face. */
+/* Returns the side over which a counter-clockwise walk enters the face or, if leave is true, leaves it. */
 static uint32_t side_of(struct walk at, bool leave)
 {
     return leave != at.flipped ? hatch_side_end(hatch_side_end(at.corner)) : at.corner;
@@ -30,8 +30,10 @@ static bool step(const struct hatch_surface *s, bool counter_clockwise, struct w
     return true;
 }
 
-/* Writes the ring of a point from an entry on; an open ring starts at its clockwise end. Returns the entry after its
- * last. */
+/* Writes the ring of a point from entry `entry` on; an open ring starts at its clockwise end. Returns the entry after
+ * the ring's last.
+ *   first_corner    the point's corner in its first face
+ *   corner_flipped  out: per corner of the ring, whether its face is clockwise seen from the outside of the ring */
 static uint32_t fill_ring(struct hatch_surface *s, uint32_t first_corner, uint32_t entry, uint8_t *corner_flipped)
 {
     uint32_t point = s->corners[first_corner];

@@ -1,23 +1,23 @@
 /* Edges with more than two faces (Guéziec, Taubin, Lazarus, Horn, "Cutting and stitching", TVCG 2001): all their faces
- * are cut apart, then stitched in pairs that continue each other. */
+ * are cut apart, then stitched in pairs, each of which continues one sheet. */
 #include "math/vector.h"
 #include "surface/work.h"
 
-#define FACES_MAX 8u /* all pairs are tried; edges with more faces stay cut */
+#define FACES_MAX 8u /* largest number of faces for which all pairs are tried; edges with more faces stay cut */
 
 /* A face at an edge. */
 struct wing {
     uint32_t side;
     uint32_t component;
-    bool forward;        /* whether the side, after reorientation, starts at the lower point */
+    bool forward;        /* whether the side, once its face is oriented, starts at the lower point */
     double direction[3]; /* unit, in the face, perpendicular to the edge */
 };
 
-/* Finds the two wings that best form one sheet: consistently oriented; in one component rather than in two (whose
- * orientations are independent); then the flattest. */
+/* Finds the two wings that best form one sheet: they are oriented consistently; they preferably lie in one component,
+ * as the orientations of two components are independent; and they are as flat as possible. */
 static bool find_pair(const struct wing *wings, uint32_t count, uint32_t *a, uint32_t *b)
 {
-    const double other_component = 4, none = 8; /* above every cosine, and above every sum of both */
+    const double other_component = 4, none = 8; /* more than any difference of cosines; more than any cost */
     double least = none;
     for (uint32_t i = 0; i < count; i++)
         for (uint32_t k = i + 1; k < count; k++) {
@@ -46,7 +46,7 @@ static uint32_t join_edge(const struct hatch_surface_work *w, const uint32_t *si
     for (; find_pair(wings, count, &a, &b); pairs++) {
         w->partner[wings[a].side] = wings[b].side;
         w->partner[wings[b].side] = wings[a].side;
-        wings[b] = wings[--count]; /* b first: b > a */
+        wings[b] = wings[--count]; /* b is removed first, because b > a */
         wings[a] = wings[--count];
     }
     return pairs;

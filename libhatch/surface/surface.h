@@ -1,12 +1,12 @@
 /* Cleaned meshes. Algorithms on surfaces (curvature, direction fields, patches) take this structure and no other.
  *
- * Points are positions: vertices at one position are one point. Where the mesh is not manifold it is cut: the faces at
- * an edge with more than two faces are separated, then joined again in pairs (the edge then occurs several times, some
- * of them on a border); a point whose faces are not connected by edges becomes several points. So two points may be
- * joined by several edges and occur repeatedly in each other's rings.
+ * A point is a position: vertices at the same position are one point. Where the mesh is not manifold, it is cut. The
+ * faces at an edge with more than two faces are separated and then joined again in pairs, so that several edges may
+ * lie there, some of them on a border. A point whose faces are not connected through edges becomes several points.
+ * Two points may therefore be joined by several edges and occur repeatedly in each other's rings.
  *
  * The result is a set of connected components: manifold, with or without borders, orientable or not. Each is centred
- * and scaled to mean edge length 1 in doubles, so that an offset of 10⁶ or a scale of 10^±20 does not matter.
+ * and scaled to a mean edge length of 1 in doubles, so that an offset of 10⁶ or a scale of 10^±20 does not matter.
  * The faces and points of a component have consecutive numbers. */
 #ifndef HATCH_SURFACE_SURFACE_H
 #define HATCH_SURFACE_SURFACE_H
@@ -22,7 +22,7 @@ struct hatch_component {
     int32_t euler; /* Euler characteristic: points - edges + faces */
     bool orientable;
     double center[3]; /* of the bounding box, in mesh units */
-    double scale;     /* mesh units per surface unit: the mean edge length; over 0 */
+    double scale;     /* mesh units per surface unit: the mean edge length, greater than 0 */
 };
 
 /* Side 3 * f + c (a half-edge) runs from corner c of face f to corner (c + 1) % 3, as in mesh/edges.h.
@@ -32,8 +32,8 @@ struct hatch_surface {
     struct hatch_component *components;
     double *points;     /* 3 per point: (position - center) / scale */
     uint32_t *corners;  /* 3 per face: points, counter-clockwise seen from outside */
-    uint32_t *opposite; /* per side: the other side of its edge, or HATCH_NO_SIDE on a border; of opposite direction,
-                           but of the same direction across a contrary edge */
+    uint32_t *opposite; /* per side: the other side of its edge, or HATCH_NO_SIDE on a border; it runs in the opposite
+                           direction, except across a contrary edge, where it runs in the same one */
     uint32_t *point_component;
     uint32_t *corner_vertex; /* 3 per face: vertex of the mesh */
     uint32_t *face_source;   /* per face: face of the mesh */
@@ -58,14 +58,14 @@ struct hatch_surface_notes {
     uint32_t unreferenced; /* vertices without faces, left out */
     uint32_t flipped;      /* faces reversed to agree with their neighbours */
     uint32_t edges_cut;    /* edges with more than two faces */
-    uint32_t points_split; /* points where faces met that shared no edge */
+    uint32_t points_split; /* points at which faces met that were not connected through edges */
     uint32_t contrary;     /* contrary edges */
     uint32_t components;   /* of the surface; not a change */
 };
 
-/* Makes the surface of a mesh, which hatch_mesh_check must accept. Vertices are welded where positions are equal
- * (-0 equals 0). A face is degenerate when a corner repeats or its area is 0 in doubles; (a, b, c) and (a, c, b) are
- * duplicates. Time and memory are linear but for one sort.
+/* Makes the surface of a mesh, which hatch_mesh_check must accept. Vertices are welded where positions are equal (-0
+ * equals 0). A face is degenerate when a corner repeats or its area is 0 in doubles; (a, b, c) and (a, c, b) are
+ * duplicates. Time and memory are linear, except for one sort.
  *   surface  out: arrays in arena, no pointer into the mesh
  *   notes    out
  * HATCH_BAD_INPUT when the check fails or no face remains. */
@@ -74,23 +74,23 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
                                      struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Converts a surface back to a mesh with the same faces and corners and all attributes of the source. A vertex used by
- * several points is duplicated. NORMAL is negated, and with it w of TANGENT, at vertices all of whose faces were
- * reversed.
+ * several points is duplicated. At vertices whose faces were all reversed, NORMAL and with it w of TANGENT are negated.
  *   source        mesh that the surface was made from
- *   vertex_point  out: per vertex its point; in arena */
+ *   vertex_point  out: per vertex, its point; in arena */
 enum hatch_status hatch_surface_to_mesh(const struct hatch_surface *surface, const struct hatch_mesh *source,
                                         struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                         uint32_t **vertex_point, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Numbers the points so that neighbours are close in memory: in the order of a file, traversals are bound by cache
- * misses. Components stay consecutive, in their order, each starting at its first point.
+/* Numbers the points so that neighbours are close in memory; in the order of a file, cache misses would dominate the
+ * time of traversals. Components stay consecutive and in their order, each starting at its first point.
  *   arena   for temporary memory
  *   order   out: per new number, the point; point_count entries
  *   number  out: per point, its new number; point_count entries */
 enum hatch_status hatch_surface_order_points(const struct hatch_surface *surface, struct hatch_arena *arena,
                                              uint32_t *order, uint32_t *number, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the counter-clockwise normal of a face; its length is twice the area. */
+/* Computes the normal of a face, on the side from which its corners are counter-clockwise; its length is twice the
+ * area. */
 void hatch_surface_face_normal(const struct hatch_surface *surface, uint32_t face, double normal[3]);
 
 /* Computes a point's position in mesh units. */

@@ -1,4 +1,4 @@
-/* Private to the surface: the steps of hatch_surface_make. */
+/* The steps of hatch_surface_make. Private to surface. */
 #ifndef HATCH_SURFACE_WORK_H
 #define HATCH_SURFACE_WORK_H
 
@@ -11,20 +11,21 @@ struct hatch_surface_work {
     struct hatch_arena *arena, *scratch;
     uint32_t *point; /* per corner: number of its position */
     uint32_t position_count;
-    uint8_t *dropped, *flipped; /* per face */
-    uint32_t *component;        /* per face */
-    uint32_t *fan;              /* per corner: its fan (mesh/fans.h); each becomes a point */
+    uint8_t *dropped, *flipped; /* per face: 1 if it is left out; 1 if it is reversed */
+    uint32_t *component;        /* per face: its component */
+    uint32_t *fan;              /* per corner: its fan (mesh/fans.h); each fan of faces that are kept becomes a point */
     uint32_t fan_count, component_count;
     struct hatch_edges edges;
     uint32_t *partner; /* per side: the side it is joined with, or HATCH_NO_EDGE */
 };
 
-/* Joins the faces at edges with more than two faces in pairs. Faces of a pair are oriented consistently; pairs of one
- * component go first, then the flattest. Returns the number of pairs. */
+/* At each edge with more than two faces, joins faces two by two. Only faces with consistent orientations form a pair;
+ * pairs within one component come before pairs across components, and among these the flattest pair comes first. Edges
+ * with more than 8 faces stay cut. Returns the number of pairs. */
 uint32_t hatch_surface_stitch_edges(const struct hatch_surface_work *work);
 
-/* Builds the faces, corners, points and neighbours, component by component, positions in mesh units. Leaves border
- * loops, orientability and rings unset. */
+/* Builds the faces, corners, points and opposite sides, component by component, with positions in mesh units. Leaves
+ * border loops, orientability and rings unset. */
 enum hatch_status hatch_surface_build_components(const struct hatch_surface_work *work, struct hatch_surface *surface,
                                                  struct hatch_err *err) HATCH_MUST_USE;
 

@@ -31,7 +31,7 @@ static uint64_t texel_count(uint32_t size_px, uint32_t level)
     return size * size;
 }
 
-/* The word at which the index of a level begins; for level_count, the word at which the runs begin. */
+/* Returns the word at which the index of a level begins; for level_count, the word at which the runs begin. */
 static uint64_t index_word(uint32_t size_px, uint32_t columns, uint32_t level_count, uint32_t level)
 {
     uint64_t word = HATCH_EXACT_HEAD + (uint64_t)level_count + columns;
@@ -157,7 +157,7 @@ float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column)
     return get_float(exact->texels.texels[0], HATCH_EXACT_HEAD + (uint64_t)exact->level_count + column);
 }
 
-/* The darkness of a texel between column and the next.
+/* Returns the darkness of a texel, 0 .. 1, interpolated between a column and the next.
  *   entry  word of the texel in the index
  *   share  weight of the next column */
 static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int column, float share)
@@ -173,7 +173,7 @@ static float darkness_at(const struct hatch_exact *exact, uint64_t entry, int co
     return below + share * (above - below);
 }
 
-/* Returns the last column of at most that tone, -1 if there is none.
+/* Returns the last column whose tone is at most `tone`, or -1 if there is none.
  *   share  out: weight of the column after it */
 static int find_column(const struct hatch_exact *exact, float tone, float *share)
 {

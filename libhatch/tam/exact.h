@@ -3,7 +3,7 @@
  * memory). tamthresh(5) describes the file.
  *
  * One buffer of 32-bit words, little-endian, uploaded as a storage buffer, a buffer texture or an R32UI texture
- * of HATCH_EXACT_WIDTH texels a row (word i at (i % width, i / width)):
+ * of HATCH_EXACT_WIDTH texels per row (word i at (i % width, i / width)):
  *
  *     0                HATCH_EXACT_VERSION
  *     1                width and height of the finest level, in texels
@@ -35,7 +35,7 @@
 
 #define HATCH_EXACT_VERSION 1u
 #define HATCH_EXACT_WIDTH 1024u
-#define HATCH_EXACT_HEAD 8u /* words before the indices' positions */
+#define HATCH_EXACT_HEAD 8u /* number of words before the list of index positions */
 
 struct hatch_exact {
     struct hatch_texels texels; /* HATCH_TEXELS_R32UI, HATCH_EXACT_WIDTH wide, one level */
@@ -55,14 +55,15 @@ enum hatch_status hatch_exact_make(const struct hatch_tam *tam, struct hatch_poo
                                    struct hatch_arena *scratch, struct hatch_exact *exact,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Interprets a file's texture as exact runs. Checks every offset in it, so that sampling stays within it.
+/* Interprets a file's texture as exact runs. Checks every offset in it, so that sampling never reads outside it.
  *   texels  its levels are kept by reference
  *   exact   out; unchanged on failure
- * HATCH_BAD_INPUT. */
+ * HATCH_BAD_INPUT for anything else. */
 enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, struct hatch_exact *exact,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the tone of a column, 0 .. columns - 1. */
+/* Returns the target tone of a column.
+ *   column  0 .. columns - 1 */
 float hatch_exact_tone(const struct hatch_exact *exact, uint32_t column);
 
 /* Returns the reflectance, 0 .. 1: evaluates each texel, then filters bilinearly within a level and linearly

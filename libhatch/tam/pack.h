@@ -15,7 +15,8 @@ uint32_t hatch_tam_rgb_count(const struct hatch_tam *tam);
 
 /* Packs three tones into red, green and blue of one 2D texture (Praun et al. 2001, §5, packs six tones into two
  * textures). The format is RGBA8, because three.js does not load RGB8; alpha is 255.
- *   index       texture, 0 .. hatch_tam_rgb_count - 1: tones 3 index .. 3 index + 2; tones beyond the last are paper
+ *   index       number of the texture, 0 .. hatch_tam_rgb_count - 1; it holds the tones 3 index .. 3 index + 2, with
+ *               paper in place of tones beyond the last
  *   ink_is_one  true: ink is 255 and paper 0; false: ink is 0 and paper 255
  *   texture     out, in arena
  * HATCH_BAD_INPUT for a map in colour. */

@@ -5,20 +5,21 @@
 #include "image/texels.h"
 
 #define ROWS_PER_TASK 16u
-#define PIECE 256u /* texels, so that the inner loops stay in registers and the first cache */
+#define PIECE 256u /* texels per piece, so few that the inner loops work in registers and the first-level cache */
 
 /* Work on one level; a task is ROWS_PER_TASK rows. */
 struct job {
     const struct hatch_tam *tam;
     uint32_t level, size, channel;
     uint8_t *darkest; /* size² texels: largest darkness of the columns so far */
-    uint8_t *codes;   /* size rows of columns x size darknesses; NULL: not stored */
-    uint32_t *count;  /* size²: number of runs of each texel, then the index of its next one */
-    uint32_t *fault;  /* size rows: first column in which a texel gets lighter; 0: none */
+    uint8_t *codes;   /* for each of size rows, tones x size darknesses; NULL: not stored */
+    uint32_t *count;  /* size²: number of runs of each texel, later the index of its next run */
+    uint32_t *fault;  /* per row: first column in which a texel gets lighter; 0: none */
     struct hatch_run *runs;
 };
 
-/* Encodes the darkness of count texels in 8 bits. The contiguous case has its own loop to be vectorised. */
+/* Encodes the darkness of count texels in 8 bits. The contiguous case has a loop of its own, which compilers
+ * vectorise. */
 static void encode_darkness(const float *pixels, size_t stride, size_t count, uint8_t *restrict codes)
 {
     if (stride == 1)
@@ -29,7 +30,8 @@ static void encode_darkness(const float *pixels, size_t stride, size_t count, ui
             codes[x] = (uint8_t)(255 - hatch_unorm8(pixels[x * stride]));
 }
 
-/* Raises darkest to codes; returns whether any code was more than one step lighter. */
+/* Raises darkest to codes where these are darker. Returns whether any code was lighter than darkest by more than one
+ * step. */
 static bool raise_darkest(const uint8_t *restrict codes, size_t count, uint8_t *restrict darkest)
 {
     uint8_t lighter = 0;

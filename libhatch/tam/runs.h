@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "tam/tam.h"
 
-/* The texel has this darkness, 0 .. 255, from this column to the next run. */
+/* A run: the texel has this darkness, 0 .. 255, from this column on until the next run. */
 struct hatch_run {
     uint8_t column, darkness;
 };

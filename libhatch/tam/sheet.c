@@ -5,7 +5,7 @@
 #define GAP_PX 8u
 #define BACKGROUND 0.6f
 
-/* The first row of a level in the sheet. */
+/* Returns the first pixel row of a level in the sheet. */
 static uint32_t level_top(const struct hatch_tam_sheet_options *options, uint32_t level)
 {
     uint32_t y = GAP_PX;
@@ -14,7 +14,7 @@ static uint32_t level_top(const struct hatch_tam_sheet_options *options, uint32_
     return y;
 }
 
-/* The tone that a column of the sheet shows. */
+/* Returns the index of the tone that a column of the sheet shows. */
 static uint32_t shown_tone(const struct hatch_tam_sheet_options *options, uint32_t slot)
 {
     if (options->shown == options->tones)

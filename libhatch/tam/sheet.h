@@ -19,7 +19,7 @@ struct hatch_tam_sheet {
     struct hatch_image picture; /* Y, or R, G and B; in the arena of hatch_tam_sheet_make */
 };
 
-/* Makes a sheet without columns.
+/* Makes a sheet that shows no columns yet.
  *   sheet  out; its pixels are in arena */
 enum hatch_status hatch_tam_sheet_make(const struct hatch_tam_sheet_options *options, struct hatch_arena *arena,
                                        struct hatch_tam_sheet *sheet, struct hatch_err *err) HATCH_MUST_USE;

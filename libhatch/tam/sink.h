@@ -1,12 +1,12 @@
-/* The columns of a tonal art map, one after another. */
+/* A callback that receives the columns of a tonal art map one after another. */
 #ifndef HATCH_TAM_SINK_H
 #define HATCH_TAM_SINK_H
 
 #include "image/image.h"
 
-/* Receives the columns of a map, lightest first. */
+/* The callback and its context. Columns come lightest first. */
 struct hatch_tam_sink {
-    /* tone: index of the column. column: its images are valid until the call returns. */
+    /* tone is the index of the column; its images are valid until the call returns. */
     enum hatch_status (*take)(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err);
     void *context;
 };

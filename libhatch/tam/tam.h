@@ -13,15 +13,15 @@
 #define HATCH_TAM_SIZE_MIN 64u   /* pixels, finest level */
 #define HATCH_TAM_SIZE_MAX 4096u /* pixels, finest level */
 
-/* The channels of every image: Y, or R, G and B: reflectance, 1 = paper, 0 = ink; then id and t where
- * ids is set. */
+/* The channels of every image are Y, or R, G and B (reflectance, 1 = paper, 0 = ink), followed by id and t if ids is
+ * set. */
 struct hatch_tam {
     uint32_t size_px; /* width and height of the finest level */
     uint32_t tones;   /* number of columns, 1 .. HATCH_TAM_TONES_MAX */
     uint32_t levels;  /* number of drawn levels; the coarser ones are box-filtered */
     bool color;
     bool ids;
-    float target[HATCH_TAM_TONES_MAX]; /* target tone of each column, 0 .. 1, rising */
+    float target[HATCH_TAM_TONES_MAX]; /* target tone of each column, 0 .. 1, never falling */
     struct hatch_mipmap *columns;      /* one per tone, lightest first, each a full mip chain down to 1x1 */
 };
 
@@ -32,16 +32,16 @@ struct hatch_tam {
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 
-/* Interprets the parts of a file as a tonal art map. Checks that they are named tone.000, tone.001 and so on,
- * have equal square sizes (powers of two or not), full mip chains, rising targets and finite pixels.
+/* Interprets the parts of a file as a tonal art map. Checks that they are named tone.000, tone.001 and so on, and that
+ * they have equal square sizes (powers of two or not), full mip chains, targets that never fall, and finite pixels.
  *   parts  count parts in file order; kept by reference
  *   tam    out; unchanged on failure
  * HATCH_BAD_INPUT with the name of the part. */
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Checks that no pixel gets lighter from one column to the next, in any channel of colour, by more than one step
- * of 8 bits.
+/* Checks that no pixel gets lighter from one column to the next, in any colour channel, by more than one step of 8
+ * bits.
  *   pool  NULL: one thread
  * HATCH_BAD_INPUT with the first pixel that gets lighter. */
 enum hatch_status hatch_tam_check_nesting(const struct hatch_tam *tam, struct hatch_pool *pool,
@@ -58,7 +58,7 @@ struct hatch_tam_metadata {
     uint32_t levels;   /* number of drawn levels */
     const char *seed;  /* random seed, decimal */
     const char *style; /* name of the style */
-    float growth;      /* of struct hatch_fill_options */
+    float growth;      /* as in struct hatch_fill_options */
 };
 
 /* Sets the name and the attributes of a column, as tam(5) requires.

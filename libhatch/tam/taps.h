@@ -12,7 +12,7 @@ struct hatch_taps {
     float weight[4]; /* sum to 1 */
 };
 
-/* The two texels around a coordinate, repeating, along one axis.
+/* Finds the two texels around a coordinate along one axis of a repeating texture.
  *   share  out: weight of index[1] */
 static inline void hatch_tap_axis(float coordinate, uint32_t size, uint32_t index[2], float *share)
 {
@@ -22,7 +22,7 @@ static inline void hatch_tap_axis(float coordinate, uint32_t size, uint32_t inde
     index[1] = (index[0] + 1) % size;
 }
 
-/* The taps at (u, v), repeating, of an image of width x height texels. */
+/* Returns the taps at (u, v) of a repeating image of width x height texels. */
 static inline struct hatch_taps hatch_taps_at(float u, float v, uint32_t width, uint32_t height)
 {
     uint32_t x[2], y[2];

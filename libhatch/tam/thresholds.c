@@ -52,11 +52,13 @@ static void bin_codes(const float *border, uint32_t bins, uint32_t *first)
 }
 
 #define CODES 256u
-#define PAIRS_MAX 4000000u /* pairs of steps to sum over; of more, evenly spaced texels are used */
-#define COST_SCALE 64u     /* fixed point, so that sums do not depend on their order */
+/* Largest number of pairs of steps to sum over; if there are more, only evenly spaced texels are used. */
+#define PAIRS_MAX 4000000u
+#define COST_SCALE 64u /* fixed point, so that sums do not depend on their order */
 
 struct costs {
-    uint64_t sums[CODES][CODES]; /* [a][b], a <= b: cost of steps at a and b in one bin; later that of a bin a .. b */
+    uint64_t sums[CODES][CODES]; /* [a][b], a <= b: cost of steps at codes a and b in one bin; after sum_up, cost of a
+                                    bin of the codes a .. b */
     uint64_t least[HATCH_THRESHOLD_BINS + 1][CODES + 1]; /* [n][end]: least cost of n bins for the codes below end */
     uint32_t from[HATCH_THRESHOLD_BINS + 1][CODES + 1];  /* [n][end]: first code of the last of these bins */
 };
@@ -67,8 +69,8 @@ static void add(struct costs *costs, uint32_t a, uint32_t b, uint64_t cost)
 }
 
 /* Adds the cost of merging the steps of one texel. Two steps become one at the x of either, with probabilities in
- * proportion to their heights: the expected area between both functions is 2 dy1 dy2 / (dy1 + dy2) times their
- * distance. */
+ * proportion to their heights: the expected area between the two step functions is 2 dy1 dy2 / (dy1 + dy2) times the
+ * distance of the steps. */
 static void add_within(struct costs *costs, const struct step *steps, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
@@ -78,8 +80,9 @@ static void add_within(struct costs *costs, const struct step *steps, uint32_t c
         }
 }
 
-/* Adds the cost of interpolating between the steps of neighbouring texels: half-way both are at the mean x; averaged
- * from one texel to the other the area is (dy1 + dy2) / 6 times their distance. */
+/* Adds the cost of interpolating between the steps of neighbouring texels. Half-way between the texels both steps are
+ * at the mean x; averaged over the way from one texel to the other, the area is (dy1 + dy2) / 6 times the distance of
+ * the steps. */
 static void add_across(struct costs *costs, const struct step *steps, uint32_t count, const struct step *others,
                        uint32_t other_count)
 {
@@ -129,7 +132,7 @@ static void sum_up(struct costs *costs)
 }
 
 /* Computes the cheapest division of the codes below end into bins, for every number of bins and every end. Among
- * equally cheap ones the last wins, so bins are narrower towards the dark. */
+ * equally cheap divisions the one whose last bin begins latest wins, so bins are narrower towards the dark. */
 static void divide(struct costs *costs, uint32_t bins)
 {
     memset(costs->least, 0xff, sizeof costs->least);
@@ -180,8 +183,8 @@ struct job {
     const struct hatch_threshold_options *options;
     const struct hatch_runs *runs;
     const struct hatch_texels *texels;
-    const uint8_t *code;   /* of step_codes */
-    const uint32_t *first; /* of bin_codes */
+    const uint8_t *code;   /* from step_codes */
+    const uint32_t *first; /* from bin_codes */
     uint32_t level, size;
     uint8_t *filled_x; /* x for bins without a step, eight per texel */
     struct sums {
@@ -189,14 +192,14 @@ struct job {
     } * rows;
 };
 
-/* The x (value 0) or the height (value 1) of a bin in a texel. */
+/* Returns a pointer to the x (value 0) or the height (value 1) of a bin in a texel. */
 static uint8_t *value_of(const struct job *job, uint32_t level, size_t texel, uint32_t bin, uint32_t value)
 {
     uint32_t size = hatch_mip_size(job->texels->width, level), layer = value * 2 + bin / 4;
     return job->texels->texels[level] + (((size_t)layer * size * size + texel) * 4 + bin % 4);
 }
 
-/* The area between a step function of count steps and the single step that replaces them. */
+/* Returns the area between a step function of count steps and the single step that replaces it. */
 static uint64_t area_between(const struct step *steps, uint32_t count, uint32_t x, uint32_t height)
 {
     uint64_t area = 0;
@@ -209,9 +212,9 @@ static uint64_t area_between(const struct step *steps, uint32_t count, uint32_t 
     return area;
 }
 
-/* The x of a random step, with a probability in proportion to its height. Where a few strokes cross, all texels of
- * the crossing use the same random number, on every level; a number per texel would let a stroke appear in dots.
- * More steps are a shade of grey, and a number per texel dithers it. */
+/* Returns the x of a random step, chosen with a probability in proportion to its height. Where a few strokes cross, all
+ * texels of the crossing use the same random number, on every level; a number per texel would make a stroke appear in
+ * dots. More steps are a shade of grey, and a number per texel dithers it. */
 static uint32_t pick_x(const struct job *job, const struct step *steps, uint32_t count, uint32_t height, uint32_t bin,
                        size_t texel)
 {
@@ -259,8 +262,8 @@ static void merge_row(void *context, uint32_t y)
         merge_texel(job, (size_t)y * job->size + x, &job->rows[y]);
 }
 
-/* The mean x of the steps of a texel's neighbours, for the four bins of a layer, weighted by their heights; diagonal
- * neighbours count half.
+/* Computes the mean x of the steps of a texel's neighbours, for the four bins of a layer, weighted by their heights;
+ * diagonal neighbours count half.
  *   heights  out: sum of the weights; 0 where no neighbour has a step */
 static void mean_of_neighbours(const struct job *job, uint32_t x, uint32_t y, uint32_t layer, uint32_t mean[4],
                                uint32_t heights[4])
@@ -282,7 +285,7 @@ static void mean_of_neighbours(const struct job *job, uint32_t x, uint32_t y, ui
         mean[bin] = heights[bin] ? (sums[bin] + heights[bin] / 2) / heights[bin] : 0;
 }
 
-/* The x of the coarser level, which is complete; on the coarsest level the middle of the bin. */
+/* Returns the x of the coarser level, which is complete; on the coarsest level, the middle of the bin. */
 static uint32_t coarser_x(const struct job *job, uint32_t x, uint32_t y, uint32_t bin)
 {
     if (job->level + 1 == job->texels->level_count) {
@@ -294,7 +297,7 @@ static uint32_t coarser_x(const struct job *job, uint32_t x, uint32_t y, uint32_
     return *value_of(job, job->level + 1, (size_t)down * coarser + across, bin, 0);
 }
 
-/* Computes an x for bins without a step; stored apart, because neighbouring rows still read the texture. */
+/* Computes an x for bins without a step. It is stored apart, because neighbouring rows still read the texture. */
 static void fill_row(void *context, uint32_t y)
 {
     const struct job *job = context;
@@ -322,7 +325,8 @@ static void store_filled_row(void *context, uint32_t y)
                 *value_of(job, job->level, texel, bin, 0) = job->filled_x[texel * 8 + bin];
 }
 
-/* One of size² texels of a picture's first channel, box-filtered; NULL is 1 everywhere. */
+/* Returns a texel of a picture's first channel, box-filtered to size x size texels. NULL counts as a picture that is 1
+ * everywhere. */
 static uint8_t filtered_texel(const struct hatch_image *image, uint32_t x, uint32_t y, uint32_t size)
 {
     if (!image)

@@ -1,15 +1,14 @@
-/* Threshold textures (Webb, Praun, Finkelstein & Hoppe, "Fine Tone Control in Hardware Hatching", NPAR 2002,
- * §3.2): for each texel a step function of darkness over tone, of at most HATCH_THRESHOLD_BINS steps.
- * tamthresh(5) describes the file.
+/* Threshold textures (Webb, Praun, Finkelstein & Hoppe, "Fine Tone Control in Hardware Hatching", NPAR 2002, §3.2):
+ * for each texel a step function of darkness over tone, with at most HATCH_THRESHOLD_BINS steps. tamthresh(5)
+ * describes the file.
  *
- * Tone t is the target darkness, 0 paper .. 1 ink. With the steps (x, dy) of a texel,
+ * Tone t is the target darkness, 0 paper .. 1 ink. A step (x, dy) raises the texel's darkness by dy at tone x:
  *     reflectance = 1 - sum of dy over the steps with t > x.
- * Steps are interpolated before the comparison, so strokes have sharp edges at every magnification. Bin b holds
- * only the step with border[b] <= x < border[b + 1], so interpolation never mixes the x of different bins. A texel
- * without a step in a bin has dy 0 there, and for x the mean of its neighbours' x, weighted by their dy, so that it
- * does not move theirs; without such neighbours the x of the coarser level, and on the coarsest level the middle of
- * the bin.
- */
+ * Steps are interpolated before the comparison, so strokes have sharp edges at every magnification. Bin b holds only a
+ * step with border[b] <= x < border[b + 1], so interpolation never mixes the x of different bins. A texel without a
+ * step in a bin has dy 0 there; its x is the mean of its neighbours' x, weighted by their dy, so that interpolation
+ * does not shift theirs. Without such neighbours it is the x of the coarser level, and on the coarsest level the
+ * middle of the bin. */
 #ifndef HATCH_TAM_THRESHOLDS_H
 #define HATCH_TAM_THRESHOLDS_H
 
@@ -45,7 +44,7 @@ struct hatch_threshold_figures {
     double merged;    /* share of them that lie in a bin with others, 0 .. 1 */
     double error;     /* mean over texels and tones 0 .. 1 of |reflectance - the map's|, where the map is a step
                          function that changes half-way between two columns */
-    double error_max; /* largest mean over tones of a texel */
+    double error_max; /* largest such mean over tones of a single texel */
 };
 
 struct hatch_thresholds {
@@ -56,11 +55,11 @@ struct hatch_thresholds {
     struct hatch_threshold_figures figures; /* zeros when read from a file */
 };
 
-/* Makes every level from the map's level. A step lies half-way between the tones of two columns (hatch_step_codes),
- * so that sampling at the tone of a column yields its image. Several steps in a bin are merged into one with the sum
- * of their heights, at the x of a random one, with a probability in proportion to its height, which keeps the mean
- * reflectance. One random number, by seed and bin, decides for all texels in which the same steps meet, at most four,
- * so that crossing strokes stay whole; a texel with more steps in a bin has its own.
+/* Makes every level from the map's level. A step lies half-way between the tones of two columns, so that sampling at
+ * the tone of a column yields its image. Several steps in a bin are merged into one with the sum of their heights. Its
+ * x is that of a random one of them, chosen with a probability in proportion to its height, which keeps the mean
+ * reflectance. All texels in which the same steps meet, at most four, use one random number, which follows from seed,
+ * bin and steps, so that crossing strokes stay whole; a texel with more steps in a bin has a random number of its own.
  *   pool        NULL: one thread; the result is the same
  *   thresholds  out: its texels are in arena; unchanged on failure
  * HATCH_BAD_INPUT for a map in colour and where a texel gets lighter (hatch_tam_check_nesting). */
@@ -75,13 +74,13 @@ enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struc
  *   texels      its levels are kept by reference
  *   key_values  keys and values alternate, NULL-terminated, as from hatch_ktx2_read_keys
  *   thresholds  out; unchanged on failure
- * HATCH_BAD_INPUT. */
+ * HATCH_BAD_INPUT for anything else. */
 enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels, const char *const *key_values,
                                                struct hatch_thresholds *thresholds,
                                                struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the reflectance, 0 .. 1: steps filtered bilinearly within a level and linearly between two, then
- * compared.
+/* Returns the reflectance, 0 .. 1. Steps are filtered bilinearly within a level and linearly between two levels, then
+ * compared with the tone.
  *   u, v  texture coordinates, repeating
  *   tone  0 paper .. 1 ink
  *   lod   level of detail: 0 is the finest level, fractions lie between levels */

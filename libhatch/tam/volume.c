@@ -5,7 +5,7 @@
 
 #define PIECE 256u
 
-/* A blend of two columns; -1 is paper. */
+/* A blend of two columns, where column -1 is paper. */
 struct blend {
     int below, above;
     float share; /* weight of above, 0 .. 1 */
@@ -27,8 +27,8 @@ static float tone_of(const struct hatch_tam *tam, int column)
     return column < 0 ? 0 : tam->target[column];
 }
 
-/* Returns the columns around a tone.
- *   distance  out: difference to the tone of the nearer one; 0 beyond the last column */
+/* Returns the two columns around a tone and their blend at that tone.
+ *   distance  out: difference to the tone of the nearer column; 0 beyond the last column */
 static struct blend find_columns(const struct hatch_tam *tam, double tone, double *distance)
 {
     int above = 0, last = (int)tam->tones - 1;
@@ -130,7 +130,8 @@ static void filter_level(const struct hatch_texels *texels, uint32_t level)
                 }
 }
 
-/* Fills the slices of the first levels from columns: all levels of an array, the drawn ones of a 3D texture. */
+/* Fills the slices of the first `levels` levels from columns: these are all levels of an array, but only the drawn ones
+ * of a 3D texture. */
 static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t levels,
                                      struct hatch_pool *pool, struct hatch_arena *arena,
                                      struct hatch_volume_figures *figures, struct hatch_err *err)

@@ -1,15 +1,15 @@
 /* Volumes (Webb, Praun, Finkelstein & Hoppe, "Fine Tone Control in Hardware Hatching", NPAR 2002, §3.1): tonal art
  * maps as 3D textures whose third coordinate is tone. tamvol(5) describes the file.
  *
- * Tone t is the target darkness, 0 paper .. 1 ink, and the coordinate r = t. Level l has D >> l slices of
- * size >> l pixels; slice k holds the tone (k + 1/2) / (D >> l), where a texture unit has its samples: with D = 64
- * the finest level has the tones 1/128, 3/128 .. 127/128, the next one 1/64, 3/64 .., so no tone is on two levels.
- * Levels below the drawn ones are box-filtered in all three directions.
+ * Tone t is the target darkness, 0 paper .. 1 ink, and the coordinate r = t. With D tones (struct
+ * hatch_volume_options), level l has D >> l slices of size >> l pixels. Slice k holds the tone (k + 1/2) / (D >> l),
+ * the coordinate at which a texture unit samples the slice's centre. With D = 64 the finest level has the tones 1/128,
+ * 3/128 .. 127/128 and the next one 1/64, 3/64 .., so no tone is on two levels. Levels below the drawn ones are
+ * box-filtered in all three directions.
  *
  * As an array (HATCH_VOLUME_ARRAY) every level has all D layers, and layer k holds the tone (k + 1/2) / D: the number
  * of tones does not fall with distance, and 2D filtering, also anisotropic, works as usual. A shader blends the two
- * layers around t D - 1/2.
- */
+ * layers around t D - 1/2. */
 #ifndef HATCH_TAM_VOLUME_H
 #define HATCH_TAM_VOLUME_H
 
@@ -65,7 +65,7 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
  *   texels      its levels are kept by reference
  *   key_values  keys and values alternate, NULL-terminated, as from hatch_ktx2_read_keys
  *   volume      out; unchanged on failure
- * HATCH_BAD_INPUT. */
+ * HATCH_BAD_INPUT for anything else. */
 enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, const char *const *key_values,
                                            struct hatch_volume *volume, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -18,7 +18,8 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
     return HATCH_OK;
 }
 
-/* One channel of a level: linear between the two slices around a tone, clamped to the first and the last. */
+/* Returns one channel of a level, interpolated linearly between the two slices around a tone and clamped to the first
+ * and the last. */
 static float sample_level(const struct hatch_texels *texels, uint32_t level, uint32_t depth,
                           const struct hatch_taps *taps, float tone, uint32_t channel)
 {

@@ -1,20 +1,20 @@
-/* Algorithm 1 of the paper: appends crumbs while the pattern that they complete is unused; at a dead end removes the
- * last one. Line 14 as printed goes one step too far, because the last of those patterns is the first snippet, which is
- * used from the start: K - 1 patterns wrap around. */
+/* Algorithm 1 of the paper: appends crumbs as long as each completes an unused pattern of K crumbs, and removes the
+ * last one at a dead end. At the wrap-around, line 14 as printed tests one pattern too many: K - 1 patterns wrap
+ * around, and the next one is the first snippet, which is used from the start. */
 #include "seed/cycle/parts.h"
 
 #include <string.h>
 
 struct search {
     uint8_t *crumbs;
-    uint8_t *used;  /* per pattern of K crumbs */
+    uint8_t *used;  /* per pattern of K crumbs: 1 if it is used */
     uint8_t *begin; /* per crumb: the value tried first */
     uint8_t *tried; /* per crumb: number of values tried */
     uint32_t count;
     int order; /* K */
 };
 
-/* The pattern of K crumbs that ends with crumb `end`, cyclically. */
+/* Returns the pattern of K crumbs that ends with crumb `end`, cyclically. */
 static uint32_t pattern_at(const struct search *search, uint32_t end)
 {
     uint32_t pattern = 0;
@@ -35,7 +35,7 @@ static bool closes(struct search *search)
     return closed;
 }
 
-/* Appends the next possible value of crumb `at`; false if there is none. */
+/* Puts the next possible value at crumb `at`; returns false if there is none. */
 static bool append(struct search *search, uint32_t at, uint64_t *steps)
 {
     for (; search->tried[at] < 4; search->tried[at]++) {

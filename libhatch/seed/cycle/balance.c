@@ -2,20 +2,21 @@
  *
  * The counts of patterns of m + 1 crumbs follow from those of m: for every pattern u of m - 1 crumbs the counts of
  * a·u·b form a 4x4 matrix whose rows sum to the counts of a·u and whose columns sum to those of u·b. All counts of
- * one length are f or f + 1. Subtracting f leaves a 0-1 matrix whose row sums differ by at most one, and so do its
- * column sums; one always exists (Gale; Ryser 1957), and a greedy choice finds it. K such steps take time linear in
- * the count.
+ * one length are f or f + 1. Subtracting f leaves a 0-1 matrix whose row sums differ by at most one, as do its column
+ * sums. Such a matrix always exists (Gale; Ryser 1957), and a greedy choice finds it. K such steps take time linear
+ * in the count.
  *
- * The last matrices hold the edges of a graph with equal in- and out-degrees. If it is not connected, two edges of one
- * matrix in different components exchange their heads, which keeps all sums. Every vertex is in two matrices, as a
- * head and as a tail, and the matrices are connected like the de Bruijn graph; after all matrices there is one
- * component. */
+ * The last matrices hold the edges of a graph with equal in- and out-degrees. If it is not connected, two edges of
+ * one matrix that lie in different components exchange their heads, which keeps all sums. Every vertex is in two
+ * matrices, as a head and as a tail, so the matrices are connected as the de Bruijn graph is; once all matrices are
+ * done, there is one component. */
 #include "seed/cycle/parts.h"
 
 #include <string.h>
 
 /* Puts the ones of a row into the columns with the largest remaining sums; ties are broken at random.
- *   remaining  in and out: per column */
+ *   ones       their number
+ *   remaining  in and out: per column, its sum over the rows that are left */
 static void fill_row(uint8_t ones, uint8_t remaining[4], struct hatch_cycle_rng *rng, uint8_t row[4])
 {
     uint32_t key[4];
@@ -53,7 +54,7 @@ static void refine(const uint8_t *counts, int length, uint8_t base, struct hatch
     }
 }
 
-/* The root of a vertex's component, by union-find with path halving. */
+/* Returns the root of a vertex's component, by union-find with path halving. */
 static uint32_t find_component(uint32_t *parent, uint32_t vertex)
 {
     while (parent[vertex] != vertex)
@@ -108,7 +109,7 @@ enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct hatch_cy
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;
     }
-    /* Only differences of counts matter, which are at most 7: counts are kept modulo 256. */
+    /* Only differences between counts matter, and these are at most 7, so counts are kept modulo 256. */
     uint8_t remaining[4] = {1, 1, 1, 1}, extra[4];
     fill_row((uint8_t)(count % 4), remaining, rng, extra);
     for (int b = 0; b < 4; b++)

@@ -4,9 +4,9 @@
  * uniformly random circuit. */
 #include "seed/cycle/parts.h"
 
-/* Chooses a random exit of a vertex.
- *   exits  bit mask
- *   keep   an exit to choose only if there is no other; 4: none */
+/* Chooses a random exit of a vertex, the crumb of an outgoing edge.
+ *   exits  bit mask of the exits left
+ *   keep   exit to choose only if there is no other; 4: none */
 static uint32_t random_exit(uint8_t exits, uint32_t keep, struct hatch_cycle_rng *rng)
 {
     uint32_t choice[4], count = 0;
@@ -17,7 +17,7 @@ static uint32_t random_exit(uint8_t exits, uint32_t keep, struct hatch_cycle_rng
 }
 
 /* Makes a uniformly random spanning tree.
- *   in_tree  zeros
+ *   in_tree  scratch, per vertex; zeros
  *   last     out: per vertex, the exit by which the circuit leaves it last; 4 for the root */
 static void make_tree(const uint8_t *exits, uint32_t vertices, uint32_t root, struct hatch_cycle_rng *rng,
                       uint8_t *in_tree, uint8_t *last)

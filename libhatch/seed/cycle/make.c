@@ -12,7 +12,7 @@ int hatch_cycle_order(uint32_t count)
     return count == 1 ? order : -1;
 }
 
-/* Chooses edges of the de Bruijn graph and a circuit through them. */
+/* Chooses edges of the de Bruijn graph and makes a circuit through them. */
 static enum hatch_status make_circuit(const struct hatch_cycle_options *options, struct hatch_cycle_rng *rng,
                                       struct hatch_arena *scratch, uint8_t *crumbs, struct hatch_err *err)
 {

@@ -13,31 +13,32 @@ struct hatch_cycle_rng {
     uint64_t index; /* of the next number */
 };
 
-/* Returns a random number below limit; its bias is under 2^-40 of it for the limits used here. */
+/* Returns a random number below limit. Probabilities are equal for a power of two; for 3, the only other limit used
+ * here, they are off by less than 2^-32. */
 static inline uint32_t hatch_cycle_random(struct hatch_cycle_rng *rng, uint32_t limit)
 {
     uint64_t bits = hatch_random_u64(rng->seed, rng->stream, rng->index++);
     return (uint32_t)((bits >> 32) * limit >> 32);
 }
 
-/* Chooses the edges of a connected graph of an order in which every vertex has as many edges in as out and patterns of
- * every length appear equally often, up to one.
- *   count  number of edges
+/* Chooses edges of the de Bruijn graph that form a connected graph. Every vertex has as many of them in as out, and the
+ * counts of any two patterns of the same length differ by at most one.
+ *   count  number of edges to choose
  *   order  with 4^order <= count <= 4^(order + 1)
- *   edges  out: 4^(order + 1) entries, 0 or 1 */
+ *   edges  out: per edge of the de Bruijn graph, 1 if it is chosen, else 0; 4^(order + 1) entries */
 enum hatch_status hatch_cycle_balance(uint32_t count, int order, struct hatch_cycle_rng *rng,
                                       struct hatch_arena *scratch, uint8_t *edges,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes a uniformly random Eulerian circuit of a connected, balanced graph.
+/* Makes a uniformly random Eulerian circuit of a connected graph whose vertices have as many edges in as out.
  *   edges   as from hatch_cycle_balance
  *   crumbs  out: one per edge */
 enum hatch_status hatch_cycle_circuit(const uint8_t *edges, int order, struct hatch_cycle_rng *rng,
                                       struct hatch_arena *scratch, uint8_t *crumbs,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Runs Algorithm 1 of the paper, iteratively; arguments as for hatch_cycle_make.
- * HATCH_LIMIT when steps_max does not suffice. */
+/* Runs Algorithm 1 of the paper, without recursion; arguments as for hatch_cycle_make.
+ * HATCH_LIMIT when steps_max or memory does not suffice. */
 enum hatch_status hatch_cycle_backtrack(uint32_t count, uint64_t steps_max, struct hatch_cycle_rng *rng,
                                         struct hatch_arena *scratch, uint8_t *crumbs, uint64_t *steps,
                                         struct hatch_err *err) HATCH_MUST_USE;
