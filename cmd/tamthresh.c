@@ -17,10 +17,10 @@ static bool bins_given, exact;
 static const struct cmd_option options[] = {
     {'b', "bins", CMD_TEXT, 0, 0, "BINS", "number of bins, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
      &bins, NULL, &bins_given},
-    {'x', "exact", CMD_FLAG, 0, 0, NULL,
-     "write exact runs instead of thresholds: all changes of every texel, in a buffer", &exact, NULL, NULL},
-    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image as the modulation, a factor of light", &modulation_path,
-     NULL, NULL},
+    {'x', "exact", CMD_FLAG, 0, 0, NULL, "write all changes of every texel, run-length encoded, instead of thresholds",
+     &exact, NULL, NULL},
+    {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image that multiplies the light (modulation)",
+     &modulation_path, NULL, NULL},
     {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, the opacity of a lapped patch", &mask_path,
      NULL, NULL},
     {0},
@@ -56,7 +56,7 @@ static uint32_t parse_bins(float *border, bool *listed)
     if (!*listed) {
         long number = strtol(bins, &end, 10);
         if (*end || end == bins || number < 1 || number > (long)HATCH_THRESHOLD_BINS)
-            cmd_usage("--bins '%s': want 1 to %u, or tones", bins, HATCH_THRESHOLD_BINS);
+            cmd_usage("--bins '%s': want 1 to %u, or tones as in .4,.7,.9", bins, HATCH_THRESHOLD_BINS);
         return (uint32_t)number;
     }
     for (border[0] = 0;; at = end + 1) {
@@ -76,7 +76,7 @@ static uint32_t parse_bins(float *border, bool *listed)
 static void check_options(const struct cmd_args *args)
 {
     if (exact && (bins_given || modulation_path || mask_path))
-        cmd_usage("--exact excludes --bins, --modulate and --mask");
+        cmd_usage("--exact cannot be combined with --bins, --modulate or --mask");
     if (exact && cmd_is_exr_path(args->output))
         cmd_usage("--exact needs KTX2: its numbers do not fit the pixels of EXR");
     cmd_check_ending(args->output, "ktx2 exr");
@@ -138,13 +138,13 @@ static void make_thresholds(struct cmd_args *args, const char *name, const struc
     for (uint32_t b = 0, at = 0; b <= made.bins; b++)
         at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "", (double)made.border[b]);
     if (figures->error > ERROR_WARNED)
-        cmd_warn(name, "%.1f changes per texel do not fit %u bins: error %.4f in the mean, %.4f at most",
-                 figures->steps, made.bins, figures->error, figures->error_max);
+        cmd_warn(name, "%u %s too few for %.1f changes per texel: mean error %.4f, largest %.4f", made.bins,
+                 cmd_plural(made.bins, "bin is", "bins are"), figures->steps, figures->error, figures->error_max);
     if (tam->ids)
         cmd_warn(name, "stroke ids are left out");
     encode(args, tam, &made.texels, borders, file);
-    cmd_note("bins %s; %.2f changes per texel, %.4f of them merged: error %.5f in the mean, %.4f at most; %zu bytes",
-             borders, figures->steps, figures->merged, figures->error, figures->error_max, file->size);
+    cmd_note("bins %s; %.2f changes per texel, %.4f of them merged: mean error %.5f, largest %.4f; %zu bytes", borders,
+             figures->steps, figures->merged, figures->error, figures->error_max, file->size);
 }
 
 int main(int argc, char **argv)

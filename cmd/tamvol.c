@@ -17,8 +17,8 @@ static const struct cmd_option options[] = {
      "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
      layouts, &layout_given},
-    {'c', "compress", CMD_FLAG, 0, 0, NULL,
-     "compress in blocks, as an array (BC4, BC1) unless --layout volume is given (BC7)", &compress, NULL, NULL},
+    {'c', "compress", CMD_FLAG, 0, 0, NULL, "compress in blocks: an array (BC4, BC1), or BC7 with --layout volume",
+     &compress, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 instead of RGB8", &alpha, NULL, NULL},
     {0},
 };
@@ -68,7 +68,7 @@ static void warn(const char *name, const struct hatch_tam *tam, const struct hat
 {
     if (figures->blended)
         cmd_warn(name,
-                 "%u of %u slices are blends of two columns, whose tones differ from theirs by up to %.4f: "
+                 "%u of %u slices are blends of two columns, because the nearest column is up to %.4f away in tone: "
                  "%u %s too few for %d tones",
                  figures->blended, figures->slices, figures->distance, tam->tones,
                  cmd_plural(tam->tones, "column is", "columns are"), (int)tones);

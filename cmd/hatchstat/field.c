@@ -35,14 +35,15 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
     struct hatch_field_figures figures;
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     if (reference && reference->mesh_count != scene.mesh_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%u meshes, the reference has %u", scene.mesh_count, reference->mesh_count);
+        hatch_fail(&err, HATCH_BAD_INPUT, "%u primitives with faces, the reference has %u", scene.mesh_count,
+                   reference->mesh_count);
         cmd_die(name, &err);
     }
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
         enum hatch_status status =
             hatch_measure_field_add(&sum, &scene.meshes[i].mesh, reference ? &reference->meshes[i].mesh : NULL, &err);
         if (status != HATCH_OK && scene.mesh_count > 1)
-            hatch_fail_at(&err, "mesh %u: ", i);
+            hatch_fail_at(&err, "primitive %u: ", i);
         cmd_check(status, name, &err);
     }
     cmd_check(hatch_measure_field_end(&sum, options->share, &figures, &err), name, &err);

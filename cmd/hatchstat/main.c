@@ -19,7 +19,7 @@ static const struct cmd_option options[] = {
      NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: the --brush with which tamgen made the map", &values.brush, NULL,
      NULL},
-    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random drawings to compare with, 1 .. 1000 (default 8)",
+    {0, "throws", CMD_INT, 1, 1000, "N", "tam, seeds: random placements to compare with, 1 .. 1000 (default 8)",
      &values.throws, NULL, NULL},
     {'c', "check", CMD_FLAG, 0, 0, NULL,
      "tam, lapped, seeds: exit 1 when a figure is outside its limit; see the manual", &values.check, NULL, NULL},
@@ -67,7 +67,7 @@ static const struct cmd_program program = {
                "  diff A B, frames A B ..., ink FILE ...      pictures\n"
                "  mesh FILE ..., field FILE ...               meshes and their direction fields\n"
                "  lapped FILE                                 lapped textures\n"
-               "  tam FILE, tones FILE                        tonal art maps; volumes and threshold textures\n"
+               "  tam FILE, tones FILE                        tam: tonal art maps; tones: volumes, threshold textures\n"
                "  seeds FILE                                  seed sets",
     .examples = examples,
     .options = options,
@@ -95,5 +95,5 @@ int main(int argc, char **argv)
         struct cmd_output *output = cmd_open_output(args.output, false);
         return cmd_end(&args, subjects[i].measure(&args, &values, output));
     }
-    cmd_usage("%s: no such subject", args.operands[0]);
+    cmd_usage("%s: no such subject; --help lists them", args.operands[0]);
 }

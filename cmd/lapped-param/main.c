@@ -26,9 +26,9 @@ static const struct cmd_option options[] = {
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "irregularity of the outline; 0: a circle (default 0.3)", &roughness,
      NULL, NULL},
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE",
-     "width of the outline's soft border as a share of the outline's width (default 0.045)", &feather, NULL, NULL},
-    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the outline's image (default 1024)", &mask_size,
-     NULL, &mask_given},
+     "width of a patch's soft border, as a fraction of the mask's width (default 0.045)", &feather, NULL, NULL},
+    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the mask, the image of the outline (default 1024)",
+     &mask_size, NULL, &mask_given},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh, without a mask", &atlas, NULL,
      NULL},
     {0},
@@ -55,7 +55,7 @@ static const struct cmd_program program = {
 static void read_options(const struct cmd_args *args, struct lapped_param_options *settings)
 {
     if (atlas && (mask_given || tile_given))
-        cmd_usage("--atlas excludes --%s", mask_given ? "mask-size" : "tile");
+        cmd_usage("--atlas cannot be combined with --%s", mask_given ? "mask-size" : "tile");
     *settings = (struct lapped_param_options){
         .lapped = {.size = size,
                    .curved = curved,
@@ -99,8 +99,8 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
             .name = cmd_input_name(input), .mesh = &scene->meshes[i], .surface = &surfaces[i]};
         set_sizes(settings, &extent, i, part);
         if (!(part->tile > 0 && isfinite(part->tile)))
-            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "mesh %u: zero or infinite size in the scene", i), part->name,
-                      &err);
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "primitive %u: its size in the scene is zero or infinite", i),
+                      part->name, &err);
         lapped_param_cover(args, settings, outline, part);
         part->atlas_side *= extent.scale[i];
         cmd_progress("patches", (double)(i + 1) / scene->mesh_count);
@@ -121,9 +121,9 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
         solved_faces += (double)parts[i].solved_faces;
     }
     for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
-        cmd_note("mesh %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
-    cmd_note("%u %s, overlap %.2f; %u end inside their outline, %u enlarged to contain a face", patches,
-             cmd_plural(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
+        cmd_note("primitive %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
+    cmd_note("%u %s, overlap %.2f; %u end at face edges instead of at their outline, %u enlarged to contain a face",
+             patches, cmd_plural(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
     cmd_note("texture coordinates were computed %.1f times per face", solved_faces / faces);
 }
 

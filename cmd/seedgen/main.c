@@ -20,8 +20,8 @@ static const struct cmd_option options[] = {
     {'c', "candidates", CMD_INT, 0, 1000000, "N",
      "random sets per layer, the best of which is kept (default 0: chosen by --count)", &candidates, NULL, NULL},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD",
-     "any (default), euler or backtrack; the last two need a power of four seed points", &method, methods, NULL},
-    {0, "max-nodes", CMD_INT, 1, 1e15, "N", "backtrack: digits to try before giving up (default 200000000)", &nodes_max,
+     "any (default; any --count), euler or backtrack (--count a power of four)", &method, methods, NULL},
+    {0, "max-nodes", CMD_INT, 1, 1e15, "N", "backtrack: search steps before giving up (default 200000000)", &nodes_max,
      NULL, NULL},
     {'p', "plot", CMD_TEXT, 0, 0, "FILE", "also draw the sets as SVG", &plot_path, NULL, NULL},
     {0},
@@ -36,7 +36,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "seedgen",
     .operands = "",
-    .summary = "make seed sets: the positions of strokes at every scale",
+    .summary = "make seed sets: self-similar points that place strokes at every scale",
     .examples = examples,
     .options = options,
     .seeded = true,
@@ -125,9 +125,10 @@ static void make(struct cmd_args *args, struct hatch_seeds *seeds)
     if (!args->verbose)
         return;
     cmd_check(hatch_seeds_spread(seeds, &args->scratch, &within, &together, &err), NULL, &err);
-    cmd_note("smallest distance within a set %.3f, among all sets %.3f of the largest possible", within, together);
+    cmd_note("smallest distances, relative to the largest possible: %.3f within a set, %.3f among all sets", within,
+             together);
     if (method == HATCH_CYCLE_BACKTRACK)
-        cmd_note("%llu digits tried", (unsigned long long)steps);
+        cmd_note("%llu search steps", (unsigned long long)steps);
 }
 
 int main(int argc, char **argv)

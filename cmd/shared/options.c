@@ -225,7 +225,7 @@ static void print_usage(const struct cmd_program *program)
     } while (*form++);
 }
 
-#define NAMES_COLUMNS 96 /* width of lines that list several options */
+#define NAMES_COLUMNS 104 /* width of lines that list several options */
 
 struct names_line {
     size_t used; /* columns */
@@ -241,12 +241,17 @@ static void print_in_line(struct names_line *line, const struct cmd_option *opti
     printf("%s%s", gap, text);
 }
 
+/* Lists the options whose help begins with +, without that help. */
 static void print_secondary(const struct table *table)
 {
     struct names_line line = {0};
-    for (size_t i = 0; i < table->own; i++)
-        if (table->options[i].help[0] == '+')
-            print_in_line(&line, &table->options[i]);
+    for (size_t i = 0; i < table->own; i++) {
+        if (table->options[i].help[0] != '+')
+            continue;
+        if (!line.used)
+            printf("more options, see the manual:\n");
+        print_in_line(&line, &table->options[i]);
+    }
     if (line.used)
         printf("\n");
 }

@@ -16,7 +16,7 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     char joined[4096];
     int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, uri);
     if (length < 0 || (size_t)length >= sizeof joined)
-        return hatch_fail(err, HATCH_BAD_INPUT, "companion file: name too long");
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.100s: the path is too long", uri);
     /* Opening a pipe would wait for a writer, reading a device might never end. */
     struct stat info;
     if (stat(joined, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
@@ -56,9 +56,10 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
             cmd_warn(name, "%u %s", warnings[i].count,
                      cmd_plural(warnings[i].count, warnings[i].one, warnings[i].many));
     if (notes->images_missing)
-        cmd_warn(name, "%u %s left out that could not be read: %s%s", notes->images_missing,
-                 cmd_plural(notes->images_missing, "image is", "images are"), notes->image_missing,
-                 cmd_plural(notes->images_missing, "", " and others"));
+        cmd_warn(
+            name, "%u %s left out: %s%s", notes->images_missing,
+            cmd_plural(notes->images_missing, "image could not be read and is", "images could not be read and are"),
+            notes->image_missing, cmd_plural(notes->images_missing, "", " and others"));
 }
 
 static bool is_file(const char *path)
@@ -101,8 +102,8 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
     struct hatch_err err;
     cmd_read_scene_silently(args, path, care, scene, &notes);
     if (scene->mesh_count == 0 && notes.primitives_skipped > 0)
-        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces: %u set%s of points or lines", notes.primitives_skipped,
-                             notes.primitives_skipped == 1 ? "" : "s"),
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
+                             notes.primitives_skipped, notes.primitives_skipped == 1 ? "" : "s"),
                   cmd_input_name(path), &err);
     cmd_warn_mesh(cmd_input_name(path), &notes);
 }

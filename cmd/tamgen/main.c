@@ -29,8 +29,8 @@ static const struct cmd_option options[] = {
      candidates, NULL, &candidates_given},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "field (default) or exhaustive (Praun et al. 2001)", &method, methods,
      &method_given},
-    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes start shorter by SHARE and grow (default 0)", &growth, NULL,
-     &growth_given},
+    {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes start shorter by SHARE and grow over darker tones (default 0)",
+     &growth, NULL, &growth_given},
     {'R', "replay", CMD_TEXT, 0, 0, "FILE", "replay the strokes of a script or an SVG drawing", &replay.path, NULL,
      NULL},
     {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "replay: share of strokes kept from level to level (default 1)",
@@ -53,7 +53,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "tamgen",
     .operands = "",
-    .summary = "make a tonal art map: strokes that nest over tones and mip levels",
+    .summary = "make a tonal art map: each stroke stays in all darker tones and finer mip levels",
     .examples = examples,
     .options = options,
     .seeded = true,
@@ -70,8 +70,8 @@ static void check_sizes(void)
     while (size_px >> deepest >= SMALLEST_LEVEL_PX)
         deepest++;
     if (levels > deepest)
-        cmd_usage("--levels %d: the coarsest would be under %u pixels; %d at most", (int)levels, SMALLEST_LEVEL_PX,
-                  (int)deepest);
+        cmd_usage("--levels %d: the coarsest would be under %u pixels wide; want %d at most", (int)levels,
+                  SMALLEST_LEVEL_PX, (int)deepest);
     if (levels == 0)
         levels = deepest;
 }
@@ -81,9 +81,9 @@ static void check_replay(void)
     if (!replay.path && (keep_given || replay.fit))
         cmd_usage("--keep and --fit need --replay");
     if (keep_given && replay.fit)
-        cmd_usage("--keep and --fit exclude each other: --fit computes the share");
+        cmd_usage("--keep cannot be combined with --fit, which computes the share");
     if (replay.path && (method_given || growth_given || candidates_given))
-        cmd_usage("--replay excludes --method, --growth and --candidates: its strokes are given");
+        cmd_usage("--replay cannot be combined with --method, --growth or --candidates: its strokes are given");
 }
 
 /* Reads the drawing first, because its format decides the default style. */

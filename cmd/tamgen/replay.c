@@ -8,14 +8,14 @@ static void warn_of_skipped(const struct job *job, const char *file, const struc
 {
     struct hatch_err err;
     uint32_t sum = notes->fills + notes->texts + notes->images + notes->gradients + notes->others;
-    hatch_fail(&err, HATCH_BAD_INPUT, "%u fills, %u texts, %u images, %u strokes of a gradient, %u others",
+    hatch_fail(&err, HATCH_BAD_INPUT, "%u fills, %u texts, %u images, %u strokes with a gradient, %u other elements",
                notes->fills, notes->texts, notes->images, notes->gradients, notes->others);
     if (job->strokes.count == 0) {
-        hatch_fail_at(&err, "no strokes to replay, but %u outside the page, ", notes->outside);
+        hatch_fail_at(&err, "no strokes to replay; left out: %u outside the page, ", notes->outside);
         cmd_die(file, &err);
     }
     if (sum)
-        cmd_warn(file, "only plain strokes are replayed, left out: %s", err.text);
+        cmd_warn(file, "only plain strokes are replayed; left out: %s", err.text);
     if (notes->outside)
         cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside, notes->outside + notes->strokes);
 }
@@ -45,8 +45,10 @@ void read_drawing(struct job *job, const struct replay_job *replay)
 static void warn_of_range(const struct job *job, const char *name, const struct hatch_replay_result *result)
 {
     if (result->short_columns)
-        cmd_warn(name, "the whole drawing has a tone of %.3f: %u of %u columns should be darker and hold all strokes",
-                 (double)result->darkest, result->short_columns, job->tones);
+        cmd_warn(
+            name,
+            "the whole drawing has a tone of %.3f: %u of %u columns are meant to be darker, and hold all its strokes",
+            (double)result->darkest, result->short_columns, job->tones);
     if (result->exhausted)
         cmd_warn(name, "%u %s lighter than the target, by up to %.4f: the next finer level has no more strokes",
                  result->exhausted, cmd_plural(result->exhausted, "image stays", "images stay"),

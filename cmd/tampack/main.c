@@ -127,7 +127,8 @@ static uint32_t count_files(const struct pack_job *job, const struct pack_layout
     struct hatch_err err;
     uint32_t count = how->count(&job->tam);
     if (count > CMD_OUTPUTS_MAX)
-        cmd_check(hatch_fail(&err, HATCH_LIMIT, "%u files, more than %u", count, CMD_OUTPUTS_MAX),
+        cmd_check(hatch_fail(&err, HATCH_LIMIT, "layout %s makes %u files, the limit is %u", how->name, count,
+                             CMD_OUTPUTS_MAX),
                   cmd_input_name(input), &err);
     if (count > 1 && !job->args->output)
         cmd_usage("--layout %s makes %u files: give a name or a folder with -o", how->name, count);
@@ -172,7 +173,7 @@ int main(int argc, char **argv)
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
     if (ink_given && !how->takes_ink)
-        cmd_usage("--ink does not work with --layout %s, in which ink is always 0", how->name);
+        cmd_usage("--ink cannot be combined with --layout %s, in which ink is always 0", how->name);
     cmd_check_ending(args.output, how->ending + 1);
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 

@@ -41,7 +41,9 @@ enum hatch_status hatch_keys_number(struct hatch_keys *keys, uint64_t key, uint3
     if (!keys->slots[slot]) {
         if (keys->count == keys->capacity / 2) {
             if (keys->capacity > UINT32_MAX / 2)
-                return hatch_fail(err, HATCH_LIMIT, "more than %u different keys", keys->count);
+                return hatch_fail(err, HATCH_LIMIT,
+                                  "the mesh is too large: more than %u different vertices, edges or faces",
+                                  keys->count);
             HATCH_TRY(grow(keys, 2 * keys->capacity, err));
             slot = slot_of(keys, key);
         }

@@ -175,7 +175,7 @@ enum hatch_status hatch_texels_decompress(const struct hatch_texels *packed, str
         struct job job = job_of(&made, packed, level);
         HATCH_TRY(for_rows(&job, NULL, unpack_row, arena, &sums, err));
         if (sums.unknown)
-            return hatch_fail(err, HATCH_BAD_INPUT, "level %u: a BC7 block of another mode than 6", level);
+            return hatch_fail(err, HATCH_BAD_INPUT, "level %u: BC7 is supported in mode 6 only", level);
     }
     *plain = made;
     return HATCH_OK;

@@ -178,7 +178,7 @@ enum hatch_status hatch_marks_make(const struct hatch_unit_scene *scene, const s
     for (uint32_t i = 0; i < scene->item_count; i++)
         any = any || hatch_mesh_find(surface_of(scene, &scene->items[i]), "_HATCH_DIR", 4);
     if (!any)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE computes some");
+        return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions; add them with dirfield");
     HATCH_TRY(HATCH_ALLOC(arena, &made.positions, 3 * (size_t)hatch_unit_scene_vertices_max(scene), err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.item_end, scene->item_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.at, MARKS_MAX, err));

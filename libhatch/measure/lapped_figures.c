@@ -76,7 +76,7 @@ static enum hatch_status find_patches(const struct hatch_scene *scene, const str
         faces->patches[faces->patch_count++] = patch;
     }
     if (faces->patch_count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no patches; make some with lapped-param");
+        return hatch_fail(err, HATCH_BAD_INPUT, "no patches; add them with lapped-param");
     return HATCH_OK;
 }
 

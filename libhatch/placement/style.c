@@ -106,12 +106,12 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
     HATCH_TRY(read_number(rest, "direction", 0, 1, &from, err));
     HATCH_TRY(read_number(rest, "direction", 0, 1, &to, err));
     if (from > to)
-        return hatch_fail(err, HATCH_BAD_INPUT, "direction: from tone %g to tone %g is empty", from, to);
+        return hatch_fail(err, HATCH_BAD_INPUT, "direction: the range from tone %g to tone %g is empty", from, to);
     if (!r->directions_given)
         r->style.direction_count = 0;
     r->directions_given = true;
     if (r->style.direction_count == HATCH_STYLE_DIRECTIONS_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "direction: more than %u", HATCH_STYLE_DIRECTIONS_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "more than %u direction lines", HATCH_STYLE_DIRECTIONS_MAX);
     r->style.directions[r->style.direction_count++] =
         (struct hatch_style_direction){(float)(angle * RADIANS_PER_DEGREE), (float)from, (float)to};
     return HATCH_OK;
@@ -131,7 +131,7 @@ static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, 
     r->colors_given = true;
     uint32_t count = r->style.color_count;
     if (count == HATCH_STYLE_COLORS_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "color: more than %u", HATCH_STYLE_COLORS_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "more than %u color lines", HATCH_STYLE_COLORS_MAX);
     if (count && !(color.tone > r->style.colors[count - 1].tone))
         return hatch_fail(err, HATCH_BAD_INPUT, "color: tone %g does not exceed that of the color line before", tone);
     r->style.colors[r->style.color_count++] = color;

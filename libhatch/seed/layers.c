@@ -38,7 +38,7 @@ static enum hatch_status parse_tone(struct hatch_text word, struct hatch_layer_l
     HATCH_TRY(parse_number(low, "tone", 0, 1, &line->low, err));
     HATCH_TRY(parse_number(high, "tone", 0, 1, &line->high, err));
     if (!(line->low < line->high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "tone: from %g to %g is empty", line->low, line->high);
+        return hatch_fail(err, HATCH_BAD_INPUT, "tone: the range from %g to %g is empty", line->low, line->high);
     line->tone_given = true;
     return HATCH_OK;
 }

@@ -57,9 +57,10 @@ static enum hatch_status make_layer(const struct hatch_seed_set *set, uint32_t i
         return hatch_fail(err, HATCH_LIMIT, "layer %u: %u seed points, want %u at most", index + 1, set->count,
                           HATCH_RPTAM_SEEDS_MAX);
     if (!(fmax(layer_style->length_px, layer_style->width_px) <= HATCH_RPTAM_STROKE_TILES_MAX * layer_style->tile_px))
-        return hatch_fail(
-            err, HATCH_LIMIT, "layer %u: strokes of %g by %g pixels in a tile of %g, want %g tiles at most", index + 1,
-            layer_style->length_px, layer_style->width_px, layer_style->tile_px, HATCH_RPTAM_STROKE_TILES_MAX);
+        return hatch_fail(err, HATCH_LIMIT,
+                          "layer %u: strokes of %g by %g pixels are too large: the limit is %g tiles of %g pixels",
+                          index + 1, layer_style->length_px, layer_style->width_px, HATCH_RPTAM_STROKE_TILES_MAX,
+                          layer_style->tile_px);
     HATCH_TRY(HATCH_ALLOC(arena, &made.points, set->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.positions, set->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.life, 4 * (size_t)set->count, err));

@@ -23,7 +23,7 @@ static enum hatch_status read_layer(struct hatch_text line, uint32_t number, str
                                     struct hatch_seed_set *set, struct hatch_err *err)
 {
     if (line.length < HATCH_CYCLE_MIN || line.length > HATCH_CYCLE_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a cycle of %zu digits, want %u to %u", number, line.length,
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a seed set of %zu digits, want %u to %u", number, line.length,
                           HATCH_CYCLE_MIN, HATCH_CYCLE_MAX);
     set->count = (uint32_t)line.length;
     HATCH_TRY(HATCH_ALLOC(arena, &set->crumbs, line.length, err));

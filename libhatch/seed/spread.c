@@ -143,7 +143,7 @@ enum hatch_status hatch_seeds_spread(const struct hatch_seeds *seeds, struct hat
     for (uint32_t i = 0; i < seeds->layer_count; i++)
         total += seeds->layers[i].count;
     if (total > UINT32_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "%zu seed points in all layers: want less than 2^32", total);
+        return hatch_fail(err, HATCH_LIMIT, "%zu seed points in all layers: want fewer than 2^32", total);
     struct hatch_seed_point *points = HATCH_NEW(scratch, struct hatch_seed_point, total, err);
     enum hatch_status status = points ? HATCH_OK : HATCH_LIMIT;
     double smallest = 1, distance = 1;

@@ -48,8 +48,9 @@ static cholmod_sparse view_of(const struct hatch_sparse *matrix)
 static enum hatch_status failure(const cholmod_common *common, struct hatch_err *err)
 {
     if (common->status == CHOLMOD_TOO_LARGE)
-        return hatch_fail(err, HATCH_LIMIT, "a sparse matrix has too many entries to be factored");
-    return hatch_fail(err, HATCH_LIMIT, "out of memory while a sparse matrix was factored");
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the matrix has too many entries for a Cholesky factorisation: use another solver");
+    return hatch_fail(err, HATCH_LIMIT, "out of memory during the Cholesky factorisation");
 }
 
 static enum hatch_status check_pivots(const cholmod_factor *factor, struct hatch_err *err)
@@ -58,7 +59,9 @@ static enum hatch_status check_pivots(const cholmod_factor *factor, struct hatch
     const double *value = factor->x;
     for (size_t i = 0; i < factor->n; i++)
         if (!(value[first[i]] > 0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "a sparse matrix of size %zu is not positive definite", factor->n);
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "the Cholesky factorisation failed (%zu rows, not positive definite): use another solver",
+                              factor->n);
     return HATCH_OK;
 }
 
@@ -72,13 +75,15 @@ static enum hatch_status factorize(const struct hatch_sparse *matrix, size_t lim
         return failure(common, err);
     double bytes = common->lnz * (sizeof(double) + sizeof(int)) + matrix->size * 6.0 * sizeof(int);
     if (common->lnz > INT_MAX || !(bytes <= (double)limit_bytes))
-        return hatch_fail(err, HATCH_LIMIT, "factors of a sparse matrix of size %lu take %.0f MB, over the limit",
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the Cholesky factors (%lu rows) take %.0f MB, over the memory limit: use another solver",
                           (unsigned long)matrix->size, bytes / 1e6);
     int done = cholmod_factorize(&view, made->factor, common);
     if (!done || common->status < 0)
         return failure(common, err);
     if (common->status == CHOLMOD_NOT_POSDEF)
-        return hatch_fail(err, HATCH_BAD_INPUT, "a sparse matrix of size %lu is not positive definite",
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "the Cholesky factorisation failed (%lu rows, not positive definite): use another solver",
                           (unsigned long)matrix->size);
     return check_pivots(made->factor, err);
 }
@@ -88,7 +93,8 @@ enum hatch_status hatch_sparse_factorize(const struct hatch_sparse *matrix, size
 {
     assert(matrix->size > 0);
     if (matrix->size > INT_MAX || matrix->first[matrix->size] > INT_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a sparse matrix has too many entries to be factored");
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the matrix has too many entries for a Cholesky factorisation: use another solver");
     cholmod_common start;
     cholmod_start(&start);
     set_up(&start);
@@ -99,7 +105,7 @@ enum hatch_status hatch_sparse_factorize(const struct hatch_sparse *matrix, size
         if (made)
             cholmod_free(1, sizeof *made, made, &start);
         cholmod_finish(&start);
-        return hatch_fail(err, HATCH_LIMIT, "out of memory while a sparse matrix was factored");
+        return hatch_fail(err, HATCH_LIMIT, "out of memory during the Cholesky factorisation");
     }
     *made->common = start;
     enum hatch_status status = factorize(matrix, limit_bytes, made, err);
@@ -127,7 +133,7 @@ enum hatch_status hatch_sparse_solve(const struct hatch_sparse_factor *factor, c
                           .dtype = CHOLMOD_DOUBLE};
     cholmod_dense *found = cholmod_solve(CHOLMOD_A, factor->factor, &view, factor->common);
     if (!found)
-        return hatch_fail(err, HATCH_LIMIT, "out of memory while a sparse system was solved");
+        return hatch_fail(err, HATCH_LIMIT, "out of memory while solving with the Cholesky factors");
     memcpy(solution, found->x, size * columns * sizeof *solution);
     cholmod_free_dense(&found, factor->common);
     return HATCH_OK;

@@ -8,7 +8,7 @@
 static enum hatch_status grow(struct hatch_path_builder *b, struct hatch_err *err)
 {
     if (b->count == HATCH_PATH_POINTS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "a line has more than %u points", HATCH_PATH_POINTS_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "a stroke has more than %u points", HATCH_PATH_POINTS_MAX);
     uint32_t capacity = b->capacity ? 2 * b->capacity : 64;
     double *larger;
     HATCH_TRY(HATCH_ALLOC(b->arena, &larger, 2 * (size_t)capacity, err));
@@ -111,11 +111,12 @@ enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct h
     const struct hatch_path *path;
     find_middle(b, middle, &reach);
     if (!(reach <= HATCH_PATH_REACH_MAX) || !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a line that reaches over %g tiles", HATCH_PATH_REACH_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke reaches more than %g tiles from its middle or from the page",
+                          HATCH_PATH_REACH_MAX);
     HATCH_TRY(make_path(b, middle, arena, &path, err));
     float length = path ? hatch_path_length(path) : 0;
     if (!(length <= HATCH_PATH_LENGTH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a line is %g tiles long, want %g at most", (double)length,
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke is %g tiles long, want %g at most", (double)length,
                           (double)HATCH_PATH_LENGTH_MAX);
     const double *end = b->xy + 2 * (size_t)b->count - 2;
     stroke->x = hatch_stroke_wrap(middle[0]);

@@ -129,8 +129,8 @@ struct row {
 static enum hatch_status parse_number(struct hatch_text field, int key, double *number, struct hatch_err *err)
 {
     if (!hatch_text_number(field, number))
-        return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a number", (int)(field.length < 40 ? field.length : 40),
-                          field.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s '%.*s' is not a number", keys[key].name,
+                          (int)(field.length < 40 ? field.length : 40), field.at);
     if (!(*number >= keys[key].low && *number <= keys[key].high))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want %g to %g", keys[key].name, *number, keys[key].low,
                           keys[key].high);
@@ -184,12 +184,13 @@ static enum hatch_status parse_enters(struct hatch_text rest, struct hatch_strok
         double column;
         HATCH_TRY(parse_number(take_until(&rest, ','), COLUMN, &column, err));
         if (column < stroke->column + (levels ? stroke->delay[levels - 1] : 0.0))
-            return hatch_fail(err, HATCH_BAD_INPUT, "enters: a coarser level holds the stroke before a finer one");
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "enters: the columns must begin at the stroke's column and never fall");
         stroke->delay[levels] = (uint8_t)(column - stroke->column);
     }
     if (rest.length || (levels && (levels != stroke->level + 1 || stroke->delay[0])))
-        return hatch_fail(err, HATCH_BAD_INPUT, "enters: disagrees with column %u and level %u", stroke->column,
-                          stroke->level);
+        return hatch_fail(err, HATCH_BAD_INPUT, "enters: want %u columns, for levels 0 to %u, the first being %u",
+                          stroke->level + 1u, (unsigned)stroke->level, (unsigned)stroke->column);
     return HATCH_OK;
 }
 
@@ -217,7 +218,8 @@ static enum hatch_status parse_path(struct hatch_text rest, struct hatch_arena *
     stroke->path = path;
     stroke->length = hatch_path_length(path);
     if (!(stroke->length <= HATCH_PATH_LENGTH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "path: %g tiles long", (double)stroke->length);
+        return hatch_fail(err, HATCH_BAD_INPUT, "path: %g tiles long, want %g at most", (double)stroke->length,
+                          (double)HATCH_PATH_LENGTH_MAX);
     return HATCH_OK;
 }
 

@@ -111,12 +111,12 @@ static enum hatch_status check_indices(const struct hatch_exact *exact, const ui
     for (uint32_t level = 0; level < exact->level_count; level++) {
         uint64_t word = index_word(exact->size_px, exact->columns, exact->level_count, level);
         if (get(words, HATCH_EXACT_HEAD + level) != word)
-            return hatch_fail(err, HATCH_BAD_INPUT, "level %u: the index is not at word %llu", level,
+            return hatch_fail(err, HATCH_BAD_INPUT, "level %u: the header does not place its index at word %llu", level,
                               (unsigned long long)word);
         for (uint64_t i = 0; i <= texel_count(exact->size_px, level); i++) {
             uint32_t first = get(words, word + i);
             if (first < before || first > exact->run_count)
-                return hatch_fail(err, HATCH_BAD_INPUT, "level %u: texel %llu: run %u, want %u to %u", level,
+                return hatch_fail(err, HATCH_BAD_INPUT, "level %u: texel %llu begins at run %u, want %u to %u", level,
                                   (unsigned long long)i, first, before, exact->run_count);
             before = first;
         }
@@ -141,11 +141,11 @@ enum hatch_status hatch_exact_from_texels(const struct hatch_texels *texels, str
     if (made.size_px < 1 || made.size_px > HATCH_TAM_SIZE_MAX || made.columns < 1 ||
         made.columns > HATCH_TAM_TONES_MAX || made.level_count != hatch_mip_chain_length(made.size_px, made.size_px) ||
         made.levels < 1 || made.levels > made.level_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels, %u of %u levels, %u columns", made.size_px, made.levels,
-                          made.level_count, made.columns);
+        return hatch_fail(err, HATCH_BAD_INPUT, "header out of range: %u pixels, %u of %u levels drawn, %u columns",
+                          made.size_px, made.levels, made.level_count, made.columns);
     uint64_t first = index_word(made.size_px, made.columns, made.level_count, made.level_count);
     if (get(words, WORD_RUNS) != first || first + ((uint64_t)made.run_count + 1) / 2 > count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u runs from word %u on do not fit %llu words", made.run_count,
+        return hatch_fail(err, HATCH_BAD_INPUT, "damaged: %u runs, said to begin at word %u of %llu", made.run_count,
                           get(words, WORD_RUNS), (unsigned long long)count);
     HATCH_TRY(check_indices(&made, words, err));
     *exact = made;

@@ -175,7 +175,7 @@ static enum hatch_status sum_counts(const uint32_t *count, size_t texels, uint64
     for (size_t i = 0; i <= texels; i++) {
         if (*total > UINT32_MAX)
             return hatch_fail(err, HATCH_LIMIT,
-                              "the texels change 2^32 times or more: take a smaller map or fewer tones");
+                              "the texels have 2^32 changes of tone or more: use a smaller map or fewer tones");
         first[i] = (uint32_t)*total;
         *total += i < texels ? count[i] : 0;
     }

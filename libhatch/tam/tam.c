@@ -31,8 +31,8 @@ static enum hatch_status check_shape(const struct hatch_mipmap *part, const stru
     if (finest->width != finest->height)
         return hatch_fail(err, HATCH_BAD_INPUT, "%ux%u pixels, want a square", finest->width, finest->height);
     if (finest->width != first->levels[0].width || part->level_count != first->level_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels in %u levels, where %s has %u in %u", finest->width,
-                          part->level_count, first->name, first->levels[0].width, first->level_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u pixels and %u levels, but %s has %u pixels and %u levels",
+                          finest->width, part->level_count, first->name, first->levels[0].width, first->level_count);
     uint32_t chain = hatch_mip_chain_length(finest->width, finest->height);
     if (part->level_count != chain)
         return hatch_fail(err, HATCH_BAD_INPUT, "%u mip levels, want the whole chain of %u", part->level_count, chain);
@@ -88,7 +88,7 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
     tam->target[tone] = (float)target->number;
     uint32_t drawn = levels ? (uint32_t)levels->number : part->level_count;
     if (tone && drawn != tam->levels)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u drawn levels, where the first column has %u", drawn, tam->levels);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u drawn levels, but the first column has %u", drawn, tam->levels);
     tam->levels = drawn;
     return HATCH_OK;
 }

@@ -21,7 +21,8 @@ enum hatch_status hatch_thresholds_from_texels(const struct hatch_texels *texels
         if (end == at)
             break;
         if (!(made.border[count] >= (count ? made.border[count - 1] : 0) && made.border[count] <= 1))
-            return hatch_fail(err, HATCH_BAD_INPUT, HATCH_THRESHOLD_KEY_BORDERS " '%s' do not rise", borders);
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              HATCH_THRESHOLD_KEY_BORDERS " '%s', want rising numbers from 0 to 1", borders);
     }
     if (count < 2)
         return hatch_fail(err, HATCH_BAD_INPUT, HATCH_THRESHOLD_KEY_BORDERS " '%s', want 2 numbers or more", borders);

@@ -146,7 +146,7 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
     }
     if (figures->distance > HATCH_VOLUME_DISTANCE_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "too few columns for a volume: %.3f between a slice and the nearest of %u columns",
+                          "too few columns for a volume: a slice is %.3f in tone from the nearest of %u columns",
                           figures->distance, tam->tones);
     struct job job = {tam, texels, slices};
     hatch_parallel_for(pool, count, fill_slice, &job);

@@ -12,8 +12,10 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
         return hatch_fail(err, HATCH_BAD_INPUT, "not a volume as described in tamvol(5)");
     struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL)};
     if (made.levels < 1 || made.levels > texels->level_count || !(made.darkest >= 0 && made.darkest <= 1))
-        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_LEVELS " %s, " HATCH_VOLUME_KEY_DARKEST " %s", levels,
-                          darkest);
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          HATCH_TAM_ATTR_LEVELS " %s or " HATCH_VOLUME_KEY_DARKEST
+                                                " %s is out of range: want 1 to %u and 0 to 1",
+                          levels, darkest, texels->level_count);
     *volume = made;
     return HATCH_OK;
 }

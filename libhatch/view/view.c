@@ -110,12 +110,13 @@ static enum hatch_status look_through(uint32_t index, const struct hatch_pose *p
     while (node < scene->node_count && scene->nodes[node].camera != index)
         node++;
     if (index >= scene->camera_count || node == scene->node_count)
-        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: the scene shows %u cameras", index, scene->camera_count);
+        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u is not in the scene; its files define %u, numbered from 0",
+                          index, scene->camera_count);
     double world[16];
     hatch_pose_matrix(pose, node, world);
     double back[3] = {world[8], world[9], world[10]}, up[3] = {world[4], world[5], world[6]};
     if (!make_unit(back) || !make_unit(up))
-        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: its node has no size", index);
+        return hatch_fail(err, HATCH_BAD_INPUT, "camera %u: its node is scaled to zero", index);
     memcpy(view->back, back, sizeof back);
     hatch_vec_cross(up, back, view->right);
     make_unit(view->right);

@@ -157,7 +157,7 @@ sub texts {
     add_input('gltf/version-1.gltf', 'ERR', 'of glTF 1.0', 'glTF version 1.0',
         text({%{scene()}, asset => {version => '1.0'}}));
     # Counts of the positions, as text.
-    for (['1e9', '1000000000', '1000000000 elements'], ['0', '0', 'count 0'],
+    for (['1e9', '1000000000', '1000000000 elements'], ['0', '0', 'count 0, want 1 to 2147483647'],
         ['negative', '-4', 'count is -4'], ['fraction', '4.5', 'count is 4.5'], ['1e300', '1e300', 'count is 1e300'],
         ['text', '"4"', 'count is .4'], ['2e9', '2147483647', '2147483647 elements']) {
         my ($name, $count, $says) = @$_;
@@ -318,8 +318,9 @@ sub numbers {
         $_->{accessors}[1] = {bufferView => 0, componentType => $FLOAT, count => 12, type => 'SCALAR'};
     });
     changed('index-count-11', 'ERR', 'eleven indices', '11 corners', sub { $_->{accessors}[1]{count} = 11 });
-    for (['oob', [1, 9], 2, 2, 'sparse index 9 '], ['max', [1, 4294967295], 2, 2, 'sparse index 4294967295 '],
-        ['count', [1, 2], 1_000_000_000, 2, 'sparse count 1000000000'], ['short', [1, 2], 4, 2, 'sparse'],
+    for (['oob', [1, 9], 2, 2, 'sparse index 9 does not exist, there are 4 elements'],
+        ['max', [1, 4294967295], 2, 2, 'sparse index 4294967295 does not exist, there are 4 elements'],
+        ['count', [1, 2], 1_000_000_000, 2, 'sparse count 1000000000, want 1 to 4'], ['short', [1, 2], 4, 2, 'sparse'],
         ['view', [1, 2], 2, 17, '-']) {
         my ($name, $indices, $count, $view, $says) = @$_;
         changed("sparse-$name", 'ERR', "sparse positions: $name", $says, sub {

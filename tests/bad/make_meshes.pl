@@ -159,8 +159,9 @@ sub plys {
         "3 0 2 1\n3 0 1 3\n3 0 3");
     for (['oob', 4], ['oob-2e9', 2147483647], ['negative', -1]) {
         my ($name, $index) = @$_;
-        ply("index-$name", 'ERR', "index $index of four vertices", 'face 3', header($little, 4, 4) . $floats .
-            substr($packed, 0, -4) . pack 'l<', $index);
+        ply("index-$name", 'ERR', "index $index of four vertices",
+            "face 3: vertex index $index, want a whole number below 4",
+            header($little, 4, 4) . $floats . substr($packed, 0, -4) . pack 'l<', $index);
     }
     for (['nan', $nan], ['infinite', $inf]) {
         my ($name, $value) = @$_;
@@ -204,8 +205,10 @@ sub plys_legal {
     my $strips = header('ascii', 4, 1, 'list int int vertex_indices') =~ s/element face/element tristrips/r;
     ply('strips', 'EITHER', 'triangles as strips: two of them', '-', "$strips${rows}7 0 1 2 -1 1 3 2\n",
         'faces=2,points=4');
-    ply('strips-oob', 'ERR', 'a strip of a vertex that is not there', '-', "$strips${rows}5 0 1 2 9 -1\n");
-    ply('strips-below', 'ERR', 'a strip that ends with -2', '-', "$strips${rows}5 0 1 2 3 -2\n");
+    ply('strips-oob', 'ERR', 'a strip of a vertex that is not there', 'vertex index 9, want a whole number below 4',
+        "$strips${rows}5 0 1 2 9 -1\n");
+    ply('strips-below', 'ERR', 'a strip that ends with -2', 'vertex index -2, want a whole number below 4',
+        "$strips${rows}5 0 1 2 3 -2\n");
 }
 
 sub offs {
@@ -249,7 +252,7 @@ sub binary {
 
 sub stls {
     my @facets = map { [@corners[@$_]] } @triangles;
-    my $holds = '.* 4 ';
+    my $holds = ', the file holds 4 ';
     # stl NAME, EXPECT, WHAT, SAYS, BYTES, FIGURES
     my $stl = sub {
         my ($name, $expect, $what, $says, $bytes, $figures) = @_;
@@ -262,8 +265,8 @@ sub stls {
         binary('made', 85_899_346, @facets));
     $stl->('count-5', 'ERR', 'claims a triangle more', "5 triangles$holds", binary('made', 5, @facets));
     $stl->('count-0', 'ERR', 'claims no triangle', 'no faces', binary('made', 0));
-    $stl->('truncated', 'ERR', 'one byte short', '4 triangles.* 3 ', substr binary('made', 4, @facets), 0,
-        -1);
+    $stl->('truncated', 'ERR', 'one byte short', 'the header counts 4 triangles, the file holds 3 ',
+        substr binary('made', 4, @facets), 0, -1);
     $stl->('truncated-in-the-header', 'ERR', 'truncated in the header', '-', substr binary('made', 4, @facets), 0,
         60);
     $stl->('coordinate-nan', 'ERR', 'a position is nan', 'triangle 4: .*finite',

@@ -34,12 +34,12 @@ reason() {
     tone-below-0 | tone-above-1 | tone-nan) echo "tone.00[023]: hatch:tone [^ ]*, want 0 to 1" ;;
     no-levels) echo "tone.000: hatch:levels 0, want 1 to 5" ;;
     too-many-levels) echo "tone.003: hatch:levels 99, want 1 to 5" ;;
-    levels-unequal) echo "tone.002: 3 drawn levels, where the first column has 2" ;;
+    levels-unequal) echo "tone.002: 3 drawn levels, but the first column has 2" ;;
     pixel-nan) echo "tone.002: level 1: a pixel is not a finite number" ;;
     pixel-infinite) echo "tone.003: level 0: a pixel is not a finite number" ;;
     last-pixel-infinite) echo "tone.000: level 4: a pixel is not a finite number" ;;
     colour-nan) echo "tone.001: level 0: a pixel is not a finite number" ;;
-    sizes-unequal) echo "tone.001: 2 pixels in 1 levels, where tone.000 has 1 in 1" ;;
+    sizes-unequal) echo "tone.001: 2 pixels and 1 levels, but tone.000 has 1 pixels and 1 levels" ;;
     channels-unequal) echo "tone.001: no channel Y" ;;
     nesting-broken) echo "tone.002: level 1: pixel \(3, 0\) gets lighter, .*: strokes do not nest" ;;
     nesting-broken-colour) echo "(tone.003: level 0: pixel \(1, 0\) gets lighter|coloured)" ;;

@@ -72,7 +72,9 @@ below "a volume has fewer than eight blended columns" "$(grey volume.ktx2)" "$(g
 
 try tamvol few.exr -o few.ktx2
 is "a map of few tones is warned of, with figures" \
-    "$status $(grep -c 'warning: [0-9]* of 96 slices .* up to 0\.[0-9]*: 3 columns are too few for 64 tones' .err)" "0 1"
+    "$status $(sed 's/[0-9]* of 96/N of 96/; s/0\.[0-9]* away/X away/' .err | grep -v 'ids are left out')" \
+    "0 tamvol: few.exr: warning: N of 96 slices are blends of two columns, because the nearest column is up to X away in\
+ tone: 3 columns are too few for 64 tones"
 is "ids that are left out are warned of" "$(grep -c 'ids are left out' .err)" 1
 tamgen --size 64 --tones 1 --levels 2 -o one.exr
 try tamvol one.exr -o x

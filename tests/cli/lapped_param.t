@@ -55,7 +55,8 @@ try lapped-param alone.glb
 refused "a file that is lapped already" 3 1
 ok "the message says that it is lapped already" grep -q 'alone.glb: is lapped already' .err
 try lapped-param -v torus.glb -o /dev/null
-is "-v counts patches" "$(grep -cE '^lapped-param: [0-9]+ patches, overlap [0-9.]+' .err)" 1
+is "-v counts patches" "$(grep -cE \
+    '^lapped-param: [0-9]+ patches, overlap [0-9.]+; [0-9]+ end at face edges instead of at their outline, [0-9]+ enlarged' .err)" 1
 
 # A texture whose image is the start of the mesh's buffer: images that are not drawn are not decoded.
 unpack torus.glb textured

@@ -15,6 +15,17 @@ says() {
 says "an operand that is missing" 2 2 "too few operands, want SHAPE" meshgen
 says "a subject that is missing" 2 2 "want SUBJECT [FILE ...]" hatchstat
 says "wrong usage that only the library detects" 2 2 "powers of four" seedgen -n 100000 --method backtrack
+says "--keep with --fit" 2 2 "--keep cannot be combined with --fit" tamgen --replay - --keep 0.5 --fit
+says "--replay with --method" 2 2 "--replay cannot be combined with --method, --growth or --candidates" \
+    tamgen --replay - --method field
+says "--exact with --mask" 2 2 "--exact cannot be combined with --bins, --modulate or --mask" \
+    tamthresh --exact --mask a.png
+says "--atlas with --tile" 2 2 "--atlas cannot be combined with --tile" lapped-param --atlas --tile 1
+says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wide; want 2 at most" \
+    tamgen --size 64 --levels 3
+says "--ink with a layout that ignores it" 2 2 "--ink cannot be combined with --layout exr" tampack --layout exr --ink 1
+says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.7,.9" tamthresh --bins x map.exr
+says "a subject that is unknown" 2 2 "bunny: no such subject; --help lists them" hatchstat bunny
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
 says "--max-difference with a subject that has none" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
 says "one file too few" 2 2 "diff: 1 file, want 2" hatchstat diff mesh.glb
@@ -26,6 +37,9 @@ is "counts of 1 are singular" "$(cat .err)" "tampack: 1 tone, 7 levels; 1 file"
 meshgen ellipsoid --faces 1000 -o ellipsoid.glb
 try dirfield -v ellipsoid.glb -o field.glb
 is "other counts are plural" "$(sed -n '$p' .err)" "dirfield: 4 singularities"
+try seedgen -v -n 16 --method backtrack -o four.seeds
+is "seedgen -v reports the smallest distances" "$(sed 's/[0-9][0-9.]*/N/g' .err | tr '\n' '|')" \
+    "seedgen: smallest distances, relative to the largest possible: N within a set, N among all sets|seedgen: N search steps|"
 
 # Commands need no environment variables, and file names are bytes.
 try env -i "$BIN/tamgen" --size 64 -o "$(printf 'm\377 p.exr')"

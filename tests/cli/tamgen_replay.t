@@ -28,7 +28,7 @@ ok "the strokes that --keep draws depend on the random seed" sh -c '! cmp -s oth
 
 try tamgen --replay "$drawing" --size 64 --tones 10 --set 'darkest .9' -o light.exr
 ok "a drawing too light for its targets is warned of" grep -qE \
-    'warning: the whole drawing has a tone of 0\.6[0-9]+: 3 of 10 columns should be darker and hold all strokes$' .err
+    'warning: the whole drawing has a tone of 0\.6[0-9]+: 3 of 10 columns are meant to be darker, and hold all its strokes$' .err
 
 tamgen --size 64 --strokes ink.tsv -o ink.exr
 tamgen --size 64 --replay ink.tsv --palette sea --fit --quiet --strokes sea.tsv -o sea.exr

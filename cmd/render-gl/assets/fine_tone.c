@@ -34,7 +34,7 @@ static void upload_level(const struct hatch_texels *texels, uint32_t level, GLui
 static enum hatch_status check_texels(const struct hatch_texels *texels, struct hatch_err *err)
 {
     if (texels->code == HATCH_TEXELS_BC1 && !epoxy_has_gl_extension("GL_EXT_texture_compression_s3tc"))
-        return hatch_fail(err, HATCH_LIMIT, "the GPU cannot read BC1: tamvol --layout volume writes BC7");
+        return hatch_fail(err, HATCH_LIMIT, "the GPU cannot read BC1: tamvol --compress --layout volume writes BC7");
     if (texels->depth && (texels->code == HATCH_TEXELS_BC1 || texels->code == HATCH_TEXELS_BC4))
         return hatch_fail(err, HATCH_BAD_INPUT, "a 3D texture of BC1 or BC4, which OpenGL supports in 2D arrays only");
     GLint side, slices;

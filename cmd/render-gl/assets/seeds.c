@@ -21,7 +21,8 @@ static enum hatch_status upload(const struct hatch_rptam_packed *packed, struct 
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     size_t texels = packed->seed_count > packed->list_count ? packed->seed_count : packed->list_count;
     if (texels > (size_t)limit)
-        return hatch_fail(err, HATCH_LIMIT, "the coverage lists have %zu entries, the GPU's limit is %d", texels,
+        return hatch_fail(err, HATCH_LIMIT,
+                          "too many strokes overlap: %zu entries in coverage lists, the GPU's limit is %d", texels,
                           limit);
     seeds->layers = gpu_buffer_make(&packed->block, sizeof packed->block);
     for (int i = 0; i < SEEDS_VIEWS; i++) {

@@ -25,8 +25,8 @@ static enum hatch_status check_texcoords(const struct hatch_scene *scene, struct
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
             return hatch_fail(err, HATCH_BAD_INPUT,
-                              "mesh %u has no texture coordinates, which strokes follow: "
-                              "dirfield FILE | lapped-param -o NEW.glb makes some",
+                              "primitive %u has no texture coordinates, which strokes follow; "
+                              "add them with dirfield FILE | lapped-param -o NEW.glb",
                               i);
     return HATCH_OK;
 }
@@ -43,8 +43,8 @@ static void check_animation(const struct job *job)
     const struct options *options = job->options;
     struct hatch_err err;
     if (options->animation_given && options->animation >= job->values.animation_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u: the scene has %u", options->animation,
-                   job->values.animation_count);
+        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u does not exist: the scene has %u, numbered from 0",
+                   options->animation, job->values.animation_count);
         cmd_die(scene_name(job), &err);
     }
 }
@@ -250,7 +250,8 @@ static void upload_scene(struct job *job)
         cmd_warn(name, "the scene has no visible faces");
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)
-        cmd_warn(name, "%u lights are left out: at most %u are used", left_out, HATCH_LIGHTS_MAX);
+        cmd_warn(name, "%u %s left out: at most %u are used", left_out, cmd_plural(left_out, "light is", "lights are"),
+                 HATCH_LIGHTS_MAX);
     job->fixed_view.aspect = (double)options->width / options->height;
     cmd_check(make_view(job, &pose, &bounds, &job->fixed_view, &err), name, &err);
     open_context(job);

@@ -55,8 +55,8 @@ static const struct cmd_option rest[] = {
     {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+factor for the size of the strokes' pattern (default 1)",
      &chosen.hatch_scale, NULL, NULL},
     {0, "tone-range", CMD_PAIR, 0, 1, "LO:HI",
-     "tone, 0 to 1, of lit and unlit parts (default 0:1, or up to the map's darkest)", chosen.tone_range, NULL,
-     &chosen.tone_range_given},
+     "tones of lit and unlit parts, 0 paper to 1 ink (default 0:1, or up to the map's darkest)", chosen.tone_range,
+     NULL, &chosen.tone_range_given},
     {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of tone; over 1 lightens middle tones (default 1)",
      &chosen.tone_gamma, NULL, NULL},
     {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "colour of the paper, a name or #rrggbb (default white)", &paper, NULL,
@@ -65,8 +65,8 @@ static const struct cmd_option rest[] = {
      "colour of the strokes; a second one draws the lit parts (default black)", &ink, NULL, NULL},
     {0, "show", CMD_CHOICE, 0, 0, "WHAT", "draw patches or field (directions) instead of strokes", &show, NULL, NULL},
     {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
-     "replace the scene's lights by one, in degrees from the camera (default -40:40)", chosen.light_deg, NULL,
-     &chosen.light_given},
+     "replace the scene's lights with one, in degrees from the camera (default if none: -40:40)", chosen.light_deg,
+     NULL, &chosen.light_given},
     {0, "specular", CMD_PAIR, 0, 1000, "S:E", "+strength and exponent of highlights (default 0:32: none)",
      chosen.specular, NULL, &specular_given},
     {0, "shadows", CMD_REAL, 0.001, 0.5, "WIDTH",
@@ -98,7 +98,7 @@ static const struct cmd_option rest[] = {
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "+anisotropic texture filtering by the driver (default 1: none)",
      &chosen.anisotropy, NULL, NULL},
     {0, "camera", CMD_TEXT, 0, 0, "WHICH",
-     "number of one of the scene's cameras, frame (fit the scene), or POSITION[:TARGET] as X,Y,Z", &camera, NULL, NULL},
+     "a scene camera's number, 'frame' (fit the scene), or POSITION[:TARGET] as X,Y,Z", &camera, NULL, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "frame the scene from this azimuth and elevation (default 30:20)",
      chosen.from_deg, NULL, &from_given},
     {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view; the scene's cameras keep theirs (default 30)",
@@ -193,9 +193,10 @@ static void read_view(struct hatch_view_choice *view)
 {
     bool frame = camera && strcmp(camera, "frame") == 0;
     *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turntable = chosen.turntable};
-    if (camera && !frame &&
-        (from_given || !(parse_whole(camera, 65535, &view->index) || parse_camera_place(camera, view))))
-        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z]; --from goes with frame only", camera);
+    if (camera && !frame && !parse_whole(camera, 65535, &view->index) && !parse_camera_place(camera, view))
+        cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z]", camera);
+    if (camera && !frame && from_given)
+        cmd_usage("--from cannot be combined with --camera %s, only with --camera frame", camera);
     if (frame || from_given || (fov_given && !camera))
         view->kind = HATCH_VIEW_FRAMED;
     else if (camera && view->kind != HATCH_VIEW_EYE)
@@ -277,7 +278,7 @@ static void check_technique(void)
     const char *name = chosen.technique->name;
     char able[256];
     if (show >= 0 && (technique_given || chosen.probe))
-        cmd_usage("--show goes with neither --technique nor --probe");
+        cmd_usage("--show cannot be combined with --technique or --probe");
     if (!chosen.map_path && chosen.technique->asset)
         cmd_usage("technique %s needs %s: --tam FILE", name, chosen.technique->asset->name);
     if (chosen.pixel_light && !(chosen.technique->features & TECHNIQUE_PIXEL_LIGHT)) {
@@ -286,7 +287,7 @@ static void check_technique(void)
     }
     check_owners();
     if (chosen.modulate_path && chosen.base_tone)
-        cmd_usage("--modulate replaces --texture-tone: give one of them");
+        cmd_usage("--modulate cannot be combined with --texture-tone: give one of them");
     if (chosen.probe && !chosen.map_path)
         cmd_usage("--probe needs a tonal art map: --tam FILE");
 }
@@ -303,7 +304,7 @@ static void check_frames(const struct cmd_args *args)
     if (args->json && !report)
         cmd_usage("--json is for --time and --probe");
     if ((timed_frames > 0) + chosen.probe + chosen.window > 1)
-        cmd_usage("--time, --probe and --window exclude each other");
+        cmd_usage("--time, --probe and --window cannot be combined");
 }
 
 static void read_size(void)

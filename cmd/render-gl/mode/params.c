@@ -128,7 +128,7 @@ static void read_one(const char *text, struct option_change *change)
     parse_value(param, from, (size_t)(gap - from), change->from);
     for (uint32_t k = 0; param->by_factor && k < params_count(param); k++)
         if (!(change->from[k] > 0 && change->to[k] > 0))
-            cmd_usage("--animate %s: want numbers over 0, since it changes by factors", text);
+            cmd_usage("--animate %s: want numbers over 0, since it changes by the same factor each frame", text);
 }
 
 void params_read(struct options *options)

@@ -12,7 +12,7 @@ static enum hatch_status check_patches(const struct hatch_scene *scene, const st
         if (patches[i].patch_count)
             return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT,
-                      "the scene has no patches: dirfield FILE | lapped-param -o NEW.glb makes some");
+                      "the scene has no patches; add them with dirfield FILE | lapped-param -o NEW.glb");
 }
 
 static enum hatch_status prepare_patches(struct technique_context *context, struct technique_instance *instance,
@@ -44,7 +44,7 @@ static enum hatch_status check_field(const struct hatch_scene *scene, const stru
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (hatch_mesh_find(&scene->meshes[i].mesh, "_HATCH_DIR", 4))
             return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions: dirfield FILE -o NEW.glb computes some");
+    return hatch_fail(err, HATCH_BAD_INPUT, "no mesh has directions; add them with dirfield FILE -o NEW.glb");
 }
 
 static enum hatch_status prepare_field(struct technique_context *context, struct technique_instance *instance,

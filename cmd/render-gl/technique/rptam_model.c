@@ -193,7 +193,7 @@ enum hatch_status rptam_make_model(struct cmd_args *args, struct rptam_state *st
         options->layers_max = most;
     uint32_t count = (uint32_t)options->layers_max;
     if (count > HATCH_RPTAM_LAYERS_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "%u layers of seed points, more than %u", count, HATCH_RPTAM_LAYERS_MAX);
+        return hatch_fail(err, HATCH_LIMIT, "%u layers of seed points, want %u at most", count, HATCH_RPTAM_LAYERS_MAX);
     fill_from_style(source, options);
     struct hatch_rptam_style style = {.law = (enum hatch_fade_law)options->fade,
                                       .fade_size = options->fade_by == 1,

@@ -67,8 +67,8 @@ static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk
                           (unsigned long long)info->data_offset);
     }
     if (info->unpacked_size != size || info->compression == EXR_COMPRESSION_NONE)
-        return hatch_fail(err, HATCH_BAD_INPUT, "a chunk of %llu bytes, want %zu",
-                          (unsigned long long)info->unpacked_size, size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "the chunk at byte %llu unpacks to %llu bytes, want %zu",
+                          (unsigned long long)info->data_offset, (unsigned long long)info->unpacked_size, size);
     return unpack_by_core(chunks, info, raw, err);
 }
 

@@ -67,7 +67,9 @@ enum hatch_status find_elements(Reader &r, int index, const std::string &where, 
     if (component_size(e->component_type) == 0 || e->components < 1)
         return bad(r, where, place("accessor", static_cast<size_t>(index)) + ": unknown type");
     if (a.count < 1 || a.count > INT32_MAX)
-        return bad(r, where, place("accessor", static_cast<size_t>(index)) + ": count " + std::to_string(a.count));
+        return bad(r, where,
+                   place("accessor", static_cast<size_t>(index)) + ": count " + std::to_string(a.count) +
+                       ", want 1 to 2147483647");
     e->count = static_cast<uint32_t>(a.count);
     if (a.bufferView == -1)
         return HATCH_OK;
@@ -123,7 +125,8 @@ enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elem
 {
     Elements indices = base, values = base;
     if (a.sparse.count < 1 || static_cast<uint32_t>(a.sparse.count) > base.count)
-        return bad(r, where, "sparse count " + std::to_string(a.sparse.count));
+        return bad(r, where,
+                   "sparse count " + std::to_string(a.sparse.count) + ", want 1 to " + std::to_string(base.count));
     indices.count = values.count = static_cast<uint32_t>(a.sparse.count);
     indices.component_type = a.sparse.indices.componentType;
     indices.components = 1;
@@ -138,8 +141,8 @@ enum hatch_status find_sparse(Reader &r, const tinygltf::Accessor &a, const Elem
         double index = load_number(indices.data + i * indices.stride, indices.component_type, false);
         if (!(index >= 0 && index < base.count))
             return bad(r, where,
-                       "sparse index " + std::to_string(static_cast<int64_t>(index)) + " of " +
-                           std::to_string(base.count));
+                       "sparse index " + std::to_string(static_cast<int64_t>(index)) + " does not exist, there are " +
+                           std::to_string(base.count) + " elements");
     }
     *sparse_indices = indices;
     *sparse_values = values;

@@ -94,7 +94,9 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
         hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s is outside the file's folder", uri.c_str());
         files.left_folder = true;
     } else if (!files.resolver) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s: external files need a glTF read by its path", uri.c_str());
+        hatch_fail(&err, HATCH_BAD_INPUT,
+                   "uri %.100s: not found, since the glTF comes from standard input: give its path instead",
+                   uri.c_str());
     } else if (find_file(files, uri, &bytes, &err) == HATCH_OK &&
                fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
         out->assign(bytes.data, bytes.data + bytes.size);

@@ -65,8 +65,8 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     int64_t count, index;
     struct hatch_text word = hatch_mesh_text_word(text);
     if (!hatch_mesh_text_integer(word, &count) || count < 1)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face with %.*s corners", text->line,
-                          hatch_mesh_text_shown(word), word.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face with %.*s corners, want a whole number over 0",
+                          text->line, hatch_mesh_text_shown(word), word.at);
     corners->size = 0;
     for (int64_t i = 0; i < count; i++) {
         word = hatch_mesh_text_word(text);

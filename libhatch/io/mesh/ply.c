@@ -2,6 +2,7 @@
  * triangle strips. Only read_number, skip_property and the size checks depend on the form. */
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "io/mesh/polygon.h"
@@ -347,8 +348,11 @@ static enum hatch_status read_corners(struct ply *p, const struct ply_property *
         double number;
         HATCH_TRY(read_number(p, property->type, &number, err));
         bool restart = p->element->kind == PLY_STRIPS && number == -1;
-        if (!restart && !(number >= 0 && number < p->vertex_count && floor(number) == number))
-            return fail(p, err, "a corner is not a vertex index");
+        if (!restart && !(number >= 0 && number < p->vertex_count && floor(number) == number)) {
+            char what[80];
+            snprintf(what, sizeof what, "vertex index %.10g, want a whole number below %u", number, p->vertex_count);
+            return fail(p, err, what);
+        }
         uint32_t corner = restart ? UINT32_MAX : (uint32_t)number;
         HATCH_TRY(hatch_buffer_add(&p->corners, &corner, sizeof corner, err));
     }

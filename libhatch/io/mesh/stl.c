@@ -63,10 +63,11 @@ static enum hatch_status read_binary(struct hatch_bytes file, const double origi
     hatch_read_bytes(&reader, HEADER);
     uint32_t count = hatch_read_u32(&reader);
     if (hatch_reader_left(&reader) / TRIANGLE < count)
-        return hatch_fail(err, HATCH_BAD_INPUT,
-                          "byte %d: truncated: %u triangles, but bytes for %zu (or text that does not begin with "
-                          "solid)",
-                          HEADER, count, hatch_reader_left(&reader) / TRIANGLE);
+        return hatch_fail(
+            err, HATCH_BAD_INPUT,
+            "truncated: the header counts %u triangles, the file holds %zu (or this is a text STL that does "
+            "not begin with solid)",
+            count, hatch_reader_left(&reader) / TRIANGLE);
     struct hatch_mesh made;
     HATCH_TRY(make(count, arena, &made, err));
     float *to = made.attributes[0].data;

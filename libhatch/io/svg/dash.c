@@ -28,7 +28,8 @@ static enum hatch_status read_pattern(struct cutter *cutter, double page, double
                                       struct hatch_err *err)
 {
     *sum = 0;
-    HATCH_TRY(hatch_svg_lengths(cutter->style->dashes, page, PATTERN_MAX, cutter->lengths, &cutter->count, err));
+    if (hatch_svg_lengths(cutter->style->dashes, page, PATTERN_MAX, cutter->lengths, &cutter->count, err) != HATCH_OK)
+        return hatch_fail_at(err, "stroke-dasharray: ");
     for (uint32_t i = 0; i < cutter->count; i++) {
         if (!(cutter->lengths[i] >= 0))
             return hatch_fail(err, HATCH_BAD_INPUT, "stroke-dasharray: %g is negative", cutter->lengths[i]);

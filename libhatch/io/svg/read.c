@@ -71,8 +71,7 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
     if (!(width_px > 0) || (line->count == 1 && !style->capped))
         return HATCH_OK;
     if (!(width <= WIDTH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke as wide as %g of the page, want at most %g", width,
-                          WIDTH_MAX);
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke is %g page widths wide, want at most %g", width, WIDTH_MAX);
     if (is_outside(line, width / 2)) {
         d->notes.outside++;
         return HATCH_OK;
@@ -117,18 +116,20 @@ static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg
     return HATCH_OK;
 }
 
+static const char *const sides[] = {"width", "height"};
+
 static enum hatch_status read_page(struct drawing *d, const char *const *attributes, struct hatch_err *err)
 {
     double box[4] = {0, 0, 100, 100};
     struct hatch_text view = hatch_svg_attribute(attributes, "viewBox");
-    struct hatch_text size[2] = {hatch_svg_attribute(attributes, "width"), hatch_svg_attribute(attributes, "height")};
+    struct hatch_text size[2] = {hatch_svg_attribute(attributes, sides[0]), hatch_svg_attribute(attributes, sides[1])};
     bool has_view = view.length > 0;
     hatch_svg_skip(&view);
     if (has_view && !hatch_svg_numbers(&view, 4, box))
         return hatch_fail(err, HATCH_BAD_INPUT, "viewBox: want four numbers");
     for (int axis = 0; axis < 2 && !has_view; axis++)
-        if (size[axis].length)
-            HATCH_TRY(hatch_svg_length(size[axis], 100, &box[2 + axis], err));
+        if (size[axis].length && hatch_svg_length(size[axis], 100, &box[2 + axis], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", sides[axis]);
     if (!(box[2] > 0 && box[3] > 0))
         return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g, want a positive size", box[2], box[3]);
     if (box[2] > PAGE_MAX || box[3] > PAGE_MAX)
@@ -197,7 +198,6 @@ static enum hatch_status draw_content(struct drawing *d, const struct hatch_svg_
 static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_node *clone,
                                     const struct hatch_svg_node *symbol, struct hatch_err *err)
 {
-    static const char *const sides[] = {"width", "height"};
     struct hatch_text view = hatch_svg_attribute(symbol->attributes, "viewBox");
     double box[4], size[2] = {d->page, d->page};
     hatch_svg_skip(&view);
@@ -209,8 +209,8 @@ static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_no
         struct hatch_text text = hatch_svg_attribute(clone->attributes, sides[axis]);
         if (text.length == 0)
             text = hatch_svg_attribute(symbol->attributes, sides[axis]);
-        if (text.length)
-            HATCH_TRY(hatch_svg_length(text, d->page, &size[axis], err));
+        if (text.length && hatch_svg_length(text, d->page, &size[axis], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", sides[axis]);
     }
     double scale = fmin(size[0] / box[2], size[1] / box[3]);
     struct hatch_svg_matrix fit = {
@@ -230,7 +230,7 @@ static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_no
     struct hatch_svg_style *style = &d->styles[d->depth];
     double at[2] = {0, 0};
     if (href.length && *href.at != '#')
-        return hatch_fail(err, HATCH_BAD_INPUT, "a clone of '%.*s': other files are not read",
+        return hatch_fail(err, HATCH_BAD_INPUT, "<use> of '%.*s': other files are not read",
                           (int)(href.length < 60 ? href.length : 60), href.at);
     d->notes.others += !original;
     for (int axis = 0; axis < 2; axis++) {

@@ -55,7 +55,8 @@ static enum hatch_status read_width(struct hatch_text value, double page, struct
                                     struct hatch_err *err)
 {
     double width;
-    HATCH_TRY(hatch_svg_length(value, page, &width, err));
+    if (hatch_svg_length(value, page, &width, err) != HATCH_OK)
+        return hatch_fail_at(err, "stroke-width: ");
     if (!(width >= 0))
         return hatch_fail(err, HATCH_BAD_INPUT, "stroke-width %g is negative", width);
     style->width = width;
@@ -90,8 +91,8 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
         return read_opacity(name, value, &style->own_opacity, err);
     if (hatch_text_is(name, "stroke-dasharray"))
         style->dashes = is_none(value) ? (struct hatch_text){"", 0} : value;
-    if (hatch_text_is(name, "stroke-dashoffset"))
-        return hatch_svg_length(value, page, &style->dash_offset, err);
+    if (hatch_text_is(name, "stroke-dashoffset") && hatch_svg_length(value, page, &style->dash_offset, err) != HATCH_OK)
+        return hatch_fail_at(err, "stroke-dashoffset: ");
     if (hatch_text_is(name, "stroke-linecap"))
         style->capped = !hatch_text_is(value, "butt");
     if (hatch_text_is(name, "display"))

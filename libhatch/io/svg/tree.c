@@ -201,7 +201,7 @@ static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_s
                                struct hatch_err *err)
 {
     if (node->visiting)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: '%.40s' contains a clone of itself", node->line, id_of(node));
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: '%.40s' contains a <use> of itself", node->line, id_of(node));
     if (depth + node->height > HATCH_SVG_DEPTH_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: elements nested deeper than %u", node->line,
                           HATCH_SVG_DEPTH_MAX);
@@ -219,7 +219,7 @@ static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_s
         below = child->height > below ? child->height : below;
         elements += child->elements;
         if (elements > (uint64_t)HATCH_SVG_CLONED_MAX + tree->count)
-            return hatch_fail(err, HATCH_LIMIT, "line %u: clones draw more than %u elements", node->line,
+            return hatch_fail(err, HATCH_LIMIT, "line %u: <use> elements draw more than %u elements", node->line,
                               HATCH_SVG_CLONED_MAX);
     }
     node->visiting = false;

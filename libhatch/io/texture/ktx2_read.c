@@ -136,7 +136,7 @@ static enum hatch_status decompress(struct hatch_bytes packed, uint8_t *texels, 
     if (ZSTD_isError(got))
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level, ZSTD_getErrorName(got));
     if (got != size)
-        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %zu bytes, want %zu", level, got, size);
+        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: unpacked to %zu bytes, want %zu", level, got, size);
     return HATCH_OK;
 }
 
@@ -153,7 +153,8 @@ static enum hatch_status read_level(struct hatch_reader *reader, const struct he
     size_t size = hatch_texels_level_size(texture, level);
     bool packed = header->scheme == SCHEME_ZSTD;
     if (unpacked != size || (!packed && length != size) || (packed && size / ZSTD_RATIO_MAX > length))
-        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: %llu bytes, %llu unpacked, want %zu", level,
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "level %u is damaged: %llu bytes stored, %llu unpacked, want %zu unpacked", level,
                           (unsigned long long)length, (unsigned long long)unpacked, size);
     uint8_t *texels;
     HATCH_TRY(HATCH_ALLOC(arena, &texels, size, err));

@@ -67,14 +67,14 @@ static enum hatch_status run(struct search *search, uint64_t steps_max, struct h
             at++;
         } else {
             if (at-- == first)
-                return hatch_fail(err, HATCH_LIMIT, "no cycle found");
+                return hatch_fail(err, HATCH_LIMIT, "no seed set of %u points found", search->count);
             search->used[pattern_at(search, at)] = 0;
         }
         if (*steps > steps_max)
             return hatch_fail(
                 err, HATCH_LIMIT,
-                "backtracking tried %llu crumbs and found no cycle of %u: raise the limit or take another method",
-                (unsigned long long)steps_max, search->count);
+                "backtracking found no seed set of %u points in %llu steps: allow more steps or use another method",
+                search->count, (unsigned long long)steps_max);
     }
     return HATCH_OK;
 }

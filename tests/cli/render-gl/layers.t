@@ -46,5 +46,6 @@ refuses "fewer seed sets than layers" 3 "two.seeds: 2 seed sets, but 4 layers in
 printf 'stroke gone.png\n' >gone.layers
 refuses "a missing image of a stroke" 4 "gone.png" --layers gone.layers
 printf 'length 900 tile 100\n' >long.layers
-refuses "strokes longer than 8 tiles" 5 "layer 1: strokes of 900 by 1.8 pixels in a tile of 100, want 8 tiles at most" --layers long.layers
+refuses "strokes longer than 8 tiles" 5 \
+    "layer 1: strokes of 900 by 1.8 pixels are too large: the limit is 8 tiles of 100 pixels" --layers long.layers
 finish

@@ -17,14 +17,22 @@ refuses() {
 draw="render-gl --size 32x24 -o picture.png"
 
 refuses "no map" 2 2 "--tam FILE" $draw torus.glb
-refuses "a mesh without texture coordinates" 3 1 lapped-param $draw plain.obj --tam map.exr
+refuses "a mesh without texture coordinates" 3 1 \
+    "primitive 0 has no texture coordinates, which strokes follow; add them with dirfield FILE | lapped-param -o NEW.glb" \
+    $draw plain.obj --tam map.exr
 ok "a mesh without texture coordinates drawn by gouraud" render-gl --size 32x24 -t gouraud plain.obj -o tone.png
-refuses "--show patches without patches" 3 1 lapped-param $draw torus.glb --show patches
-refuses "--show field without a field" 3 1 dirfield $draw torus.glb --show field
-refuses "--show with --technique" 2 2 "--show" $draw torus.glb --show field --technique tam --tam map.exr
-refuses "a camera that does not exist" 3 1 "camera 2" $draw torus.glb --tam map.exr --camera 2
-refuses "an animation that does not exist" 3 1 "animation 1" $draw torus.glb --tam map.exr --animation 1
-refuses "an animation of a file without animations" 3 1 "animation 0" $draw torus.glb --tam map.exr --animation 0
+refuses "--show patches without patches" 3 1 \
+    "the scene has no patches; add them with dirfield FILE | lapped-param -o NEW.glb" $draw torus.glb --show patches
+refuses "--show field without a field" 3 1 "no mesh has directions; add them with dirfield FILE -o NEW.glb" \
+    $draw torus.glb --show field
+refuses "--show with --technique" 2 2 "--show cannot be combined with --technique or --probe" \
+    $draw torus.glb --show field --technique tam --tam map.exr
+refuses "a camera that does not exist" 3 1 "camera 2 is not in the scene; its files define 0, numbered from 0" \
+    $draw torus.glb --tam map.exr --camera 2
+refuses "an animation that does not exist" 3 1 "animation 1 does not exist: the scene has 0, numbered from 0" \
+    $draw torus.glb --tam map.exr --animation 1
+refuses "an animation of a file without animations" 3 1 "animation 0 does not exist: the scene has 0" \
+    $draw torus.glb --tam map.exr --animation 0
 refuses "a camera at its own target" 3 1 "X,Y,Z:X,Y,Z" \
     $draw torus.glb --tam map.exr --camera 0,1,2:0,1,2
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n' >dirty.obj
@@ -32,6 +40,14 @@ refuses "several faults with one cause give one line" 3 1 lapped-param $draw dir
 try $draw dirty.obj -t gouraud
 is "a degenerate face is left out with a warning" "$status $(grep -c warning .err)" "0 1"
 rm -f picture.png
+refuses "--from with a camera of the scene" 2 2 "--from cannot be combined with --camera 0, only with --camera frame" \
+    $draw torus.glb --tam map.exr --camera 0 --from 30:20
+refuses "a camera that is none" 2 2 "--camera front: want a number, frame, or X,Y,Z[:X,Y,Z]" \
+    $draw torus.glb --tam map.exr --camera front
+refuses "--time with --probe" 2 2 "--time, --probe and --window cannot be combined" \
+    $draw torus.glb --tam map.exr --time 1 --probe
+refuses "--modulate with --texture-tone" 2 2 "--modulate cannot be combined with --texture-tone: give one of them" \
+    $draw torus.glb --tam map.exr --modulate tone.png --texture-tone
 refuses "an unknown colour" 2 2 "--ink" $draw torus.glb --tam map.exr --ink blak
 refuses "a number of samples that is no square" 2 2 "--samples 5" $draw torus.glb --tam map.exr --samples 5
 refuses "a size with half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
@@ -70,11 +86,14 @@ printf "$zero$zero$zero$one$zero$zero$zero$one$zero$zero$zero$one$zero$zero$one$
 printf "$zero$one$one$one$zero$zero" >>bumpy.bin
 try $draw bumpy.gltf -t gouraud --pixel-light
 is "a missing normal map is left out with one warning" "$status $(cat .err)" \
-    "0 render-gl: bumpy.gltf: warning: 1 image is left out that could not be read: bumps.png"
+    "0 render-gl: bumpy.gltf: warning: 1 image could not be read and is left out: bumps.png"
 rm -f picture.png
 printf 'no picture' >bumps.png
 refuses "a normal map that is not an image" 3 1 "texture 0:" $draw bumpy.gltf -t gouraud --pixel-light
 ok "without --pixel-light a bad normal map is not read" render-gl --size 32x24 -t gouraud bumpy.gltf -o tone.png
+refuses "a buffer of a glTF from standard input" 3 1 \
+    "uri bumpy.bin: not found, since the glTF comes from standard input: give its path instead" \
+    sh -c "$draw -t gouraud <bumpy.gltf"
 for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
     refuses "frames as $pattern" 2 2 %03d render-gl torus.glb --tam map.exr --frames 2 -o "$pattern"
 done
@@ -83,7 +102,8 @@ refuses "--animate without a range" 2 2 "PARAM=FROM..TO" $many torus.glb -t rpta
 refuses "--animate of an option that cannot be animated" 2 2 "want one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
 refuses "--animate out of the option's range" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
 refuses "--animate of a pair with a single number" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
-refuses "--animate of a factor from 0" 2 2 "by factors" $many torus.glb -t rptam --animate exposure=0..2
+refuses "--animate of a factor from 0" 2 2 "want numbers over 0, since it changes by the same factor each frame" \
+    $many torus.glb -t rptam --animate exposure=0..2
 refuses "--animate of one option twice" 2 2 "given twice" $many torus.glb -t rptam --animate fov=9..20 --animate fov=20..9
 refuses "--animate overlap with a technique without seed points" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
 refuses "--animate hatch-turn with a technique without strokes" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9

@@ -197,7 +197,7 @@ START_TEST(a_block_of_another_mode_is_rejected)
         packed = {
             .width = 4, .height = 4, .channels = 4, .level_count = 1, .code = HATCH_TEXELS_BC7, .texels = {block}};
     ck_assert_int_eq(hatch_texels_decompress(&packed, &keep, &back, &err), HATCH_BAD_INPUT);
-    ck_assert_ptr_nonnull(strstr(err.text, "mode"));
+    ck_assert_str_eq(err.text, "level 0: BC7 is supported in mode 6 only");
 }
 END_TEST
 

@@ -225,8 +225,8 @@ END_TEST
 
 START_TEST(ply_faces_are_checked)
 {
-    refused(PLY_TRIANGLE "3 0 1 3\n", "line 13: face 0: a corner is not a vertex index");
-    refused(PLY_TRIANGLE "3 0 1 -1\n", "face 0: a corner is not a vertex index");
+    refused(PLY_TRIANGLE "3 0 1 3\n", "line 13: face 0: vertex index 3, want a whole number below 3");
+    refused(PLY_TRIANGLE "3 0 1 -1\n", "face 0: vertex index -1, want a whole number below 3");
     refused(PLY_TRIANGLE "2 0 1\n", "no faces");
     refused(PLY_TRIANGLE "3 0 1\n", "the file is truncated");
     refused(PLY_TRIANGLE "200 0 1 2\n", "a list is longer than the file");

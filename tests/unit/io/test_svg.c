@@ -308,7 +308,7 @@ START_TEST(exponential_and_deep_clones_are_refused)
     }
     snprintf(text + at, sizeof text - at, "</svg>");
     ck_assert_int_eq(read_text(text), HATCH_LIMIT);
-    ck_assert_str_eq(err.text, "line 1: clones draw more than 1000000 elements");
+    ck_assert_str_eq(err.text, "line 1: <use> elements draw more than 1000000 elements");
     at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
     for (int i = 0; i < 1000; i++)
         at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
@@ -342,7 +342,7 @@ static const struct {
     {"<svg viewBox='0 0 1'/>", "line 1: viewBox: want four numbers"},
     {"<svg viewBox='0 0 210 297'/>", "line 1: the page is 210 x 297, want a square"},
     {"<svg viewBox='0 0 0 0'/>", "line 1: the page is 0 x 0, want a positive size"},
-    {"<svg width='1e999' height='1'/>", "line 1: '1e999' is not a length"},
+    {"<svg width='1e999' height='1'/>", "line 1: width: '1e999' is not a length"},
     {"<svg viewBox='0 0 9 9'>\n<path stroke='red' d='L1 1'/></svg>",
      "line 2: path data: unexpected 'L' at character 1"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1C1 1'/></svg>",
@@ -359,19 +359,24 @@ static const struct {
     {"<svg viewBox='0 0 9 9'><g stroke='reddish'/></svg>", "line 1: stroke 'reddish' is malformed or unknown"},
     {"<svg viewBox='0 0 9 9'><g stroke-width='-1'/></svg>", "line 1: stroke-width -1 is negative"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-width='5' d='M1 1 2 2'/></svg>",
-     "line 1: a stroke as wide as 0.555556 of the page, want at most 0.25"},
-    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e6 2'/></svg>", "line 1: a line that reaches over 64 tiles"},
+     "line 1: a stroke is 0.555556 page widths wide, want at most 0.25"},
+    {"<svg viewBox='0 0 9 9'><path stroke='red' d='M1 1 1e6 2'/></svg>",
+     "line 1: a stroke reaches more than 64 tiles from its middle or from the page"},
     {"<svg viewBox='0 0 9 9'><use href='other.svg#a'/></svg>",
-     "line 1: a clone of 'other.svg#a': other files are not read"},
+     "line 1: <use> of 'other.svg#a': other files are not read"},
     {"<svg viewBox='0 0 9 9'>\n<g id='a'><use href='#b'/></g>\n<g id='b'><use href='#a'/></g></svg>",
-     "line 2: 'a' contains a clone of itself"},
-    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: 'u' contains a clone of itself"},
-    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: 'all' contains a clone of itself"},
+     "line 2: 'a' contains a <use> of itself"},
+    {"<svg viewBox='0 0 9 9'>\n<use id='u' href='#u'/></svg>", "line 2: 'u' contains a <use> of itself"},
+    {"<svg viewBox='0 0 9 9' id='all'>\n<use href='#all'/></svg>", "line 1: 'all' contains a <use> of itself"},
     {"<svg viewBox='0 0 9 9'><use x='far' href='#a'/></svg>", "line 1: x: 'far' is not a length"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 -2' d='M0 0 9 9'/></svg>",
      "line 1: stroke-dasharray: -2 is negative"},
     {"<svg viewBox='0 0 9 9'><path stroke='red' stroke-dasharray='1 b' d='M0 0 9 9'/></svg>",
-     "line 1: 'b' is not a length"},
+     "line 1: stroke-dasharray: 'b' is not a length"},
+    {"<svg viewBox='0 0 9 9'><g stroke-width='b'/></svg>", "line 1: stroke-width: 'b' is not a length"},
+    {"<svg viewBox='0 0 9 9'><g stroke-dashoffset='b'/></svg>", "line 1: stroke-dashoffset: 'b' is not a length"},
+    {"<svg viewBox='0 0 9 9'><symbol id='s' viewBox='0 0 1 1' height='b'/><use href='#s'/></svg>",
+     "line 1: height: 'b' is not a length"},
     {"<svg viewBox='0 0 9 9'><style>.a{stroke:reddish}</style>\n<g class='a'/></svg>",
      "line 2: stroke 'reddish' is malformed or unknown"},
     {"<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg viewBox='0 0 9 9'>&a;</svg>",

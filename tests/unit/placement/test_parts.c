@@ -56,10 +56,10 @@ START_TEST(shapes_must_agree)
     part->levels[0].width = 32;
     check_rejected(6, "tone.002: 32x64 pixels, want a square");
     part->levels[0].height = 32;
-    check_rejected(6, "tone.002: 32 pixels in 7 levels, where tone.000 has 64 in 7");
+    check_rejected(6, "tone.002: 32 pixels and 7 levels, but tone.000 has 64 pixels and 7 levels");
     part->levels[0].width = part->levels[0].height = 64;
     part->level_count = 6;
-    check_rejected(6, "tone.002: 64 pixels in 6 levels");
+    check_rejected(6, "tone.002: 64 pixels and 6 levels, but tone.000 has 64 pixels and 7 levels");
     for (int i = 0; i < 6; i++)
         map.columns[i].level_count = 6;
     check_rejected(6, "tone.000: 6 mip levels, want the whole chain of 7");
@@ -98,7 +98,7 @@ START_TEST(the_number_of_drawn_levels_must_be_in_range)
     hatch_mipmap_set_number(&map.columns[0], HATCH_TAM_ATTR_LEVELS, 2, HATCH_ATTRIBUTE_FLOAT);
     check_rejected(6, "tone.000: hatch:levels is not a whole number");
     hatch_mipmap_set_number(&map.columns[0], HATCH_TAM_ATTR_LEVELS, 3, HATCH_ATTRIBUTE_INT);
-    check_rejected(6, "tone.001: 2 drawn levels, where the first column has 3");
+    check_rejected(6, "tone.001: 2 drawn levels, but the first column has 3");
 }
 END_TEST
 

@@ -145,11 +145,11 @@ static const struct {
     {"direction 361 0 1", "line 1: direction: 361"},
     {"direction 0 -0.1 1", "line 1: direction: -0.1"},
     {"direction 0 0 1.1", "line 1: direction: 1.1"},
-    {"direction 0 0.6 0.5", "line 1: direction: from tone 0.6 to tone 0.5 is empty"},
+    {"direction 0 0.6 0.5", "line 1: direction: the range from tone 0.6 to tone 0.5 is empty"},
     {"direction 0 0 1\ndirection 1 0 1\ndirection 2 0 1\ndirection 3 0 1\ndirection 4 0 "
      "1\ndirection 5 0 1\n"
      "direction 6 0 1\ndirection 7 0 1\ndirection 8 0 1",
-     "line 9: direction: more than 8"},
+     "line 9: more than 8 direction lines"},
     {"candidates 100", "line 1: candidates: a value is missing"},
     {"candidates 0 1", "line 1: candidates: 0"},
     {"candidates 1 1e7", "line 1: candidates: 1e+07"},

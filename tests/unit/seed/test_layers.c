@@ -53,7 +53,7 @@ static const struct {
     {"tone 0.5..\n", "line 1: tone: '0.5..', want FROM..TO, like 0.2..0.6"},
     {"tone ..1\n", "line 1: tone: '' is not a number"},
     {"tone 0.5..2\n", "line 1: tone: 2, want 0 to 1"},
-    {"tone 0.5..0.5\n", "line 1: tone: from 0.5 to 0.5 is empty"},
+    {"tone 0.5..0.5\n", "line 1: tone: the range from 0.5 to 0.5 is empty"},
     {"width 1 width 2\n", "line 1: width is repeated"},
     {"tone 0..1 tone 0..1\n", "line 1: tone is repeated"},
     {"stroke  \n", "line 1: stroke: want the name of a brush or a file"},

@@ -49,7 +49,7 @@ START_TEST(a_bad_line_is_reported)
     static const struct {
         const char *text, *want;
     } bad[] = {{"0123\n0124\n", "line 2, column 4: want 0, 1, 2 or 3"},
-               {"# a\n2\n", "line 2: a cycle of 1 digits, want 2 to 16777216"},
+               {"# a\n2\n", "line 2: a seed set of 1 digits, want 2 to 16777216"},
                {"# a\n", "the file has no seed set"},
                {"", "the file has no seed set"},
                {"0123\n3210", "line 2 has no end: the file is truncated"},

@@ -63,7 +63,8 @@ START_TEST(indefinite_matrices_are_refused)
         struct hatch_err err;
         ck_assert_int_eq(hatch_sparse_factorize(&matrix, (size_t)1 << 20, &factor, &err), HATCH_BAD_INPUT);
         ck_assert_ptr_null(factor);
-        ck_assert_ptr_nonnull(strstr(err.text, "40"));
+        ck_assert_str_eq(err.text,
+                         "the Cholesky factorisation failed (40 rows, not positive definite): use another solver");
     }
 }
 END_TEST

@@ -258,11 +258,11 @@ END_TEST
 static const struct {
     const char *fields, *message;
 } bad_rows[] = {
-    {"0\t0\t0\t", "line 2: enters: disagrees with column 0 and level 0"},
-    {"3\t1\t3\t", "line 2: enters: disagrees with column 3 and level 1"},
-    {"3\t1\t4,5\t", "line 2: enters: a coarser level holds the stroke before a finer one"},
-    {"3\t1\t3,2\t", "line 2: enters: a coarser level holds the stroke before a finer one"},
-    {"3\t1\t3,x\t", "line 2: 'x' is not a number"},
+    {"0\t0\t0\t", "line 2: enters: want 1 columns, for levels 0 to 0, the first being 0"},
+    {"3\t1\t3\t", "line 2: enters: want 2 columns, for levels 0 to 1, the first being 3"},
+    {"3\t1\t4,5\t", "line 2: enters: the columns must begin at the stroke's column and never fall"},
+    {"3\t1\t3,2\t", "line 2: enters: the columns must begin at the stroke's column and never fall"},
+    {"3\t1\t3,x\t", "line 2: column 'x' is not a number"},
     {"0\t0\t\t0,0", "line 2: path: 1 points, want 2 to 1048576"},
     {"0\t0\t\t0,0 1", "line 2: path: point 2 is not x,y within 64 tiles"},
     {"0\t0\t\t0,0 1,99", "line 2: path: point 2 is not x,y within 64 tiles"},
