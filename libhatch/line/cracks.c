@@ -1,10 +1,10 @@
-/* Cracks: boundaries that coincide. */
+/* Finds cracks: boundaries that coincide. */
 #include "math/vector.h"
 #include "line/prune.h"
 
 #define COS_STRAIGHT 0.9998  /* cosine of the largest angle between an edge and the segments of a path along it */
-#define PATH_MAX 256u        /* segments of a path */
-#define BOUNDARIES_MAX 1000u /* largest number at a node: cracks have fewer, and each path would test all of them */
+#define PATH_MAX 256u        /* largest number of segments of a path */
+#define BOUNDARIES_MAX 1000u /* nodes with more are not followed: cracks have fewer, and each path would test all */
 
 /* Boundary segments by node: those at node n are segments[first[n]] .. segments[first[n + 1] - 1]. */
 struct boundaries {

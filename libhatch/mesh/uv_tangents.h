@@ -1,4 +1,4 @@
-/* Derivatives of a surface's position by its texture coordinates, per vertex. */
+/* Derivatives of a surface's position with respect to its texture coordinates, per vertex. */
 #ifndef HATCH_MESH_UV_TANGENTS_H
 #define HATCH_MESH_UV_TANGENTS_H
 
@@ -12,8 +12,8 @@
 enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_arena *scratch, float **tangents,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the largest distance of TEXCOORD_0 from 0 0, converted to a length on the mesh, which bounds the rounding
- * errors of texture coordinates; 0 where texture coordinates have no area.
+/* Returns the largest absolute value of u and v in TEXCOORD_0, converted to a length on the mesh; 0 if the texture
+ * coordinates cover no area. The rounding errors of texture coordinates are proportional to it.
  *   mesh  has TEXCOORD_0 */
 double hatch_uv_reach(const struct hatch_mesh *mesh);
 
