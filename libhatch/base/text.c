@@ -98,7 +98,7 @@ static bool is_digit(char c)
 }
 
 struct digits {
-    uint64_t mantissa; /* the first nineteen significant digits */
+    uint64_t mantissa; /* the first nineteen significant digits, as a whole number */
     int exponent;      /* power of ten by which mantissa is multiplied */
     bool any;
 };

@@ -12,7 +12,7 @@ struct hatch_text {
     size_t length;
 };
 
-/* Returns a file's text without its byte order mark. */
+/* Returns a file's text, without the UTF-8 byte order mark that may precede it. */
 struct hatch_text hatch_text_of(struct hatch_bytes file);
 
 /* Removes the next line from *rest and returns it in *line, without its LF or CR LF; returns false at the end of the

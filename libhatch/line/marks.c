@@ -4,7 +4,7 @@
 #include "math/vector.h"
 
 #define SPACING_PX 11.0 /* least distance between marks */
-#define LENGTH 0.9      /* of a mark, in spacings */
+#define LENGTH 0.9      /* length of a mark, in spacings */
 #define MARKS_MAX 200000u
 #define TRIES 8  /* random positions that are tried per square with the spacing as its side */
 #define CELLS 96 /* number of cells along a side of the grid over the unit scene */

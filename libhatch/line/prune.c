@@ -6,7 +6,7 @@
 #include "math/vector.h"
 
 #define ROUNDS 3         /* each round removes chains whose ends became free in the round before */
-#define SEGMENTS_MIN 4u  /* of a chain with a free end */
+#define SEGMENTS_MIN 4u  /* least number of segments of a chain with a free end */
 #define LENGTH_MIN 0.03  /* least length of a chain with a free end, in diagonals of the mesh */
 #define TURN_MAX_RAD 0.7 /* largest mean angle between successive segments of a chain with a free end */
 

@@ -30,8 +30,8 @@ struct hatch_line_sample {
 /* Visibility of a piece, as bits. */
 enum hatch_line_seen {
     HATCH_LINE_VISIBLE = 1, /* no surface hides it */
-    HATCH_LINE_TOUCHED = 2, /* a halo covers a part of its middle */
-    HATCH_LINE_COVERED = 4  /* a halo covers more than half of its middle */
+    HATCH_LINE_TOUCHED = 2, /* a halo covers a part of the sample */
+    HATCH_LINE_COVERED = 4  /* a halo covers more than half of the sample */
 };
 
 /* A strip of connected pieces. */
@@ -74,7 +74,7 @@ void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap
                               const uint8_t *seen, uint8_t *visible);
 
 /* Joins visible pieces into segments and returns the number of segments. Pieces that a halo may cover (touched ones and
- * their neighbours) are in other segments than the rest.
+ * their neighbours) are put into segments of their own.
  *   visible   per piece, from hatch_line_strips_smooth
  *   seen      as for hatch_line_strips_smooth
  *   segments  out: room for piece_count */

@@ -7,7 +7,7 @@
 
 struct work {
     const struct hatch_mesh *mesh;
-    uint32_t *point; /* per corner */
+    uint32_t *point; /* per corner: its point */
     uint32_t point_count;
     uint8_t *dropped; /* per face */
     uint8_t *flipped; /* per face */

@@ -14,7 +14,7 @@
 #define HATCH_MESH_NAME_MAX 64u        /* with the terminating zero */
 
 /* Attribute names are glTF's: POSITION (3 components), NORMAL (3), TANGENT (4: the unit direction of increasing u, and
- * the sign w for which w * (NORMAL × TANGENT) is the direction of decreasing v; w is 1 unless the texture is mirrored),
+ * a sign w; w * (NORMAL × TANGENT) is the direction of decreasing v, so w is 1 unless the texture is mirrored),
  * TEXCOORD_0 (2), TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
 #define HATCH_MORPH_POSITION "morph POSITION" /* 3 per morph target: displacement of the vertex */
 #define HATCH_MORPH_NORMAL "morph NORMAL"     /* 3 per target: change of the normal; only with the above */
@@ -45,10 +45,10 @@ struct hatch_mesh_notes {
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces cannot agree, as on a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
-    uint32_t morphs_ignored;       /* glTF: meshes whose morph targets nothing animates, kept in their rest shape */
-    uint32_t attributes_dropped;   /* glTF: vertex attributes that are unknown, or beyond HATCH_MESH_ATTRIBUTES_READ */
-    uint32_t transparent_dropped;  /* meshes with an opacity below their material's cutoff */
-    uint32_t images_missing;       /* glTF: images that could not be read; their materials are used without them */
+    uint32_t morphs_ignored;     /* glTF: meshes with morph targets that nothing animates; they keep their rest shape */
+    uint32_t attributes_dropped; /* glTF: vertex attributes that are unknown, or beyond HATCH_MESH_ATTRIBUTES_READ */
+    uint32_t transparent_dropped; /* meshes with an opacity below their material's cutoff */
+    uint32_t images_missing;      /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
 };
 
@@ -64,7 +64,7 @@ enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *m
                                  uint32_t components, float **data, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a mesh whose vertices are copies of another mesh's, with all their attributes. Its indices are zeroed.
- *   origin  per vertex of the new mesh: the vertex of `from` */
+ *   origin  per vertex of the new mesh: the vertex of `from` that it copies */
 enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin, uint32_t vertex_count,
                                     uint32_t face_count, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                     struct hatch_err *err) HATCH_MUST_USE;

@@ -22,7 +22,7 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
                                           struct hatch_remap *remap, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Copies all attributes except texture coordinates to a mesh that has POSITION alone.
- *   origin_of  per vertex of `to`: the vertex of `from` */
+ *   origin_of  per vertex of `to`: the vertex of `from` that it copies */
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,
                                          struct hatch_arena *arena, struct hatch_mesh *to,
                                          struct hatch_err *err) HATCH_MUST_USE;

@@ -4,10 +4,10 @@
 
 #include "mesh/mesh.h"
 
-/* Computes dP/du and dP/dv at each vertex (the columns of T, Szécsi & Szirányi 2014, §5.1): the mean over the faces
+/* Computes dP/du and dP/dv at each vertex (the columns of T, Szécsi & Szirányi 2014, §5.1): the means over the faces
  * around it, weighted by area, so that strokes have one scale on both sides of an edge.
  *   mesh      has TEXCOORD_0
- *   scratch   keeps the result and temporaries
+ *   scratch   for the result and for temporary data
  *   tangents  out: 6 floats per vertex; zero where texture coordinates are degenerate */
 enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_arena *scratch, float **tangents,
                                     struct hatch_err *err) HATCH_MUST_USE;

@@ -6,8 +6,8 @@
 
 #define EMPTY UINT32_MAX
 
-/* Coordinates of at most this share of the mesh's size count as 0: the vertices at a sphere's pole are often at sin(π),
- * which is 1e-16 in doubles. */
+/* Coordinates of at most this share of the mesh's size count as 0: the vertices at the poles of a sphere are often at
+ * sin(π), which is 1e-16 in doubles. */
 #define ZERO_SHARE 0x1p-40f
 
 /* Returns the bits of a position, with -0 and all coordinates of at most zero_max replaced by 0. */

@@ -181,7 +181,7 @@ static uint32_t block_end(const struct hatch_near_faces *faces, uint32_t begin)
     return faces->count - begin < HATCH_NEAR_BLOCK ? faces->count : begin + HATCH_NEAR_BLOCK;
 }
 
-/* Chooses near faces and those that share a point with one. */
+/* Chooses the near faces, and the faces that share a point with one of them. */
 static void choose_ring(const struct hatch_near_frame *frame, const struct hatch_near_target *target,
                         const struct hatch_box *marked, struct hatch_near_choice *choice)
 {

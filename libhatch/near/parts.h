@@ -34,7 +34,7 @@ struct hatch_near_shape {
     double *positions; /* 3 per vertex, world coordinates; NULL: not computed for this pose */
     struct hatch_near_sphere *blocks[HATCH_NEAR_LISTS]; /* per list: bounding spheres of its blocks */
     uint32_t *points; /* per vertex: number of the point that it is welded to; NULL: not computed yet */
-    uint32_t *marks;  /* per point: last frame in which it is on a near face */
+    uint32_t *marks;  /* per point: number of the last frame in which it was on a near face */
 };
 
 /* State of one call. */

@@ -21,8 +21,8 @@ struct hatch_piece_view {
     bool orthographic;
     double low[2], high[2]; /* sides of the picture: x and y at distance 1 (orthographic: at any distance) */
     double near;            /* over 0; distance of the near plane (perspective) */
-    double ratio;           /* over 0: edges longer than ratio times their distance from the eye are cut (orthographic:
-                               distance from the view axis, at least the picture's half size) */
+    double ratio; /* over 0: edges longer than ratio times their distance from the eye are cut (orthographic: distance
+                     from the view axis, at least half the picture's size) */
 };
 
 /* A callback that receives a piece; its corners are valid until it returns. A failure ends the cutting. */

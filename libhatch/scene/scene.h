@@ -61,7 +61,7 @@ struct hatch_node {
     float matrix[16];                /* column-major; see has_matrix */
     bool has_matrix;                 /* matrix replaces translation, rotation and scale */
     uint32_t first_mesh, mesh_count; /* range in scene.meshes */
-    float *weights;  /* of its meshes' morph targets at rest, minus those already applied to the meshes; NULL: all 0 */
+    float *weights;  /* rest weights of its meshes' morph targets, less those already applied; NULL: all 0 */
     uint32_t skin;   /* index, or HATCH_NONE */
     uint32_t camera; /* index, or HATCH_NONE */
     uint32_t light;  /* index, or HATCH_NONE */

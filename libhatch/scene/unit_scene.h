@@ -19,13 +19,13 @@ struct hatch_unit_mesh {
 
 struct hatch_item {
     uint32_t mesh, node;
-    bool deformed; /* a skin or morph targets deform it: its vertices are computed in the unit scene for each pose */
-    bool mirrored; /* the node's matrix reverses the winding of faces */
-    bool double_sided;  /* faces are visible from behind, too */
-    bool cut_out;       /* a texture with holes cuts its shape out of larger faces; set by the renderer */
-    float alpha_cutoff; /* texels with less alpha are holes; 0: no holes */
-    float to_unit[16];  /* from positions minus the mesh's origin to the unit scene, column-major; deformed: identity */
-    float normal[9];    /* normal matrix of to_unit, column-major; it changes the lengths of normals */
+    bool deformed;          /* a skin or morph targets move its vertices for each pose; to_unit is then the identity */
+    bool mirrored;          /* the node's matrix reverses the winding of faces */
+    bool double_sided;      /* faces are visible from behind, too */
+    bool cut_out;           /* a texture with holes cuts its shape out of larger faces; set by the renderer */
+    float alpha_cutoff;     /* texels with less alpha are holes; 0: no holes */
+    float to_unit[16];      /* converts positions minus the mesh's origin to the unit scene, column-major */
+    float normal[9];        /* normal matrix of to_unit, column-major; it changes the lengths of normals */
     double low[3], high[3]; /* bounding box in the unit scene */
     double uv_reach;        /* as hatch_uv_reach computes it; 0: unset */
     float repeat[2];        /* tiles of the hatching pattern per unit of u and of v, on the largest chart */

@@ -3,8 +3,9 @@
 #include "image/color.h"
 #include "math/vector.h"
 
-/* Distance in radii beyond which a point or spot light is replaced by a directional one: there its falloff is not
- * visible, and would be lost in floats. At distances below the reciprocal its strength does not increase any more. */
+/* Distance, in radii of the scene, beyond which a point or spot light is replaced by a directional one: there its
+ * falloff is not visible, and would be lost in floats. At distances below the reciprocal its strength does not increase
+ * any more. */
 #define FAR_AWAY 1e3
 
 static void set_directional(struct hatch_unit_light *light, const double to_light[3])

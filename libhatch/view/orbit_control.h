@@ -11,7 +11,7 @@
 struct hatch_orbit {
     struct hatch_view view;
     struct hatch_pair center[3];                 /* the point that the view turns around, in the unit scene */
-    double azimuth_rad, elevation_rad, distance; /* of the eye, from center */
+    double azimuth_rad, elevation_rad, distance; /* position of the eye relative to center */
 };
 
 /* Starts from a view. The center is in the middle of the picture, at the distance of the view's pivot. */
