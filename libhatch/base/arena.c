@@ -12,7 +12,8 @@ struct hatch_arena_block {
     alignas(HATCH_ARENA_ALIGN) unsigned char payload[];
 };
 
-/* New blocks are as large as the arena, within these bounds: small results stay small, large ones need few blocks. */
+/* A new block is as large as all earlier blocks together, within these bounds: small results take little memory, and
+ * large ones need few blocks. */
 #define SMALLEST_BLOCK ((size_t)16 << 10)
 #define LARGEST_STEP ((size_t)4 << 20)
 
@@ -77,7 +78,7 @@ static struct hatch_arena_block *add_block(struct hatch_arena *arena, size_t byt
 static void *allocate(struct hatch_arena *arena, size_t bytes)
 {
     if (arena->fail_countdown && --arena->fail_countdown == 0) {
-        arena->fail_countdown = 1; /* keep failing */
+        arena->fail_countdown = 1; /* later allocations fail, too */
         return NULL;
     }
     struct hatch_arena_block *block = arena->blocks;

@@ -1,9 +1,10 @@
-/* Arenas: all memory that libhatch allocates comes from one.
+/* Arenas: libhatch allocates its memory from them; only third-party libraries (CHOLMOD, readers and writers of formats)
+ * allocate elsewhere.
  *
  * Results go to the arena that the caller passes, temporary data to a scratch arena that the function rewinds before it
  * returns. An arena has a limit, so that wrong sizes in a file end in HATCH_LIMIT and do not exhaust the machine's
  * memory. An arena is used by one thread at a time. In builds with HATCH_ARENA_SEPARATE (the sanitizer builds) each
- * object is a block of its own, so that AddressSanitizer sees every overrun. */
+ * allocation is a block of its own, so that AddressSanitizer sees every overrun. */
 #ifndef HATCH_BASE_ARENA_H
 #define HATCH_BASE_ARENA_H
 
@@ -12,7 +13,7 @@
 
 #include "base/status.h"
 
-#define HATCH_ARENA_ALIGN 64u /* bytes */
+#define HATCH_ARENA_ALIGN 64u /* alignment of every allocation, in bytes */
 
 struct hatch_arena_block;
 
@@ -37,35 +38,36 @@ void hatch_arena_init(struct hatch_arena *arena, size_t limit_bytes);
 /* Returns all memory to the system; the arena is empty and usable again. */
 void hatch_arena_free(struct hatch_arena *arena);
 
-/* Allocates an array of zeros, aligned to HATCH_ARENA_ALIGN. Returns NULL, with HATCH_LIMIT in err, when the arena's
- * limit or the system's memory does not suffice or count * size overflows; not for count 0.
+/* Allocates an array of zeros, aligned to HATCH_ARENA_ALIGN. Returns NULL, with HATCH_LIMIT in err, if the arena's
+ * limit would be exceeded, if the system has no memory left, or if count * size overflows. A count of 0 is allowed and
+ * returns a pointer, too.
  *   size  of an item in bytes, at least 1 */
 void *hatch_arena_array(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
 
-/* Allocates an array like hatch_arena_array, but uninitialized: for large arrays that are filled at once, whose pages
- * are then first touched by the threads that fill them. */
+/* Allocates an array like hatch_arena_array, but leaves it uninitialized. It is meant for large arrays that are filled
+ * at once: their pages are then first touched by the threads that fill them. */
 void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
 
 /* HATCH_NEW(arena, float, n, err) allocates n zeroed floats, HATCH_NEW_UNSET n uninitialized ones; NULL on failure. */
 #define HATCH_NEW(arena, type, count, err) ((type *)hatch_arena_array((arena), (count), sizeof(type), (err)))
 #define HATCH_NEW_UNSET(arena, type, count, err) ((type *)hatch_arena_unset((arena), (count), sizeof(type), (err)))
 
-/* The same with a status as the value, in C alone: HATCH_ALLOC(arena, &items, n, err) sets items to n zeroed items of
- * its type, or to NULL on failure. */
+/* The same as expressions whose value is a status, for C only: HATCH_ALLOC(arena, &items, n, err) sets items to n
+ * zeroed items of its type, or to NULL on failure. */
 #define HATCH_ALLOC(arena, pointer, count, err)                                                                        \
     ((*(pointer) = hatch_arena_array((arena), (count), sizeof **(pointer), (err))) ? HATCH_OK : HATCH_LIMIT)
 #define HATCH_ALLOC_UNSET(arena, pointer, count, err)                                                                  \
     ((*(pointer) = hatch_arena_unset((arena), (count), sizeof **(pointer), (err))) ? HATCH_OK : HATCH_LIMIT)
 
 /* Copies text and adds a terminating zero; returns NULL on failure, like hatch_arena_array.
- *   length  bytes of text without a terminating zero */
+ *   length  in bytes, without a terminating zero */
 char *hatch_arena_text(struct hatch_arena *arena, const char *text, size_t length, struct hatch_err *err);
 
-/* Returns a mark; rewinding to it frees everything allocated since. Marks nest. */
+/* Returns a mark. Rewinding to a mark frees everything that was allocated after it. Marks nest. */
 struct hatch_arena_mark hatch_arena_mark(const struct hatch_arena *arena);
 void hatch_arena_rewind(struct hatch_arena *arena, struct hatch_arena_mark mark);
 
-/* For tests: makes the n-th allocation from now (1: the next) and all later ones fail; 0: none. */
+/* For tests: makes the n-th allocation from now (1: the next one) and all later ones fail; 0: none fails. */
 void hatch_arena_fail_after(struct hatch_arena *arena, uint64_t n);
 
 #endif

@@ -22,7 +22,7 @@ struct hatch_reader {
     size_t size;
     size_t at;       /* offset of the next byte */
     bool big_endian; /* byte order of numbers */
-    bool cut;        /* a read went past the end */
+    bool cut;        /* a read tried to go past the end */
 };
 
 /* Makes a little-endian reader at the first byte; the bytes must outlive it. */
@@ -39,10 +39,11 @@ uint64_t hatch_read_u64(struct hatch_reader *reader);
 float hatch_read_f32(struct hatch_reader *reader);
 double hatch_read_f64(struct hatch_reader *reader);
 
-/* Returns a pointer to the next size bytes and skips them; NULL, and cut, when fewer remain. */
+/* Returns a pointer to the next `size` bytes and moves past them. Where fewer remain it returns NULL, moves to the end
+ * and sets cut. */
 const uint8_t *hatch_read_bytes(struct hatch_reader *reader, size_t size);
 
-/* A byte string that grows by doubling; old copies stay in the arena. Starts as {.arena = a}. */
+/* A byte string that grows by doubling; its old copies stay in the arena. Initialize it with {.arena = a}. */
 struct hatch_buffer {
     uint8_t *data;
     size_t size;
@@ -50,11 +51,11 @@ struct hatch_buffer {
     struct hatch_arena *arena;
 };
 
-/* Makes room for `more` bytes after size. */
+/* Ensures that there is room for `more` bytes after the first `size` bytes. */
 enum hatch_status hatch_buffer_reserve(struct hatch_buffer *buffer, size_t more, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Appends bytes.
- *   bytes  NULL: zeros */
+ *   bytes  NULL: zeros are appended */
 enum hatch_status hatch_buffer_add(struct hatch_buffer *buffer, const void *bytes, size_t size,
                                    struct hatch_err *err) HATCH_MUST_USE;
 enum hatch_status hatch_buffer_add_u32le(struct hatch_buffer *buffer, uint32_t value,

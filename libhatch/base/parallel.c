@@ -8,21 +8,22 @@
 struct job {
     hatch_task task;
     void *context;
-    uint32_t next, count; /* indices not yet begun are next .. count-1 */
+    uint32_t next, count; /* indices next .. count-1 have not been started yet */
 };
 
 struct hatch_pool {
     pthread_mutex_t lock;
     pthread_cond_t changed; /* a job was queued, all jobs ended, or the pool closes */
     struct job queue[QUEUE_LENGTH];
-    uint32_t first, queued; /* index of the oldest job, number of jobs in queue */
-    uint32_t running;       /* indices being run */
+    uint32_t first, queued; /* index of the oldest job in queue, number of jobs in it */
+    uint32_t running;       /* number of indices that are being run now */
     bool closing;
     uint32_t worker_count;
     pthread_t *workers;
 };
 
-/* Takes the next index of the oldest job and runs it. The lock is held on entry and on return. */
+/* Runs the next index of the oldest job; returns false where no job is queued. The lock is held on entry and on return,
+ * but not while the task runs. */
 static bool run_one(struct hatch_pool *pool)
 {
     if (!pool->queued)

@@ -1,5 +1,5 @@
-/* A pool of threads. For results that do not depend on scheduling, each task writes only its own data, and sums are
- * taken afterwards, over fixed pieces in a fixed order. */
+/* A pool of threads. To keep results independent of scheduling, a task must write only its own data; take sums
+ * afterwards, over fixed pieces in a fixed order. */
 #ifndef HATCH_BASE_PARALLEL_H
 #define HATCH_BASE_PARALLEL_H
 
@@ -13,7 +13,8 @@ struct hatch_pool;
  *   index  0 .. count-1 in hatch_parallel_for, 0 for a submitted task */
 typedef void (*hatch_task)(void *context, uint32_t index);
 
-/* Makes a pool in arena; free it before the arena. When the system grants fewer threads the pool has fewer.
+/* Makes a pool in arena; the pool must be freed before the arena. Where the system grants fewer threads, the pool has
+ * fewer.
  *   threads  1 .. 256, including the caller's */
 enum hatch_status hatch_pool_make(uint32_t threads, struct hatch_arena *arena, struct hatch_pool **pool,
                                   struct hatch_err *err) HATCH_MUST_USE;
@@ -30,13 +31,14 @@ uint32_t hatch_pool_threads(const struct hatch_pool *pool);
  *   pool  NULL: runs them in order on the caller's thread */
 void hatch_parallel_for(struct hatch_pool *pool, uint32_t count, hatch_task task, void *context);
 
-/* Queues task(context, 0) and returns; runs it at once where the pool has one thread or its queue is full. Must be
- * called from one thread only.
- *   pool     NULL: runs it at once
- *   context  must live until hatch_pool_wait */
+/* Queues task(context, 0) and returns. Where the pool has only one thread, or its queue is full, the task runs before
+ * this returns. Must be called from one thread only.
+ *   pool     NULL: the task runs before this returns
+ *   context  must stay valid until hatch_pool_wait returns */
 void hatch_pool_submit(struct hatch_pool *pool, hatch_task task, void *context);
 
-/* Helps with queued tasks; returns when none is queued or running. */
+/* Runs queued tasks on the caller's thread, too; returns when no task is queued or running.
+ *   pool  may be NULL */
 void hatch_pool_wait(struct hatch_pool *pool);
 
 #endif

@@ -1,6 +1,6 @@
-/* Counter-based random numbers: a function of (random seed, stream, index), so that the n-th number is the same on any
- * thread and in any order. Each of the three is mixed by SplitMix64's finaliser (Steele, Lea & Flood, "Fast splittable
- * pseudorandom number generators", OOPSLA 2014). */
+/* Counter-based random numbers: each number is a function of (random seed, stream, index), so that the n-th number is
+ * the same on any thread and in any order. Seed, stream and index are each mixed by SplitMix64's finaliser (Steele, Lea
+ * & Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014). */
 #ifndef HATCH_BASE_RANDOM_H
 #define HATCH_BASE_RANDOM_H
 
@@ -24,7 +24,7 @@ static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t
     return hatch_random_mix(key + (index + 1) * 0x9e3779b97f4a7c15u);
 }
 
-/* Returns a uniform number in [0, 1), a multiple of 2^-24: exact in float. */
+/* Returns a uniform number in [0, 1) that is a multiple of 2^-24, so that a float holds it exactly. */
 static inline float hatch_random_unit(uint64_t seed, uint64_t stream, uint64_t index)
 {
     return (float)(hatch_random_u64(seed, stream, index) >> 40) * 0x1p-24f;

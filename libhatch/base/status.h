@@ -2,8 +2,8 @@
  *
  * A function that can fail returns enum hatch_status and takes a struct hatch_err last. On failure it fills the struct
  * and leaves its other outputs unchanged. Programming errors (a null pointer, an index out of range) are asserted;
- * errors in files or options are statuses. Nothing in libhatch prints or exits. Where a comment names no status,
- * HATCH_LIMIT is the only one: memory or a size limit does not suffice. */
+ * errors in files or options are statuses. Nothing in libhatch prints or exits. Where a comment names no status, the
+ * only one besides HATCH_OK is HATCH_LIMIT: memory ran out, or a size limit was exceeded. */
 #ifndef HATCH_BASE_STATUS_H
 #define HATCH_BASE_STATUS_H
 
@@ -42,7 +42,7 @@ enum hatch_status hatch_fail(struct hatch_err *err, enum hatch_status status, co
 /* Puts a formatted prefix before err's message ("tone.003: "); returns err's status. */
 enum hatch_status hatch_fail_at(struct hatch_err *err, const char *format, ...) HATCH_PRINTF(2, 3);
 
-/* Returns from the calling function with the status of expr unless that is HATCH_OK. */
+/* Evaluates expr and returns its status from the calling function, unless the status is HATCH_OK. */
 #define HATCH_TRY(expr)                                                                                                \
     do {                                                                                                               \
         enum hatch_status hatch_try_status_ = (expr);                                                                  \

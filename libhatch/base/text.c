@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Removes everything up to and including the separator from *rest; returns it without the separator. */
+/* Removes the text up to the next separator from *rest, together with the separator; returns the text alone. */
 static struct hatch_text split_at(struct hatch_text *rest, char separator)
 {
     const char *end = memchr(rest->at, separator, rest->length);
@@ -64,7 +64,7 @@ bool hatch_text_field(struct hatch_text *rest, struct hatch_text *field)
     *field = split_at(rest, '\t');
     bool ended_by_tab = field->length < before;
     if (!ended_by_tab)
-        rest->at = NULL; /* after a tab an empty last field follows */
+        rest->at = NULL; /* NULL: the line is over; after a tab another field follows, even an empty one */
     return true;
 }
 
@@ -98,12 +98,12 @@ static bool is_digit(char c)
 }
 
 struct digits {
-    uint64_t mantissa; /* the first nineteen significant digits */
-    int exponent;      /* of ten */
+    uint64_t mantissa; /* the first nineteen significant digits, as a whole number */
+    int exponent;      /* power of ten by which mantissa is multiplied */
     bool any;
 };
 
-#define MANTISSA_FULL 1000000000000000000u /* below this another digit fits in 64 bits */
+#define MANTISSA_FULL 1000000000000000000u /* below this, another digit fits into 64 bits */
 #define EXPONENT_MOST 10000
 
 static const char *read_digits(const char *at, const char *end, bool fraction, struct digits *d)
@@ -137,7 +137,8 @@ static const char *read_exponent(const char *at, const char *end, int *exponent)
     return p;
 }
 
-/* A product or quotient of two exact doubles is rounded correctly; the C library handles all other cases. */
+/* Where the mantissa and the power of ten are both exact doubles, their product or quotient is rounded correctly; the C
+ * library handles all other cases. */
 static double value_of(const struct digits *d)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,

@@ -45,7 +45,9 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
     };
 }
 
-/* Computes a summed-area table: sums[y * (width + 1) + x] is the sum of a channel over pixels above y and left of x. */
+/* Computes a summed-area table of a channel of a - b: sums[y * (width + 1) + x] is the sum over the pixels above y and
+ * left of x.
+ *   b  NULL: of a alone */
 static void sum_areas(const struct hatch_image *a, const struct hatch_image *b, uint32_t channel, double *sums)
 {
     size_t pitch = (size_t)a->width + 1;

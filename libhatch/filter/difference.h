@@ -1,4 +1,4 @@
-/* Differences of images; hatchstat(1) documents the formulas. */
+/* Compares images; hatchstat(1) documents the formulas. */
 #ifndef HATCH_FILTER_DIFFERENCE_H
 #define HATCH_FILTER_DIFFERENCE_H
 
@@ -17,10 +17,10 @@ struct hatch_difference {
 void hatch_image_difference(const struct hatch_image *a, const struct hatch_image *b,
                             struct hatch_difference *difference);
 
-/* Computes the largest |mean of a - b| over all windows of box_px by box_px within the image and all channels: the
- * difference of low frequencies.
- *   b       of a's size and channels; NULL: zero
- *   box_px  at least 1; windows are no larger than the image */
+/* Computes the difference of two images at low frequencies: the largest |mean of a - b| over all windows of box_px by
+ * box_px pixels and all channels.
+ *   b       of a's size and channels; NULL: an image of zeros
+ *   box_px  at least 1; windows are at most as large as the image */
 enum hatch_status hatch_image_low_difference(const struct hatch_image *a, const struct hatch_image *b, uint32_t box_px,
                                              struct hatch_arena *scratch, double *difference,
                                              struct hatch_err *err) HATCH_MUST_USE;
@@ -30,7 +30,7 @@ double hatch_image_mean(const struct hatch_image *image);
 
 /* Computes before - 2 now + after per pixel and channel: zero where brightness changes evenly over three frames, large
  * where something pops. Returns the mean of its absolute values.
- *   change  out: of the same size; may be one of the others */
+ *   change  out: of the same size; may be one of the inputs */
 double hatch_image_second_difference(const struct hatch_image *before, const struct hatch_image *now,
                                      const struct hatch_image *after, struct hatch_image *change);
 

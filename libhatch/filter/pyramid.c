@@ -2,7 +2,8 @@
 
 #include <assert.h>
 
-/* The overlap of a fine and a coarse pixel along one axis, in fine pixels; step: fine pixels per coarse one. */
+/* Returns the overlap of a fine and a coarse pixel along one axis, in fine pixels.
+ *   step  fine pixels per coarse one */
 static float overlap(uint32_t fine, uint32_t coarse, float step)
 {
     float low = (float)coarse * step, high = low + step;

@@ -1,11 +1,11 @@
-/* Mip levels by box filter. */
+/* Makes mip levels with a box filter. */
 #ifndef HATCH_FILTER_PYRAMID_H
 #define HATCH_FILTER_PYRAMID_H
 
 #include "image/image.h"
 
-/* Fills coarse with the mean of the fine pixels under each of its pixels; at odd sizes fine pixels are weighted by the
- * area covered, so that the mean of the image is kept.
+/* Sets each pixel of coarse to the mean of the fine pixels under it. At odd sizes the fine pixels are weighted by the
+ * area that is covered, so that the mean of the image is kept.
  *   coarse  of size max(1, fine / 2) in each direction, with the same channels */
 void hatch_image_halve(const struct hatch_image *fine, struct hatch_image *coarse);
 

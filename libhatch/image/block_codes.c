@@ -8,7 +8,7 @@
 #define BC7_MODE6 0x40u
 #define BC7_STEPS 15
 
-/* A writer of bits, lowest first. */
+/* Writes bits, least significant first. */
 struct bits {
     uint8_t *bytes;
     uint32_t at;
@@ -28,7 +28,7 @@ static uint32_t take(const uint8_t *bytes, uint32_t *at, uint32_t count)
     return value;
 }
 
-/* Computes the eight numbers of a block, rounded to nearest. */
+/* Computes the eight values that a BC4 block encodes, rounded to nearest; the last two are 0 and 255 unless a > b. */
 static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
 {
     uint32_t steps = a > b ? 7 : 5;
@@ -42,7 +42,7 @@ static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
     }
 }
 
-/* Chooses the nearest number for each texel; returns the sum of squared errors. */
+/* Chooses the nearest value for each texel; returns the sum of squared errors. */
 static uint32_t bc4_choose(uint8_t texels[TEXELS][4], const uint8_t numbers[8], uint8_t index[TEXELS])
 {
     uint32_t sum = 0;
@@ -108,7 +108,7 @@ void hatch_bc4_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
         texels[t][0] = numbers[take(block, &at, BC4_INDEX_BITS)];
 }
 
-/* The principal axis of the colours, by a few steps of power iteration. */
+/* Computes the principal axis of the colours, by a few steps of power iteration. */
 static void principal_axis(uint8_t texels[TEXELS][4], const float mean[3], float axis[3])
 {
     float products[3][3] = {{0}};
@@ -131,7 +131,7 @@ static void principal_axis(uint8_t texels[TEXELS][4], const float mean[3], float
     }
 }
 
-/* The end points of the colours projected to their principal axis. */
+/* Projects the colours onto their principal axis and returns the two outermost points there. */
 static void axis_ends(uint8_t texels[TEXELS][4], float ends[2][3])
 {
     float mean[3] = {0}, axis[3], least = 0, most = 0, length = 1e-20f;
@@ -166,7 +166,7 @@ static uint32_t bc1_end(const float color[3])
     return bits[0] << 11 | bits[1] << 5 | bits[2];
 }
 
-/* Computes the four colours of a block, rounded to nearest; the last one is black unless a > b. */
+/* Computes the four colours that a BC1 block encodes, rounded to nearest; the last one is black unless a > b. */
 static void bc1_colors(uint32_t a, uint32_t b, uint8_t colors[4][3])
 {
     const uint32_t ends[2] = {a, b};
@@ -207,10 +207,10 @@ static uint32_t bc1_choose(uint8_t texels[TEXELS][4], uint32_t a, uint32_t b, ui
     return sum;
 }
 
-/* Fits the end points to the chosen indices by least squares; false if all texels have one colour. */
+/* Fits the end points to the chosen indices by least squares; returns false where all texels have the same index. */
 static bool bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], float ends[2][3])
 {
-    static const float shares[] = {0, 1, 1.0f / 3, 2.0f / 3}; /* of the second end */
+    static const float shares[] = {0, 1, 1.0f / 3, 2.0f / 3}; /* weight of the second end point, per index */
     float aa = 0, ab = 0, bb = 0, a[3] = {0}, b[3] = {0};
     for (uint32_t t = 0; t < TEXELS; t++) {
         float share = shares[index[t]], rest = 1 - share;
@@ -240,7 +240,7 @@ void hatch_bc1_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
     axis_ends(texels, ends);
     for (int round = 0; round < BC1_ROUNDS && best > 0; round++) {
         uint32_t a = bc1_end(ends[0]), b = bc1_end(ends[1]);
-        if (a < b) { /* the code for four colours has the larger end point first */
+        if (a < b) { /* a block of four colours has the larger end point first */
             uint32_t larger = b;
             b = a;
             a = larger;
@@ -274,7 +274,7 @@ void hatch_bc1_decode(const uint8_t block[8], uint8_t texels[TEXELS][4])
     }
 }
 
-/* Quantises a colour to seven bits per channel and a shared lowest bit, which is returned. */
+/* Quantises a colour to seven bits per channel, followed by a lowest bit that all channels share. Returns that bit. */
 static uint32_t bc7_end(const float color[3], uint8_t end[4])
 {
     float best = 1e20f;
@@ -328,7 +328,8 @@ void hatch_bc7_encode(uint8_t texels[TEXELS][4], uint8_t block[16])
     uint32_t low_bits[2], index[TEXELS];
     bc7_ends(texels, ends, low_bits);
     bc7_choose(texels, ends, index);
-    /* The first index has a bit less, so it must be in the first half; else the end points are swapped. */
+    /* The first index is stored with one bit less, so it must be in the lower half; if it is not, the end points are
+     * swapped. */
     uint32_t swap = index[0] > BC7_STEPS / 2 ? 1 : 0;
     struct bits bits = {block, 7};
     memset(block, 0, 16);

@@ -8,15 +8,15 @@
 #define SIDE HATCH_BLOCK_SIDE
 #define TEXELS (SIDE * SIDE)
 
-/* Work on one level; a task is a row of blocks of one layer or slice. */
+/* The work on one mip level; a task handles one row of blocks of one layer or slice. */
 struct job {
     const struct hatch_texels *plain, *packed;
     uint32_t level, width, height;
-    uint32_t across, down; /* blocks */
+    uint32_t across, down; /* size in blocks */
     struct sums {
         uint64_t squares;
         uint32_t worst;
-        bool unknown; /* a block of an unknown mode */
+        bool unknown; /* a block has an unknown mode */
     } * rows;
 };
 
@@ -35,7 +35,7 @@ static struct job job_of(const struct hatch_texels *plain, const struct hatch_te
     return job;
 }
 
-/* A texel of a block in the plain texture; beyond the border, the last one. */
+/* Returns a texel of a block in the plain texture; for a texel beyond the border, the nearest one within it. */
 static uint8_t *texel_at(const struct job *job, uint32_t row, uint32_t block, uint32_t texel)
 {
     uint32_t x = block * SIDE + texel % SIDE, y = row % job->down * SIDE + texel / SIDE;
@@ -112,7 +112,8 @@ static void unpack_row(void *context, uint32_t row)
         uint8_t texels[TEXELS][4];
         if (!decode(job->packed->code, block_at(job, row, b), texels))
             job->rows[row].unknown = true;
-        /* backwards: of the texels clamped to one, the first must win */
+        /* Backwards, because beyond the border several texels are clamped to one, of which the first must be written
+         * last. */
         for (uint32_t i = TEXELS; i-- > 0;)
             memcpy(texel_at(job, row, b, i), texels[i], job->plain->channels);
     }

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "image/image.h"
 
-/* Chroma below which hue is meaningless. */
+/* Least chroma at which an image has a meaningful hue. */
 #define HATCH_COLOR_CHROMA_MIN 0.02
 
 /* Parses three or six hexadecimal digits, without "#". Returns false for any other text.
@@ -13,7 +13,7 @@
  *   rgb     out: linear, 0 .. 1; unchanged on failure */
 bool hatch_color_from_hex(struct hatch_text digits, float rgb[3]);
 
-/* Parses black, white, grey, gray, cream, sepia, blue, red, or #rgb and #rrggbb. Arguments as for
+/* Parses a colour: black, white, grey, gray, cream, sepia, blue, red, #rgb or #rrggbb. Arguments as for
  * hatch_color_from_hex. */
 bool hatch_color_parse(struct hatch_text text, float rgb[3]);
 
@@ -23,8 +23,8 @@ static inline float hatch_color_luminance(const float rgb[3])
     return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
 }
 
-/* Computes the mean colour of an image as a vector whose length is chroma and whose angle is hue:
- * (R - (G + B) / 2, (G - B) sqrt(3) / 2).
+/* Computes the chroma vector of an image's mean colour, (R - (G + B) / 2, (G - B) sqrt(3) / 2): its length is the
+ * chroma, its angle the hue.
  *   image  its first three channels are R, G and B */
 void hatch_color_chroma(const struct hatch_image *image, double chroma[2]);
 

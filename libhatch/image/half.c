@@ -1,5 +1,5 @@
-/* IEEE 754 binary16. The code selects with masks and loops over blocks of a fixed length, because gcc at -O2 vectorises
- * only this. */
+/* Conversion to and from IEEE 754 binary16. The code selects values with masks instead of branches, and loops over
+ * blocks of a fixed length, because gcc at -O2 vectorises only such loops. */
 #include "image/image.h"
 
 #include <string.h>

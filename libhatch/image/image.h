@@ -16,8 +16,8 @@
 #define HATCH_MIP_LEVELS_MAX 32u
 #define HATCH_MIPMAP_ATTRIBUTES_MAX 16u
 
-/* Type of a channel in a file that has the choice (EXR). In memory all are floats; a UINT channel holds whole numbers
- * up to 2^24, which floats represent exactly. */
+/* Type of a channel in a file whose format offers a choice (EXR). In memory all channels are floats; a UINT channel
+ * holds whole numbers up to 2^24, which floats represent exactly. */
 enum hatch_channel_type { HATCH_HALF, HATCH_FLOAT, HATCH_UINT };
 
 struct hatch_channel {
@@ -29,7 +29,7 @@ struct hatch_image {
     uint32_t width, height; /* 1 .. 2^24 */
     uint32_t channel_count; /* 1 .. HATCH_IMAGE_CHANNELS_MAX */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX];
-    float *pixels; /* [(y * width + x) * channel_count + c], in the arena of the image's maker */
+    float *pixels; /* [(y * width + x) * channel_count + c], in the arena that the image was made in */
 };
 
 enum hatch_attribute_type { HATCH_ATTRIBUTE_FLOAT, HATCH_ATTRIBUTE_INT, HATCH_ATTRIBUTE_TEXT };
@@ -37,24 +37,24 @@ enum hatch_attribute_type { HATCH_ATTRIBUTE_FLOAT, HATCH_ATTRIBUTE_INT, HATCH_AT
 struct hatch_attribute {
     char name[HATCH_NAME_MAX]; /* such as "hatch:tone" */
     enum hatch_attribute_type type;
-    double number;    /* of FLOAT and INT */
-    const char *text; /* of TEXT: zero-terminated, in an arena or static */
+    double number;    /* value of FLOAT and INT */
+    const char *text; /* value of TEXT: zero-terminated, in an arena or static */
 };
 
 /* A named image with its mip levels. All levels have the same channels. */
 struct hatch_mipmap {
     char name[HATCH_NAME_MAX];
     uint32_t level_count;       /* 1 .. HATCH_MIP_LEVELS_MAX */
-    struct hatch_image *levels; /* finest first, of the sizes of hatch_mip_size */
+    struct hatch_image *levels; /* finest first; their sizes are those of hatch_mip_size */
     uint32_t attribute_count;
     struct hatch_attribute attributes[HATCH_MIPMAP_ATTRIBUTES_MAX];
 };
 
 /* Makes a zeroed image.
- *   width, height  1 upwards
+ *   width, height  at least 1
  *   names          one letter per channel, such as "Y", "RGB" or "RGBA"; their type is HATCH_HALF
  *   image          out, in arena
- * HATCH_LIMIT when memory does not suffice. */
+ * HATCH_LIMIT if there is not enough memory. */
 enum hatch_status hatch_image_make(struct hatch_arena *arena, uint32_t width, uint32_t height, const char *names,
                                    struct hatch_image *image, struct hatch_err *err) HATCH_MUST_USE;
 
@@ -70,23 +70,23 @@ uint32_t hatch_mip_size(uint32_t size, uint32_t level);
 /* Returns the attribute of that name, or NULL. */
 const struct hatch_attribute *hatch_mipmap_attribute(const struct hatch_mipmap *mipmap, const char *name);
 
-/* Adds or replaces an attribute; there must be room.
+/* Adds or replaces an attribute. A mipmap has at most HATCH_MIPMAP_ATTRIBUTES_MAX.
  *   type  HATCH_ATTRIBUTE_FLOAT or HATCH_ATTRIBUTE_INT
  *   text  kept by reference */
 void hatch_mipmap_set_number(struct hatch_mipmap *mipmap, const char *name, double value,
                              enum hatch_attribute_type type);
 void hatch_mipmap_set_text(struct hatch_mipmap *mipmap, const char *name, const char *text);
 
-/* The sRGB transfer curve (IEC 61966-2-1), 0 .. 1 to 0 .. 1. Results are rounded to float, so that they do not depend
- * on libm. */
+/* Convert between sRGB-encoded and linear values (IEC 61966-2-1), 0 .. 1. Results are rounded to float, so that they do
+ * not depend on libm. */
 float hatch_srgb_to_linear(float encoded);
 float hatch_linear_to_srgb(float linear);
 
-/* Converts between float and IEEE 754 binary16, rounding to nearest even. */
+/* Convert between float and IEEE 754 binary16, rounding to nearest even. */
 uint16_t hatch_half_from_float(float value);
 float hatch_float_from_half(uint16_t half);
 
-/* Converts count numbers: values[i * stride] and halves[i]. */
+/* Convert count numbers between values[i * stride] and halves[i]. */
 void hatch_halves_from_floats(const float *values, size_t stride, uint16_t *halves, size_t count);
 void hatch_floats_from_halves(const uint16_t *halves, size_t count, float *values, size_t stride);
 

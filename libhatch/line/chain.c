@@ -3,18 +3,18 @@
 #include "math/vector.h"
 
 #define OPEN UINT32_MAX
-#define PAIRED_ENDS_MAX 16u /* at nodes with more ends no chain continues: the time to pair them is cubic */
+#define PAIRED_ENDS_MAX 16u /* at nodes with more ends, every chain ends: the time to pair them would be cubic */
 
 /* Ends of segments are numbered: end e of segment s is 2 * s + e. */
 struct work {
     const struct hatch_line_graph *graph;
-    uint32_t *first;   /* per node: its range in ends_at; node_count + 2 */
+    uint32_t *first;   /* node_count + 2 items; per node: its range in ends_at */
     uint32_t *ends_at; /* ends, by node */
     uint32_t *link;    /* per end: the end with which the chain continues, or OPEN */
     uint8_t *taken;    /* per segment: 1: it is in a chain */
 };
 
-/* Sorts ends by node (a counting sort); meanwhile first[node + 1] is the position of the node's next end. */
+/* Sorts ends by node (a counting sort). Meanwhile first[node + 1] is the position for the node's next end. */
 static void list_ends(struct work *w)
 {
     const struct hatch_line_graph *graph = w->graph;
@@ -29,7 +29,7 @@ static void list_ends(struct work *w)
     }
 }
 
-/* Returns the cosine of the angle between two segments at a common node: -1 where they are straight. */
+/* Returns the cosine of the angle between two segments at a common node: -1 if one continues the other straight. */
 static double cosine(const struct hatch_line_graph *graph, uint32_t a, uint32_t b)
 {
     double away[2][3];

@@ -1,4 +1,4 @@
-/* Joins line segments that meet at nodes to chains. */
+/* Joins line segments that share nodes into chains. */
 #ifndef HATCH_LINE_CHAIN_H
 #define HATCH_LINE_CHAIN_H
 
@@ -17,7 +17,7 @@ struct hatch_line_graph {
 struct hatch_line_chain {
     uint32_t first, segment_count;
     bool closed;
-    bool joined[2]; /* other segments meet its first, its last node */
+    bool joined[2]; /* whether other segments meet its first, its last node */
 };
 
 struct hatch_line_chains {
@@ -26,9 +26,10 @@ struct hatch_line_chains {
     uint32_t *nodes, *segments; /* indices into the graph, of all chains */
 };
 
-/* Joins segments to chains; every segment is in one chain. At a node of two segments the chain continues; at a node of
- * more, segments are paired, the straightest pair first. Segments may have no length.
- *   arena   for the chains; not the scratch arena */
+/* Joins segments into chains; every segment is in one chain. At a node of two segments the chain continues. At a node
+ * of 3 to 16 segments these are paired, the straightest pair first; at a node of more, all chains end. Segments may
+ * have no length.
+ *   arena  for the chains; not the scratch arena */
 enum hatch_status hatch_line_chains_make(const struct hatch_line_graph *graph, struct hatch_arena *arena,
                                          struct hatch_arena *scratch, struct hatch_line_chains *chains,
                                          struct hatch_err *err) HATCH_MUST_USE;

@@ -1,15 +1,15 @@
-/* Boundaries within other faces. Quadrangles are sometimes stored as overlapping triangles; a diagonal is then the side
- * of one triangle only, but not a boundary of the surface. */
+/* Finds boundaries within other faces. Quadrangles are sometimes stored as overlapping triangles. A diagonal is then
+ * the side of one triangle only, but it is not a boundary of the surface. */
 #include <math.h>
 
 #include "math/vector.h"
 #include "line/prune.h"
 
-#define FLAT 0.01   /* sine of the largest angle between an edge and the plane of a face that contains it */
-#define WITHIN 0.02 /* sine of the least angle between the edge and the sides of the face */
-#define CORNERS_MAX                                                                                                    \
-    1000u /* largest number at a point: quadrangles have fewer, and each edge would test all of them                   \
-           */
+#define FLAT 0.01   /* sine of the largest angle between an edge and a face that contains it */
+#define WITHIN 0.02 /* sine of the least angle between an edge and the sides of a face that contains it */
+/* Largest number of corners at a point for which edges there are tested: quadrangles have fewer, and each edge would
+ * test all of them. */
+#define CORNERS_MAX 1000u
 
 /* Face corners by point: those at point p are corners[first[p]] .. corners[first[p + 1] - 1]. */
 struct around {
@@ -49,7 +49,7 @@ static bool runs_within(const struct hatch_mesh *mesh, uint32_t corner, const do
            hatch_vec_dot(cross[1], normal) > WITHIN;
 }
 
-/* Returns whether a face at corner `from` contains the start of the edge to corner `to`. */
+/* Returns whether a face around corner `from` contains the start of the edge to corner `to`. */
 static bool covered_from(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
                          const struct around *around, uint32_t from, uint32_t to)
 {

@@ -1,10 +1,10 @@
-/* Cracks: boundaries that coincide. */
+/* Finds cracks: boundaries that coincide. */
 #include "math/vector.h"
 #include "line/prune.h"
 
 #define COS_STRAIGHT 0.9998  /* cosine of the largest angle between an edge and the segments of a path along it */
-#define PATH_MAX 256u        /* segments of a path */
-#define BOUNDARIES_MAX 1000u /* largest number at a node: cracks have fewer, and each path would test all of them */
+#define PATH_MAX 256u        /* largest number of segments of a path */
+#define BOUNDARIES_MAX 1000u /* nodes with more are not followed: cracks have fewer, and each path would test all */
 
 /* Boundary segments by node: those at node n are segments[first[n]] .. segments[first[n + 1] - 1]. */
 struct boundaries {
@@ -30,7 +30,7 @@ static enum hatch_status list_boundaries(const struct hatch_line_graph *graph, c
     return HATCH_OK;
 }
 
-/* Returns a boundary other than `other_than` that leaves a node in a direction, or UINT32_MAX.
+/* Returns a boundary other than `other_than` that leaves a node in the given direction, or UINT32_MAX.
  *   node  in and out: moves to the boundary's other end */
 static uint32_t follow(const struct boundaries *boundaries, uint32_t other_than, const double direction[3],
                        uint32_t *node)
@@ -53,7 +53,7 @@ static uint32_t follow(const struct boundaries *boundaries, uint32_t other_than,
     return UINT32_MAX;
 }
 
-/* Follows the straight path along a segment; false when it does not reach the segment's end.
+/* Follows the straight path of other boundaries along a segment; returns false if it does not reach the segment's end.
  *   path  out: room for PATH_MAX segments */
 static bool find_path(const struct boundaries *boundaries, uint32_t segment, uint32_t *path, uint32_t *count)
 {

@@ -1,4 +1,5 @@
-/* The edges of a mesh for feature lines: of faces welded by position, without creases due to noise. */
+/* Finds the edges of a mesh that may become feature lines: welds vertices at one position, classifies the edges, and
+ * counts creases due to noise as smooth. */
 #ifndef HATCH_LINE_EDGES_H
 #define HATCH_LINE_EDGES_H
 
@@ -12,10 +13,11 @@ struct hatch_line_edges {
     uint8_t *kinds;           /* per edge, enum hatch_edge_kind */
 };
 
-/* Welds a mesh and classifies its edges. Accidental creases and cracks (line/prune.h) are smooth edges.
+/* Welds a mesh and classifies its edges. Creases due to noise, cracks and boundaries within faces (line/prune.h) count
+ * as smooth edges.
  *   crease_rad        least angle between the faces at a crease, 0 .. π
- *   normals_authored  the mesh's normals come from its author, not from its faces: an edge that they smooth over is a
- *                     crease only beyond 60 degrees, more than tessellated curves turn
+ *   normals_authored  the mesh's normals are from its file, not computed from its faces. If they are continuous at an
+ *                     edge, it is a crease only beyond 60 degrees, which is more than tessellated curves turn
  *   arena             for the edges; not the scratch arena */
 enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -26,7 +28,7 @@ enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double cr
  *   edge  of two faces or more */
 bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge);
 
-/* Returns the face corners at both ends of a side, the one with the lower point first.
+/* Returns the face corners at both ends of a side, first the one whose point has the lower number.
  *   point  as in struct hatch_line_edges */
 void hatch_line_side_corners(const uint32_t *point, uint32_t side, uint32_t corners[2]);
 

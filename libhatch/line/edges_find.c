@@ -4,9 +4,9 @@
 #include "mesh/fans.h"
 #include "line/prune.h"
 
-#define WELD 4e-5 /* distance for loose welding, in sizes of the mesh: a twentieth of a pixel in a picture of it */
-#define COS_SAME_NORMAL 0.9999 /* cosine of the largest angle between normals that are equal except for rounding */
-#define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees */
+#define WELD 4e-5 /* tolerance of loose welding, in diagonals of the mesh: 1/20 of a pixel in a picture of it */
+#define COS_SAME_NORMAL 0.9999                 /* cosine of the largest angle between normals that count as equal */
+#define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees: sharper edges stay creases whatever the normals */
 
 /* Returns the diagonal of the mesh's bounding box. */
 static double size_of(const struct hatch_mesh *mesh)
@@ -22,7 +22,7 @@ static double size_of(const struct hatch_mesh *mesh)
 
 /* Rounds the positions of loose points to a grid; other positions are copied.
  *   point  per vertex: its point
- *   loose  per point
+ *   loose  per point: not 0: it is loose
  *   shift  of the grid, in steps */
 static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose, double step, double shift,
                  float *snapped)
@@ -33,8 +33,8 @@ static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uin
             loose[point[i / 3]] && step > 0 ? (float)(floor((double)positions[i] / step + shift) * step) : positions[i];
 }
 
-/* Joins loose points within a distance of about WELD and renumbers the points: joins those in one cell of either of two
- * grids, of which one is shifted by half a cell.
+/* Joins loose points at a distance of up to about WELD, and renumbers all points. Points are joined if they fall into
+ * one cell of either of two grids, one of which is shifted by half a cell.
  *   of_vertex  in and out: point of each vertex */
 static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose, struct hatch_arena *scratch,
                               uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
@@ -135,7 +135,8 @@ bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hat
     return same_normal(mesh, a[0], b[0]) || same_normal(mesh, a[1], b[1]);
 }
 
-/* Changes creases that authored normals smooth over to smooth edges, except for sharp ones. */
+/* Makes creases smooth edges where authored normals are continuous, except at edges sharper than
+ * SMOOTHED_CREASE_RAD. */
 static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                        struct hatch_line_edges *edges, struct hatch_err *err)
 {
@@ -150,7 +151,7 @@ static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hat
 }
 
 /* Makes a graph of all edges that are not smooth; its nodes are the points.
- *   edge_of  out: per segment: its edge */
+ *   edge_of  out: per segment of the graph: its edge */
 static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
                                     struct hatch_arena *arena, struct hatch_line_graph *graph, uint32_t **edge_of,
                                     struct hatch_err *err)

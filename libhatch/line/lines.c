@@ -4,17 +4,20 @@
 
 #include "math/vector.h"
 
-#define GAP_PX 4.0   /* shorter hidden gaps are closed: a surface that grazes the line */
-#define SPECK_PX 6.0 /* shorter isolated visible parts are hidden, at line width 0 */
-#define TRIM_PX 1.0  /* visible at a hidden part only because the visibility test covers several pixels */
+#define GAP_PX 4.0   /* shorter hidden gaps are closed: they arise where a surface just touches the line */
+#define SPECK_PX 6.0 /* isolated visible parts are hidden if they are shorter than this plus twice the line width */
 
-/* The strips of one item's features, or of its silhouettes. */
+/* About this much is cut off a visible part where it meets a hidden one: the visibility test looks up to 1.25 pixels
+ * around a sample, so lines show slightly too far. */
+#define TRIM_PX 1.0
+
+/* The strips of an item's features, or those of its silhouettes. */
 struct hatch_line_part {
     struct hatch_line_strips strips;
     struct hatch_line_part *next;
 };
 
-/* Returns the edges for an item: deformed items need positions as in the file, other items positions relative to the
+/* Returns the edges for an item. Deformed items need positions as in the file, other items need them relative to the
  * mesh's origin. */
 static struct hatch_line_mesh *mesh_of(const struct hatch_lines *lines, const struct hatch_item *item)
 {

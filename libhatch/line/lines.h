@@ -1,4 +1,4 @@
-/* Feature lines of a posed scene: silhouettes, creases and boundaries, from meshes to segments in the picture. The
+/* Feature lines of a posed scene (silhouettes, creases and boundaries), from meshes to segments in the picture. The
  * caller tests the visibility of the samples, and draws the segments. */
 #ifndef HATCH_LINE_LINES_H
 #define HATCH_LINE_LINES_H
@@ -17,7 +17,7 @@ struct hatch_lines {
     struct hatch_line_style style;
     struct hatch_unit_scene *scene;
     struct hatch_arena *scratch;
-    struct hatch_line_mesh *meshes; /* 2 per mesh of the scene: relative to its origin, and for deformed items */
+    struct hatch_line_mesh *meshes; /* 2 per mesh of the scene: one for rigid items, one for deformed ones */
 };
 
 /* The lines of a frame. All samples are in one array, so that a GPU can test them in one pass. */
@@ -40,7 +40,7 @@ enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struc
                                     const struct hatch_tile *tile, struct hatch_arena *arena,
                                     struct hatch_line_frame *frame, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Joins the visible pieces of a frame's lines to segments. Closes short gaps and drops short isolated parts.
+/* Joins the visible pieces of a frame's lines into segments. Closes short gaps and drops short isolated parts.
  *   seen      per sample: bits of enum hatch_line_seen
  *   segments  out: in arena, *count of them */
 enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct hatch_line_frame *frame,

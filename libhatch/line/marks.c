@@ -4,17 +4,17 @@
 #include "math/vector.h"
 
 #define SPACING_PX 11.0 /* least distance between marks */
-#define LENGTH 0.9      /* of a mark, in spacings */
+#define LENGTH 0.9      /* length of a mark, in spacings */
 #define MARKS_MAX 200000u
-#define TRIES 8  /* random positions per square of the spacing */
-#define CELLS 96 /* along a side of the grid over the unit scene */
+#define TRIES 8  /* random positions that are tried per square with the spacing as its side */
+#define CELLS 96 /* number of cells along a side of the grid over the unit scene */
 
 static const struct hatch_mesh *surface_of(const struct hatch_unit_scene *scene, const struct hatch_item *item)
 {
     return scene->meshes[item->mesh].surface;
 }
 
-/* The marks made so far, in lists per cell of a grid, for tests of distance. */
+/* The marks made so far. For tests of distance they are in lists, one for each cell of a grid. */
 struct spread {
     struct hatch_marks *marks;
     double spacing;
@@ -37,8 +37,8 @@ static int cell_along(double at)
     return cell < 0 ? 0 : cell >= CELLS ? CELLS - 1 : (int)cell;
 }
 
-/* Returns whether no mark is within the spacing. Marks on faces of opposite direction do not count, so that both sides
- * of a thin sheet have marks. */
+/* Returns whether no other mark is within the spacing. Marks on faces that point the opposite way are ignored, so that
+ * both sides of a thin sheet get marks. */
 static bool is_free(const struct spread *spread, const double place[6])
 {
     int low[3], high[3];

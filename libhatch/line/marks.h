@@ -24,16 +24,17 @@ struct hatch_marks {
     uint32_t count;
     struct hatch_mark *at;         /* sorted by item */
     uint32_t *item_end;            /* per item: one past its last mark */
-    double half_length;            /* of a mark, in the unit scene */
+    double half_length;            /* half the length of a mark, in the unit scene */
     double *positions;             /* scratch: the vertices of a surface */
     struct hatch_mark_line *lines; /* per mark: filled by hatch_marks_place */
 };
 
-/* Spreads marks over a posed scene, at a constant distance on screen at the middle of the unit scene.
+/* Spreads marks over a posed scene. Their spacing is constant in the scene, and has a fixed size in pixels at the
+ * middle of the unit scene.
  *   scene      kept by reference
  *   height_px  of the picture
  *   arena      for the marks
- * HATCH_BAD_INPUT where no mesh has directions. */
+ * HATCH_BAD_INPUT if no mesh has directions. */
 enum hatch_status hatch_marks_make(const struct hatch_unit_scene *scene, const struct hatch_view *view,
                                    double height_px, struct hatch_arena *arena, struct hatch_arena *scratch,
                                    struct hatch_marks *marks, struct hatch_err *err) HATCH_MUST_USE;

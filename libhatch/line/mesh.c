@@ -6,7 +6,7 @@
 #include "line/edges.h"
 #include "mesh/remap.h"
 
-/* Returns whether the mesh's normals smooth over a crease. */
+/* Returns whether the mesh's normals are continuous across a crease. */
 static bool smooths_creases(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges)
 {
     for (uint32_t e = 0; e < edges->edges.count; e++)
@@ -59,7 +59,7 @@ static enum hatch_status join_vertices(const struct hatch_mesh *selected, const 
     return HATCH_OK;
 }
 
-/* The role of an edge. */
+/* How an edge is used. */
 struct edge_use {
     uint32_t a[2], b[2]; /* face corners at its ends: of its first face, of its second */
     bool smooth;         /* normals are continuous: a silhouette crosses it without a gap */
@@ -80,13 +80,13 @@ static struct edge_use use_of(const struct hatch_line_edges *edges, const struct
     hatch_line_side_corners(edges->point, sides[0], use.a);
     hatch_line_side_corners(edges->point, sides[count > 1 ? 1 : 0], use.b);
     use.smooth = count == 2 && indices[use.a[0]] == indices[use.b[0]] && indices[use.a[1]] == indices[use.b[1]];
-    /* An edge of more than two faces is ambiguous. If it counts as smooth, sheets coincide there, and the silhouette of
-     * each crosses it. */
+    /* An edge of more than two faces is never hard, because it is ambiguous which of them form its two sides. If its
+     * kind is smooth, sheets coincide there, and the silhouette of each sheet crosses it. */
     use.hard = count == 2 && !use.smooth;
     return use;
 }
 
-/* Adds an edge to the hard edges and to the features.
+/* Adds an edge to the hard edges and to the features, if it is one.
  *   points  out: 2 per feature: the points at its ends */
 static void add_edge(const struct hatch_line_edges *edges, uint32_t edge, uint32_t kinds, uint32_t *points,
                      struct hatch_line_mesh *lines)
@@ -132,7 +132,7 @@ static enum hatch_status sort_edges(const struct hatch_line_edges *edges, uint32
     return HATCH_OK;
 }
 
-/* Joins the features to chains; nodes are the points at their ends. */
+/* Joins the features into chains; the nodes are the points at their ends. */
 static enum hatch_status chain_features(const struct hatch_line_edges *edges, const uint32_t *points,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_mesh *lines, struct hatch_err *err)

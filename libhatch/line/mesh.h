@@ -1,5 +1,5 @@
-/* The view-independent data of a mesh for feature lines: normals that are split at creases, and the edges that are
- * drawn in every view. */
+/* The view-independent data of a mesh for feature lines: normals that are discontinuous at creases, and the edges that
+ * are drawn in every view. */
 #ifndef HATCH_LINE_MESH_H
 #define HATCH_LINE_MESH_H
 
@@ -9,8 +9,8 @@
 /* Kinds of feature lines, as bits. */
 enum hatch_line_kind {
     HATCH_LINES_NONE = 0,
-    HATCH_LINES_SILHOUETTES = 1, /* between parts that face the eye and parts that face away */
-    HATCH_LINES_CREASES = 2,     /* edges sharper than an angle, and edges of more than two faces */
+    HATCH_LINES_SILHOUETTES = 1, /* lines between parts of the surface that face the eye and parts that face away */
+    HATCH_LINES_CREASES = 2,     /* edges sharper than an angle, and edges at which more than two sheets meet */
     HATCH_LINES_BOUNDARIES = 4,  /* edges where the surface ends */
     HATCH_LINES_ALL = 7
 };
@@ -23,8 +23,8 @@ struct hatch_line_hard_edge {
 
 /* An edge that is drawn wherever it is visible. */
 struct hatch_line_feature {
-    uint32_t ends[2];  /* vertices of lines->mesh */
-    uint32_t faces[2]; /* faces at the edge; the second is HATCH_NONE at a boundary */
+    uint32_t ends[2];  /* vertices of hatch_line_mesh.mesh */
+    uint32_t faces[2]; /* two of the faces at the edge; the second is HATCH_NONE at a boundary */
     bool more_faces;   /* more than two faces meet there */
 };
 
@@ -35,14 +35,14 @@ struct hatch_line_choice {
     bool normals_authored; /* as for hatch_line_edges_find */
 };
 
-/* The neighbours of each vertex; vertices that faces do not surround completely have none. */
+/* The neighbours of each vertex. Vertices that are not completely surrounded by faces have none. */
 struct hatch_line_ring {
-    uint32_t *first;      /* per vertex, and the end of the last: its range in neighbours */
+    uint32_t *first;      /* per vertex: the first of its range in neighbours; then the end of the last range */
     uint32_t *neighbours; /* vertices */
 };
 
 struct hatch_line_mesh {
-    struct hatch_mesh mesh; /* one vertex per pair of position and normal; positions minus the origin */
+    struct hatch_mesh mesh; /* one vertex per position and normal; relative to the origin */
     uint8_t *hard_sides;    /* per face: bit c is set where normals are discontinuous across side c */
     struct hatch_line_ring ring;
     uint32_t hard_edge_count, feature_count;
@@ -50,11 +50,12 @@ struct hatch_line_mesh {
     struct hatch_line_feature *features;
     uint32_t node_count;
     uint32_t *node_vertices;         /* per node of the chains: its vertex */
-    struct hatch_line_chains chains; /* of features */
+    struct hatch_line_chains chains; /* chains of features */
 };
 
-/* Welds a mesh, finds and classifies its edges, and joins features to chains. Where the mesh's normals smooth over a
- * crease, all normals are computed again from the faces, as the silhouette of a box would run across its faces.
+/* Welds a mesh, finds and classifies its edges, and joins features into chains. If the mesh's normals are continuous
+ * across a crease, all normals are computed again from the faces; otherwise the silhouette of a box, for example, would
+ * run across its sides.
  *   origin  subtracted from positions; 0 0 0 for a deformed mesh
  *   arena   for the result; not the scratch arena */
 enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],

@@ -5,19 +5,19 @@
 
 #include "math/vector.h"
 
-#define ROUNDS 3         /* each removes chains that became free in the round before */
-#define SEGMENTS_MIN 4u  /* of a chain with a free end */
-#define LENGTH_MIN 0.03  /* of a chain with a free end, in sizes of the mesh */
-#define TURN_MAX_RAD 0.7 /* mean angle between successive segments of a chain with a free end */
+#define ROUNDS 3         /* each round removes chains whose ends became free in the round before */
+#define SEGMENTS_MIN 4u  /* least number of segments of a chain with a free end */
+#define LENGTH_MIN 0.03  /* least length of a chain with a free end, in diagonals of the mesh */
+#define TURN_MAX_RAD 0.7 /* largest mean angle between successive segments of a chain with a free end */
 
-/* The remaining segments. */
+/* State of pruning; graph holds the segments that remain. */
 struct pruning {
     const struct hatch_line_graph *whole;
     const uint8_t *bounds;         /* per segment of the whole: not 0: a boundary */
     double size;                   /* of the mesh */
     uint8_t *pruned;               /* per segment of the whole: 1: removed */
     struct hatch_line_graph graph; /* of the remaining segments */
-    uint32_t *ends, *number;       /* of graph; per segment of graph: its number in the whole */
+    uint32_t *ends, *number;       /* ends: those of graph; number: per segment of graph, its number in the whole */
     uint8_t *degree;               /* per node: number of remaining segments there, at most 3 */
 };
 

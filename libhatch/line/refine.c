@@ -4,10 +4,10 @@
 #include "math/vector.h"
 #include "line/trace.h"
 
-#define PARTS 4u            /* segments of a curve */
+#define PARTS 4u            /* segments that a curve is divided into */
 #define COS_TURN_MIN 0.9994 /* turns below 2 degrees look straight */
 #define COS_TURN_MAX 0.57   /* turns above 55 degrees may be corners of the surface */
-#define REACH 0.5 /* how far the line beyond a segment's end is followed for the tangent, in lengths of the segment */
+#define REACH 0.5           /* how far beyond a segment its tangent is looked for, in lengths of the segment */
 #define STEPS_MAX 16u
 
 struct work {
@@ -22,8 +22,8 @@ static const double *node_at(const struct work *w, uint32_t node)
     return &w->from->nodes[3 * (size_t)node];
 }
 
-/* Returns the first node along a chain that is at least `distance` from node i; NULL where the chain ends or has a
- * corner before. */
+/* Returns the position of the first node along a chain that is at least `distance` from node i; NULL if the chain ends
+ * or has a corner before that. */
 static const double *reach(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes,
                            uint32_t i, bool forward, double distance)
 {
@@ -42,9 +42,9 @@ static const double *reach(const struct work *w, const struct hatch_line_chain *
     return NULL;
 }
 
-/* Computes the tangent of a segment at its first node i (or its last): that of the circle through the segment's ends
- * and a point about as far on the other side of the node, as a short neighbour would not represent how a long segment
- * bends. Returns false where the chain ends, has a corner, or is straight. */
+/* Computes the tangent of a segment at its first or last node, i: that of the circle through both ends of the segment
+ * and a point of the line beyond the node. This point is not simply the next node, because a short neighbour would not
+ * show how a long segment bends. Returns false if the chain ends, has a corner, or is straight there. */
 static bool tangent(const struct work *w, const struct hatch_line_chain *chain, const uint32_t *nodes, uint32_t i,
                     bool first, double out[3])
 {
@@ -71,7 +71,7 @@ static void add(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes,
     nodes[++chain->segment_count] = end;
 }
 
-/* Appends the cubic with both tangents, except for its last segment. */
+/* Appends all segments but the last of the cubic from p to q with the given tangents. */
 static void add_curve(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, const double *p, const double *q,
                       const double tangents[2][3], float slack)
 {

@@ -2,8 +2,8 @@
 #include "base/random.h"
 #include "line/mesh.h"
 
-/* Counts the corners at each vertex, and computes a number per vertex that is 0 where faces surround it: each neighbour
- * then follows the vertex in one face and precedes it in another, and their hashes cancel. */
+/* Counts the corners at each vertex, and computes a number per vertex that is 0 if faces surround it completely: each
+ * neighbour then follows the vertex in one face and precedes it in another, so that the hashes cancel. */
 static void count_corners(const struct hatch_mesh *mesh, uint32_t *first, uint64_t *open)
 {
     for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i++) {

@@ -5,11 +5,11 @@
 #include "base/keys.h"
 #include "line/trace.h"
 
-#define BULGE_MAX 0.12 /* largest distance of a point from its edge, in lengths of the edge: an arc of 51° */
-#define BACK_LEAST 0.5 /* lengths of an edge that the surface behind its end must extend for normal_weight 1 */
-#define RING_SEEN 64u  /* neighbours of a vertex that are examined, about */
-#define SLACK_PX 2.0   /* of all segments, besides the depth of coarse faces */
-#define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* plus a point: key of the node at the point */
+#define BULGE_MAX 0.12 /* largest distance of a curve from its edge, in lengths of the edge: an arc of 54° */
+#define BACK_LEAST 0.5 /* reach of the surface beyond an edge, in its lengths, from which normal_weight is 1 */
+#define RING_SEEN 64u  /* about how many neighbours of a vertex are examined */
+#define SLACK_PX 2.0   /* slack of every segment; one across a face gets more for the depth of the face */
+#define POINTS_KEY ((uint64_t)UINT32_MAX << 32) /* plus the number of a point: key of the node at that point */
 
 struct work {
     const struct hatch_line_shape *shape;
@@ -66,16 +66,16 @@ static void list_crossed(struct work *w)
     }
 }
 
-/* Returns the position along an edge, 0 .. 1, where facing is zero; its signs differ at the ends. */
+/* Returns the position along an edge, 0 .. 1, where facing is zero. Its signs must differ at the ends. */
 static double root(const struct work *w, uint32_t low, uint32_t high)
 {
     double a = (double)w->facing[low], b = (double)w->facing[high];
     return a / (a - b);
 }
 
-/* Returns the weight of the normal at an edge's end for the shape of the edge, 0 .. 1: where the faces behind the end
- * are short, as at a chamfer, the normal turns mostly because of them.
- *   along  vector from the end to the other one */
+/* Returns the weight, 0 .. 1, that the normal at an end of an edge has for the curve over that edge. It is small if the
+ * faces beyond this end are short, as at a chamfer: the normal then turns mostly because of those faces.
+ *   along  vector from this end to the other one */
 static double normal_weight(const struct work *w, uint32_t end, const double along[3])
 {
     const struct hatch_line_ring *ring = &w->shape->lines->ring;
@@ -93,8 +93,8 @@ static double normal_weight(const struct work *w, uint32_t end, const double alo
     return fmin(1, back / (BACK_LEAST * square));
 }
 
-/* Computes a point of the silhouette at an edge, in the unit scene: on the cubic that is orthogonal to the normals at
- * the edge's ends, where that is outside the edge.
+/* Computes a point of the silhouette at an edge, in the unit scene. It lies on the cubic that is orthogonal to the
+ * normals at the edge's ends, or on the edge itself where the cubic would be inside the surface.
  *   t         position along the edge, 0 .. 1
  *   straight  true: on the edge itself */
 static void point_on(const struct work *w, uint32_t low, uint32_t high, double t, bool straight, double out[3])
@@ -148,8 +148,8 @@ static enum hatch_status add_crossing(struct work *w, uint32_t a, uint32_t b, bo
     return add_node(w, hatch_keys_pair(low, high), at, !straight, node, err);
 }
 
-/* Returns the slack of a segment across a face. On a coarse mesh the smooth silhouette is beside that of the polygons,
- * and so behind some of them: by up to about half the depth of the face that it crosses.
+/* Returns the part of a segment's slack that is due to the face it crosses. On a coarse mesh the smooth silhouette runs
+ * beside that of the polygons, and so behind some of them: by up to about half the depth of that face.
  *   share  barycentric coordinates of the middle of the segment */
 static double face_depth(const struct work *w, uint32_t face, const double share[3])
 {
@@ -210,8 +210,8 @@ static enum hatch_status cross_face(struct work *w, uint32_t face, struct hatch_
     return HATCH_OK;
 }
 
-/* Adds the silhouette along a hard edge. The facing of either side is linear along it; the silhouette runs where their
- * signs differ, between the ends of the edge and the points where a side's facing is zero. */
+/* Adds the silhouette along a hard edge. The facing of either side varies linearly along it. The silhouette runs where
+ * the two have different signs: between the ends of the edge and the points where the facing of a side is zero. */
 static enum hatch_status follow_edge(struct work *w, const struct hatch_line_hard_edge *edge, struct hatch_err *err)
 {
     double at[3], roots[2];
@@ -242,7 +242,7 @@ static enum hatch_status follow_edge(struct work *w, const struct hatch_line_har
     return HATCH_OK;
 }
 
-/* Returns whether the silhouette runs along a part of an edge. */
+/* Returns whether the silhouette runs along any part of an edge. */
 static bool has_silhouette(const struct work *w, const struct hatch_line_hard_edge *edge)
 {
     bool first = faces_away(w, edge->low[0]);

@@ -1,11 +1,11 @@
-/* Cleans up the visibility of pieces, and joins visible ones to segments. */
+/* Cleans up the visibility of pieces, and joins visible ones into segments. */
 #include <string.h>
 
 #include "line/strip.h"
 
 /* Values of visible[] besides 0 and HATCH_LINE_VISIBLE. */
 #define TRIMMED 2u
-#define COVERED 3u /* visible except for a halo */
+#define COVERED 3u /* hidden by no surface, but covered by a halo */
 
 /* Returns piece i of a strip, counted from piece `start` and wrapping around. */
 static uint32_t piece_at(const struct hatch_line_strip *strip, uint32_t start, uint32_t i)
@@ -13,7 +13,7 @@ static uint32_t piece_at(const struct hatch_line_strip *strip, uint32_t start, u
     return strip->first + (start + i) % strip->count;
 }
 
-/* Returns the piece to start at, such that no run of a closed strip is split: one where visibility changes. */
+/* Returns the piece to start at: for a closed strip one at which visibility changes, so that no run is split. */
 static uint32_t start_of(const struct hatch_line_strip *strip, const uint8_t *visible)
 {
     for (uint32_t i = 1; i < strip->count && strip->closed; i++)
@@ -28,8 +28,8 @@ static double length_of(const struct hatch_line_piece *piece)
     return sqrt(x * x + y * y);
 }
 
-/* Inverts runs of `value` that are shorter than short_px. Runs at an end of the strip are kept where the line may
- * continue there, as their length is unknown; gaps at free ends are kept, too. */
+/* Inverts runs of `value` that are shorter than short_px. A run at an end of the strip is kept if the line may continue
+ * there, because its length is then unknown. A gap at a free end is kept, too. */
 static void drop_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, uint8_t value,
                       double short_px, uint8_t *visible)
 {
@@ -58,8 +58,8 @@ static bool is_beside(const struct hatch_line_strip *strip, uint32_t i, const ui
     return visible[strip->first + before] == HATCH_LINE_VISIBLE || visible[strip->first + after] == HATCH_LINE_VISIBLE;
 }
 
-/* Shortens visible runs at hidden ones. Pieces are only marked at first, so that trimmed ones do not count as hidden in
- * the other direction. */
+/* Shortens visible runs where they meet hidden ones. Trimmed pieces are only marked at first, so that the pass in the
+ * other direction does not take them for hidden ones. */
 static void trim_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, double trim_px,
                       uint8_t *visible)
 {
@@ -79,7 +79,7 @@ static void trim_runs(const struct hatch_line_strips *strips, const struct hatch
         visible[i] = visible[i] == TRIMMED ? 0 : visible[i];
 }
 
-/* Keeps covered pieces only beside uncovered visible ones, and reduces visible[] to 0 and 1. */
+/* Keeps covered pieces only next to uncovered visible ones, and reduces visible[] to 0 and 1. */
 static void keep_beside(const struct hatch_line_strip *strip, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strip->count; i++)

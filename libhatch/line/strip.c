@@ -3,15 +3,15 @@
 #include "math/vector.h"
 
 #define PIECE_PX 1.5     /* largest length of a piece */
-#define ERROR_MAX_PX 0.5 /* largest error of float positions at which lines are drawn */
+#define ERROR_MAX_PX 0.5 /* lines are drawn only where the error of float positions is at most this */
 
-/* A segment in the picture. */
+/* A segment after projection and clipping. */
 struct cut {
     double at[2][2];     /* both ends, in pixels from the tile's lower left corner */
     double limit[2];     /* at both ends, as in struct hatch_line_sample */
     double count;        /* number of pieces, inside and outside the tile */
     double first, after; /* pieces to keep: first .. after - 1 */
-    bool begins, ends;   /* these contain the start, the end of the segment */
+    bool begins, ends;   /* whether these contain the start, the end of the segment */
 };
 
 /* State of a pass over chains. The first pass has no arrays and only counts their entries. */
@@ -21,8 +21,8 @@ struct walk {
     const struct hatch_tile *tile;
     double margin_px;
     struct hatch_line_strips strips;
-    struct hatch_line_strip strip; /* the present strip */
-    bool open;                     /* there is a present strip */
+    struct hatch_line_strip strip; /* the current strip */
+    bool open;                     /* there is a current strip */
 };
 
 /* Returns the value in the depth buffer at a distance along the view axis. */
@@ -56,15 +56,15 @@ static void keep_positive(double at_begin, double at_end, double *begin, double 
         *end = fmin(*end, at_begin / (at_begin - at_end));
 }
 
-/* Clips a segment at the near and far planes, and where the error of float positions is too large. Returns false when
+/* Clips a segment at the near and far planes, and where the error of float positions is too large. Returns false if
  * nothing remains.
- *   whole  out: its start, its end is not clipped */
+ *   whole  out: whether its start, its end is not clipped */
 static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *tile, double points[2][3],
                        double depth[2], bool whole[2])
 {
     double begin = 0, end = 1, a[3], along[3];
     double least = hatch_view_float_error(view, tile) / ERROR_MAX_PX;
-    if (view->orthographic) /* everywhere, or nowhere */
+    if (view->orthographic) /* the error is the same everywhere */
         least = least > 1 ? INFINITY : view->near;
     double nearest = fmax(view->near, least);
     keep_positive(depth[0] - nearest, depth[1] - nearest, &begin, &end);

@@ -1,10 +1,11 @@
-/* Chains in a picture: clipped, and cut into pieces that are short enough to be either hidden or visible. */
+/* Chains projected into a picture, clipped, and cut into pieces so short that each is treated as wholly visible or
+ * wholly hidden. */
 #ifndef HATCH_LINE_STRIP_H
 #define HATCH_LINE_STRIP_H
 
 #include "line/trace.h"
 
-#define HATCH_LINES_REACH_PX 40u /* lines further outside a tile do not affect those within it */
+#define HATCH_LINES_REACH_PX 40u /* lines further outside a tile do not affect those inside */
 
 /* A straight piece of a line, in pixels from the tile's lower left corner. */
 struct hatch_line_piece {
@@ -29,15 +30,15 @@ struct hatch_line_sample {
 /* Visibility of a piece, as bits. */
 enum hatch_line_seen {
     HATCH_LINE_VISIBLE = 1, /* no surface hides it */
-    HATCH_LINE_TOUCHED = 2, /* a halo covers a part of its middle */
-    HATCH_LINE_COVERED = 4  /* a halo covers more than half of its middle */
+    HATCH_LINE_TOUCHED = 2, /* a halo covers a part of the sample */
+    HATCH_LINE_COVERED = 4  /* a halo covers more than half of the sample */
 };
 
-/* Connected pieces. */
+/* A strip of connected pieces. */
 struct hatch_line_strip {
     uint32_t first, count; /* range of pieces */
     bool closed;
-    bool joined[2]; /* the line may continue before, after the strip */
+    bool joined[2]; /* whether the line may continue before, after the strip */
 };
 
 struct hatch_line_strips {
@@ -54,27 +55,27 @@ struct hatch_line_picture {
     double margin_px; /* lines are kept up to this distance outside the tile */
 };
 
-/* Clips chains at the near plane and margin_px outside the tile, and cuts them into pieces. The cuts between pieces do
- * not depend on the tile.
+/* Clips chains at the near and far planes, where floats are too inaccurate, and margin_px outside the tile, and cuts
+ * them into pieces. The places of the cuts do not depend on the tile.
  *   strips  out: in arena */
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
                                          const struct hatch_line_picture *picture, struct hatch_arena *arena,
                                          struct hatch_line_strips *strips, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Cleans up the visibility along each strip: hidden gaps between visible parts are closed, then short isolated visible
- * parts (also between haloes) are hidden, then visible parts are trimmed where a hidden part follows. Of the pieces
- * covered by haloes those next to an uncovered one stay visible, so that the line reaches the halo.
+/* Cleans up the visibility along each strip: hidden gaps between visible parts are closed; then short isolated visible
+ * parts (also between haloes) are hidden; then visible parts are trimmed where a hidden part follows. Of the pieces
+ * that haloes cover, those next to an uncovered one stay visible, so that the line reaches the halo.
  *   gap_px    gaps shorter than this are closed
- *   speck_px  visible parts shorter than this are hidden, unless the line may continue
+ *   speck_px  visible parts shorter than this are hidden, unless the line may continue beyond the strip
  *   trim_px   length that visible parts lose at a hidden one
  *   seen      per piece: bits of enum hatch_line_seen
  *   visible   out: per piece, 0 or 1 */
 void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                               const uint8_t *seen, uint8_t *visible);
 
-/* Joins visible pieces to segments and returns the number of segments. Pieces that a halo may cover (touched ones and
- * their neighbours) and others are in different segments.
- *   visible   per piece, of hatch_line_strips_smooth
+/* Joins visible pieces into segments and returns the number of segments. Pieces that a halo may cover (touched ones and
+ * their neighbours) are put into segments of their own.
+ *   visible   per piece, from hatch_line_strips_smooth
  *   seen      as for hatch_line_strips_smooth
  *   segments  out: room for piece_count */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,

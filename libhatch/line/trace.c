@@ -2,8 +2,8 @@
 
 #include "math/vector.h"
 
-#define SLACK_PX 1.5  /* distance from an edge within which its own faces, at their full slope, must not hide it */
-#define SLOPE_MAX 4.0 /* limit of that slope: steeper faces recede from the line, or are seen from behind */
+#define SLACK_PX 1.5  /* an edge's own faces, at their full slope, must not hide it within this distance from it */
+#define SLOPE_MAX 4.0 /* largest slope that counts: steeper faces recede from the line, or are seen from behind */
 
 double hatch_line_depth(const struct hatch_view *view, const double point[3])
 {
@@ -31,7 +31,7 @@ static void corner_at(const struct hatch_line_shape *shape, uint32_t vertex, dou
     transform(shape->to_unit, p, out);
 }
 
-/* Returns the cosine between a face's normal and the direction to the eye; over 0: its front is visible. */
+/* Returns the cosine between a face's normal and the direction to the eye; over 0: the face's front is visible. */
 static double facing(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye, uint32_t face)
 {
     const struct hatch_view *view = eye->view;
@@ -47,12 +47,13 @@ static double facing(const struct hatch_line_shape *shape, const struct hatch_li
     return shape->mirrored ? -cosine : cosine;
 }
 
-/* Returns the slack of an edge, from the slope of its flattest visible face; -1 where no face is visible. */
+/* Returns the slack of an edge, from the slope of its visible face that is turned most towards the eye; -1 if no face
+ * is visible. */
 static float feature_slack(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                            const struct hatch_line_feature *feature, const double at[3])
 {
     bool double_sided = shape->double_sided || feature->more_faces;
-    double flattest = -1; /* cosine */
+    double flattest = -1; /* the largest cosine, of the face that is turned most towards the eye */
     for (int i = 0; i < 2 && feature->faces[i] != HATCH_NONE; i++) {
         double cosine = facing(shape, eye, feature->faces[i]);
         flattest = fmax(flattest, double_sided ? fabs(cosine) : cosine);

@@ -17,7 +17,7 @@ struct hatch_line_shape {
 /* The view, and the size of a pixel. */
 struct hatch_line_eye {
     const struct hatch_view *view;
-    double focal_px; /* pixels per unit at distance 1; orthographic: everywhere */
+    double focal_px; /* pixels per unit of the unit scene: at distance 1 (perspective) or everywhere (orthographic) */
 };
 
 /* Line segments in the unit scene. */
@@ -25,16 +25,16 @@ struct hatch_line_trace {
     uint32_t node_count, segment_count;
     double *nodes;  /* positions: 3 per node */
     uint32_t *ends; /* 2 per segment: its nodes */
-    float *slack;   /* per segment: distance along the view by which a surface may be nearer without hiding it; below 0:
-                       the segment is not drawn */
+    float *slack; /* per segment: distance along the view axis by which a surface may be nearer without hiding it; below
+                     0: the segment is not drawn */
     uint8_t *smooth; /* silhouettes only, per node: not 0: the surface is smooth there */
 };
 
 /* Traces the silhouette: across faces, where the interpolated normal is orthogonal to the view direction (Hertzmann &
  * Zorin 2000, §4.1); along edges with discontinuous normals, where one side faces the eye and the other does not. The
- * result is closed curves, except at boundaries of the mesh. Points on edges lie on the cubic that is orthogonal to the
- * normals at both ends (Vlachos et al. 2001), so that coarse meshes have smooth silhouettes. Where to_unit is singular
- * there is no silhouette.
+ * result consists of closed curves, except at boundaries of the mesh. Points on edges lie on the cubic that is
+ * orthogonal to the normals at both ends (Vlachos et al. 2001), so that coarse meshes have smooth silhouettes. If
+ * to_unit is singular there is no silhouette.
  *   trace  out: in arena */
 enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                                                struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -48,7 +48,7 @@ enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch
                                     struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Computes the mesh's features at the pose.
- *   trace  out: in arena; nodes and segments have the numbers of shape->lines->chains, ends and smooth are NULL */
+ *   trace  out: in arena; nodes and segments are numbered as in shape->lines->chains, ends and smooth are NULL */
 enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                                             struct hatch_arena *arena, struct hatch_line_trace *trace,
                                             struct hatch_err *err) HATCH_MUST_USE;

@@ -5,13 +5,13 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* Starts as {.any = false}. */
+/* Initialize it with {.any = false}. */
 struct hatch_box {
     double low[3], high[3]; /* unset while there are no points */
-    bool any;               /* a point has been added */
+    bool any;               /* at least one point has been added */
 };
 
-/* Extends the box to a point. NaN coordinates are ignored, except in the first point. */
+/* Extends the box so that it contains a point. NaN coordinates are ignored, except in the first point. */
 static inline void hatch_box_add(struct hatch_box *box, const double point[3])
 {
     for (int k = 0; k < 3; k++) {

@@ -1,6 +1,6 @@
-/* Double-double arithmetic: a number is the unevaluated sum of two doubles, about 106 bits (Dekker 1971; error-free
- * sums by Knuth, error-free products by fused multiply-add). The compiler must not contract or reorder
- * (-ffp-contract=off, no -ffast-math). */
+/* Double-double arithmetic: a number is the unevaluated sum of two doubles, with about 106 bits of precision (Dekker
+ * 1971; error-free sums by Knuth, error-free products by fused multiply-add). The compiler must not contract or reorder
+ * operations (-ffp-contract=off, no -ffast-math). */
 #ifndef HATCH_MATH_PAIR_H
 #define HATCH_MATH_PAIR_H
 
@@ -36,7 +36,7 @@ static inline struct hatch_pair hatch_pair_product(double a, double b)
     return (struct hatch_pair){product, fma(a, b, -product)};
 }
 
-/* a + b; commutative to the bit */
+/* a + b; the same to the last bit as b + a */
 static inline struct hatch_pair hatch_pair_add(struct hatch_pair a, struct hatch_pair b)
 {
     struct hatch_pair high = hatch_pair_sum(a.high, b.high), low = hatch_pair_sum(a.low, b.low);

@@ -1,11 +1,11 @@
-/* Vectors of three doubles. Geometry that must hold at any scale widens floats, computes in doubles and rounds once at
- * the end. */
+/* Vectors of three doubles. Geometry that must work at any scale converts floats to doubles, computes in doubles, and
+ * rounds to floats once at the end. */
 #ifndef HATCH_MATH_VECTOR_H
 #define HATCH_MATH_VECTOR_H
 
 #include <math.h>
 
-/* Widens floats to doubles. */
+/* Converts floats to doubles. */
 static inline void hatch_vec_of(const float from[3], double to[3])
 {
     for (int i = 0; i < 3; i++)
@@ -72,7 +72,7 @@ static inline double hatch_vec_normalize(double a[3])
     return length;
 }
 
-/* out = (b - a) × (c - a): the triangle's normal, twice as long as its area */
+/* out = (b - a) × (c - a): a normal of the triangle, whose length is twice the triangle's area */
 static inline void hatch_vec_triangle(const double a[3], const double b[3], const double c[3], double out[3])
 {
     double ab[3], ac[3];
@@ -81,8 +81,8 @@ static inline void hatch_vec_triangle(const double a[3], const double b[3], cons
     hatch_vec_cross(ab, ac, out);
 }
 
-/* Returns in out a unit vector orthogonal to the unit vector normal: the axis of normal's smallest component, made
- * orthogonal. */
+/* Computes a unit vector orthogonal to the unit vector `normal`: the axis along which normal has its smallest
+ * component, projected onto the plane orthogonal to normal. */
 static inline void hatch_vec_any_orthogonal(const double normal[3], double out[3])
 {
     int axis = 0;

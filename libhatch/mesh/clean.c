@@ -1,5 +1,5 @@
-/* Cleaning works on points (welded positions), so that it treats unwelded meshes as the surfaces that they are.
- * Vertices stay apart; only those that no face uses are dropped. */
+/* Cleans a mesh. Faces are compared by points (welded positions), so that a mesh whose vertices are not shared is
+ * treated as the surface that it looks like. Vertices are not joined; only those that no face uses are dropped. */
 
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
@@ -7,7 +7,7 @@
 
 struct work {
     const struct hatch_mesh *mesh;
-    uint32_t *point; /* per corner */
+    uint32_t *point; /* per corner: its point */
     uint32_t point_count;
     uint8_t *dropped; /* per face */
     uint8_t *flipped; /* per face */
@@ -31,8 +31,8 @@ static enum hatch_status orient(struct work *w, struct hatch_arena *scratch, str
     return hatch_mesh_count_pinched(&faces, &edges, scratch, &w->notes.non_manifold_points, err);
 }
 
-/* Numbers the vertices that faces use; returns their number.
- *   new_vertex  in: zeros; out: per old vertex
+/* Numbers the vertices that faces use; returns how many there are.
+ *   new_vertex  in: zeros; out: per old vertex, its new index
  *   origin      out: per new vertex, the old one */
 static uint32_t number_vertices(const struct work *w, uint32_t *new_vertex, uint32_t *origin)
 {

@@ -38,7 +38,7 @@ enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t fac
         capacity *= 2;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *slots;
-    HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* hash table: face + 1, or 0 */
+    HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* hash table: face + 1; 0: empty */
     uint32_t found = 0;
     for (uint32_t f = 0; f < face_count; f++) {
         if (dropped[f])

@@ -4,7 +4,8 @@
 
 #include "math/vector.h"
 
-/* Faces on top of one another leave an edge in directions that differ by rounding only. */
+/* If two faces at an edge lie on top of each other, their directions differ by rounding only: the cosine between them
+ * is above this. */
 #define COS_SAME 0.9999
 
 static enum hatch_edge_kind classify(const struct hatch_mesh *mesh, const uint32_t *sides, uint32_t count,

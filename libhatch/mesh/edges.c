@@ -5,7 +5,7 @@
 
 #include "math/vector.h"
 
-#define FLAT 1e-5 /* height over width of a face that may be due to rounding of floats */
+#define FLAT 1e-5 /* faces with a smaller ratio of height to width may be due to rounding of floats */
 
 void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point, uint32_t *point)
 {
@@ -25,7 +25,8 @@ static uint32_t high_point(const uint32_t *point, uint32_t side)
     return a < b ? b : a;
 }
 
-/* One pass of a stable counting sort of sides. starts: room for point_count + 1. */
+/* Does one pass of a stable counting sort of sides.
+ *   starts  scratch: room for point_count + 1 */
 static void sort_by(uint32_t (*key)(const uint32_t *, uint32_t), const uint32_t *point, uint32_t point_count,
                     const uint32_t *from, uint32_t *to, uint32_t count, uint32_t *starts)
 {

@@ -15,8 +15,8 @@ struct hatch_connectivity {
 struct hatch_edges {
     uint32_t count;
     uint32_t *first;   /* count + 1 entries: edge e has sides[first[e]] .. sides[first[e + 1] - 1] */
-    uint32_t *sides;   /* by edge, rising within one */
-    uint32_t *edge_of; /* per side; HATCH_NO_EDGE for a side without length or of a face left out */
+    uint32_t *sides;   /* grouped by edge; ascending within an edge */
+    uint32_t *edge_of; /* per side: its edge; HATCH_NO_EDGE for a side without length or of a face that is left out */
 };
 
 #define HATCH_NO_EDGE UINT32_MAX
@@ -27,23 +27,23 @@ static inline uint32_t hatch_side_end(uint32_t side)
     return side % 3 == 2 ? side - 2 : side + 1;
 }
 
-/* Computes the unit vector at a right angle to a side that points into its face; false when the face is so thin that
- * rounding decides. */
+/* Computes the unit vector in the plane of a face that is perpendicular to one of its sides and points into the face.
+ * Returns false if the face is so thin that the vector would depend on rounding. */
 bool hatch_side_direction(const struct hatch_mesh *mesh, uint32_t side, double direction[3]);
 
 /* Fills point[i] = vertex_to_point[mesh->indices[i]] for all 3 * face_count corners. */
 void hatch_mesh_corner_points(const struct hatch_mesh *mesh, const uint32_t *vertex_to_point, uint32_t *point);
 
-/* Finds all edges, ordered by their lower, then their higher point. Time is linear in faces and points, whatever the
- * valences.
- *   edges  out: its arrays live in arena */
+/* Finds all edges, ordered by their lower point, then by their higher point. The time is linear in the numbers of faces
+ * and points, whatever the valences.
+ *   edges  out: its arrays are in arena */
 enum hatch_status hatch_edges_find(const struct hatch_connectivity *faces, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_edges *edges,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Finds the other side of each edge that has exactly two faces and is not sharp.
- *   sharp    per edge, not 0: sharp; NULL: none is
- *   partner  out: per side of all face_count faces, HATCH_NO_EDGE where there is none */
+/* Pairs the two sides of each edge that has exactly two faces and is not sharp.
+ *   sharp    per edge, not 0: sharp; NULL: no edge is sharp
+ *   partner  out: per side of all face_count faces: the other side of its pair; HATCH_NO_EDGE: none */
 void hatch_edges_partners(const struct hatch_edges *edges, const uint8_t *sharp, uint32_t face_count,
                           uint32_t *partner);
 

@@ -25,7 +25,7 @@ void hatch_sets_join(uint32_t *parent, uint32_t a, uint32_t b)
         parent[a] = b;
 }
 
-/* Joins the corners at both ends of two sides of one edge. */
+/* Joins the corners of two faces at both ends of their common edge. */
 static void join_sides(const uint32_t *point, uint32_t side, uint32_t other, uint32_t *parent)
 {
     uint32_t end = hatch_side_end(side), other_end = hatch_side_end(other);
@@ -41,7 +41,7 @@ uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, 
     for (uint32_t side = 0; side < corner_count; side++)
         if (partner[side] != HATCH_NO_EDGE && side < partner[side])
             join_sides(point, side, partner[side], fan);
-    /* A root is the lowest corner of its fan: it is numbered before the other members. */
+    /* The root of a fan is its lowest corner, so it is numbered before the other corners. */
     for (uint32_t i = 0; i < corner_count; i++)
         fan[i] = hatch_sets_find(fan, i);
     for (uint32_t i = 0; i < corner_count; i++)
@@ -55,7 +55,8 @@ enum hatch_status hatch_mesh_count_pinched(const struct hatch_connectivity *face
     uint32_t corner_count = faces->face_count * 3, pinched = 0;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *parent = HATCH_NEW(scratch, uint32_t, (size_t)faces->face_count * 3, err);
-    uint8_t *fans = parent ? HATCH_NEW(scratch, uint8_t, faces->point_count, err) : NULL; /* per point, at most 2 */
+    /* Number of fans per point, counted up to 2. */
+    uint8_t *fans = parent ? HATCH_NEW(scratch, uint8_t, faces->point_count, err) : NULL;
     if (!fans) {
         hatch_arena_rewind(scratch, mark);
         return HATCH_LIMIT;

@@ -1,18 +1,18 @@
-/* Fans: the groups of joined faces around a point. */
+/* Fans: groups of faces around a point that are joined across edges. */
 #ifndef HATCH_MESH_FANS_H
 #define HATCH_MESH_FANS_H
 
 #include "mesh/edges.h"
 
-/* Counts the pinched points: those where faces meet that share no edge there, as two tetrahedra joined at a tip. Faces
- * that share an edge of more than two faces are joined. */
+/* Counts the pinched points, at which more than one fan meets, as where two tetrahedra touch at a tip. All faces at an
+ * edge count as joined, even if there are more than two. */
 enum hatch_status hatch_mesh_count_pinched(const struct hatch_connectivity *faces, const struct hatch_edges *edges,
                                            struct hatch_arena *scratch, uint32_t *count,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* Numbers the fans of corners in the order of their lowest corners: corners at one end of two joined sides belong to
- * one fan. The corners of a fan follow one another around their point; those of faces left out are fans of their own.
- * Returns the number of fans.
+/* Groups the face corners into fans and numbers the fans in the order of their lowest corners; returns the number of
+ * fans. Corners belong to one fan if they are at the same end of two paired sides, so the corners of a fan follow one
+ * another around their point. A corner whose sides have no partners is a fan of its own.
  *   partner  per side, from hatch_edges_partners
  *   fan      out: per corner */
 uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count, uint32_t *fan);

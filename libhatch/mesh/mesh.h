@@ -1,5 +1,5 @@
-/* Indexed triangle meshes with named vertex attributes. y points up, coordinates are right-handed, faces
- * counter-clockwise seen from outside. */
+/* Indexed triangle meshes with named vertex attributes. Coordinates are right-handed with y pointing up; faces are
+ * counter-clockwise when seen from outside. */
 #ifndef HATCH_MESH_MESH_H
 #define HATCH_MESH_MESH_H
 
@@ -10,45 +10,45 @@
 #include "base/arena.h"
 
 #define HATCH_MESH_ATTRIBUTES_MAX 24u
-#define HATCH_MESH_ATTRIBUTES_READ 18u /* read from a file at most; commands add others */
+#define HATCH_MESH_ATTRIBUTES_READ 18u /* largest number that is read from a file; commands add others */
 #define HATCH_MESH_NAME_MAX 64u        /* with the terminating zero */
 
-/* Attribute names are glTF's: POSITION (3 components), NORMAL (3), TANGENT (4: unit direction of rising u, and the
- * sign w with which w * (NORMAL × TANGENT) is the direction of falling v: 1 unless the texture is mirrored),
+/* Attribute names are glTF's: POSITION (3 components), NORMAL (3), TANGENT (4: the unit direction of increasing u, and
+ * a sign w; w * (NORMAL × TANGENT) is the direction of decreasing v, so w is 1 unless the texture is mirrored),
  * TEXCOORD_0 (2), TEXCOORD_1 (2) and so on, COLOR_0 (4), JOINTS_0 (4, whole numbers), WEIGHTS_0 (4), _HATCH_DIR (4). */
 #define HATCH_MORPH_POSITION "morph POSITION" /* 3 per morph target: displacement of the vertex */
-#define HATCH_MORPH_NORMAL "morph NORMAL"     /* 3 per morph target; only together with HATCH_MORPH_POSITION */
+#define HATCH_MORPH_NORMAL "morph NORMAL"     /* 3 per target: change of the normal; only with the above */
 
 struct hatch_mesh_attribute {
     char name[HATCH_MESH_NAME_MAX];
     uint32_t components; /* 1 .. 4; more for morph targets */
-    float *data;         /* components a vertex; in the mesh's arena */
+    float *data;         /* `components` floats per vertex; in the mesh's arena */
 };
 
 struct hatch_mesh {
     uint32_t vertex_count;
     uint32_t face_count;
-    uint32_t *indices; /* 3 a face, each below vertex_count */
+    uint32_t *indices; /* 3 per face, each below vertex_count */
     uint32_t attribute_count;
     struct hatch_mesh_attribute attributes[HATCH_MESH_ATTRIBUTES_MAX]; /* [0] is POSITION */
 };
 
-/* Counts of what reading or cleaning a mesh has changed or ignored, for warnings. */
+/* Counts of the things that reading or cleaning a mesh has changed or ignored, for warnings. */
 struct hatch_mesh_notes {
     uint32_t polygons_split;       /* faces of more than three corners, triangulated */
     uint32_t degenerate_dropped;   /* faces with a repeated corner or without area */
-    uint32_t duplicates_dropped;   /* faces with the points of an earlier face */
+    uint32_t duplicates_dropped;   /* faces with the same points as an earlier face */
     uint32_t unreferenced_dropped; /* vertices that no face uses */
-    uint32_t faces_flipped;        /* faces turned to agree with their neighbours */
+    uint32_t faces_flipped;        /* faces flipped to agree with their neighbours */
     uint32_t vertices_apart;       /* in meshes without other attributes: vertices at the position of an earlier one */
     uint32_t non_manifold_edges;   /* edges of more than two faces */
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces cannot agree, as on a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
-    uint32_t morphs_ignored;       /* glTF: meshes whose morph targets nothing animates, kept in their rest shape */
-    uint32_t attributes_dropped;   /* glTF: vertex attributes of unknown names, or too many */
-    uint32_t transparent_dropped;  /* meshes with an opacity below their material's cutoff */
-    uint32_t images_missing;       /* glTF: images that could not be read; materials go without them */
+    uint32_t morphs_ignored;     /* glTF: meshes with morph targets that nothing animates; they keep their rest shape */
+    uint32_t attributes_dropped; /* glTF: vertex attributes that are unknown, or beyond HATCH_MESH_ATTRIBUTES_READ */
+    uint32_t transparent_dropped; /* meshes with an opacity below their material's cutoff */
+    uint32_t images_missing;      /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
 };
 
@@ -56,15 +56,15 @@ struct hatch_mesh_notes {
 enum hatch_status hatch_mesh_make(struct hatch_arena *arena, uint32_t vertex_count, uint32_t face_count,
                                   struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Adds a zeroed attribute. HATCH_LIMIT also when the mesh has HATCH_MESH_ATTRIBUTES_MAX.
+/* Adds a zeroed attribute. HATCH_LIMIT also if the mesh already has HATCH_MESH_ATTRIBUTES_MAX.
  *   arena  of the mesh
  *   name   shorter than HATCH_MESH_NAME_MAX
  *   data   out: the attribute's floats */
 enum hatch_status hatch_mesh_add(struct hatch_arena *arena, struct hatch_mesh *mesh, const char *name,
                                  uint32_t components, float **data, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes a mesh with zeroed indices whose vertices are copies of another mesh's, with all attributes.
- *   origin  per vertex of the new mesh: the vertex of `from` */
+/* Makes a mesh whose vertices are copies of another mesh's, with all their attributes. Its indices are zeroed.
+ *   origin  per vertex of the new mesh: the vertex of `from` that it copies */
 enum hatch_status hatch_mesh_gather(const struct hatch_mesh *from, const uint32_t *origin, uint32_t vertex_count,
                                     uint32_t face_count, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                     struct hatch_err *err) HATCH_MUST_USE;
@@ -78,39 +78,40 @@ const struct hatch_mesh_attribute *hatch_mesh_attribute(const struct hatch_mesh 
 /* Returns the number of morph targets. */
 uint32_t hatch_mesh_target_count(const struct hatch_mesh *mesh);
 
-/* Returns in corners the positions of a face's corners; false when the face has no area. Works at any scale from 1e-30
- * to 1e30. */
+/* Computes the positions of a face's corners; returns false if the face has no area. The test of the area works for
+ * faces with sizes of 1e-30 to 1e30. */
 bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double corners[3][3]);
 
 /* Checks a mesh from a file. HATCH_BAD_INPUT for an index out of range, a position that is not finite, no faces, or no
  * face with an area. */
 enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Finds the axis-aligned bounding box of the vertices that faces use; false when there are no faces. */
+/* Computes the axis-aligned bounding box of the vertices that faces use; returns false if there are no faces. */
 bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3]);
 
 /* Adds NORMAL where it is missing: the mean of the normals of the faces around a vertex, weighted by their angles there
  * (Thürmer & Wüthrich 1998), in doubles. Vertices at one position share a normal.
- *   crease_rad  vertices are split at edges sharper than this, over 0 and under π; 0: at none */
+ *   crease_rad  vertices are split at edges sharper than this, over 0 and under π; 0: at no edge */
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,
                                          struct hatch_mesh *mesh, float crease_rad,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Adds TANGENT where it is missing: the area-weighted direction of rising u, orthogonal to the normal; any direction
- * orthogonal to the normal where the texture coordinates are degenerate. The mesh has NORMAL and TEXCOORD_0. */
+/* Adds TANGENT where it is missing: the area-weighted mean direction of increasing u, made orthogonal to the normal.
+ * Where the texture coordinates are degenerate it is any direction orthogonal to the normal. The mesh must have NORMAL
+ * and TEXCOORD_0. */
 enum hatch_status hatch_mesh_add_tangents(struct hatch_arena *arena, struct hatch_arena *scratch,
                                           struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Drops degenerate faces, duplicate faces and unreferenced vertices, and turns faces so that neighbours agree
- * (hatch_mesh_orient). Vertices keep their order. HATCH_BAD_INPUT when no face remains.
+/* Drops degenerate faces, duplicate faces and unreferenced vertices, and flips faces so that neighbours agree
+ * (hatch_mesh_orient). Vertices keep their order. HATCH_BAD_INPUT if no face remains.
  *   mesh   in, out: rebuilt in arena
  *   notes  in, out: counts are added */
 enum hatch_status hatch_mesh_clean(struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                    struct hatch_mesh_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives vertices at the same position the same number, counted from 0 in order of appearance. -0 equals 0;
- * coordinates below 2^-40 of the faces' extent count as 0.
- *   vertex_to_point  out: per vertex
+/* Numbers the different positions of a mesh's vertices, from 0 in order of appearance. -0 equals 0; coordinates of at
+ * most 2^-40 of the faces' extent count as 0.
+ *   vertex_to_point  out: per vertex: the number of its position
  *   point_count      out: number of different positions */
 enum hatch_status hatch_mesh_weld(const struct hatch_mesh *mesh, struct hatch_arena *scratch, uint32_t *vertex_to_point,
                                   uint32_t *point_count, struct hatch_err *err) HATCH_MUST_USE;

@@ -7,14 +7,14 @@
 #include "mesh/fans.h"
 #include "mesh/splits.h"
 
-/* Corners that share a normal form a class: those of one point without a crease angle, those joined across edges that
- * are not sharp with one. */
+/* Corners that share a normal form a class. Without a crease angle these are all corners of a point; with one, they are
+ * the corners of a point that are joined across edges that are not sharp. */
 struct work {
     const struct hatch_mesh *mesh;
     uint32_t *point;    /* per corner */
     uint32_t *class_of; /* per corner */
     uint32_t class_count;
-    double *sum; /* 3 per class: of the faces' normals */
+    double *sum; /* 3 per class: weighted sum of its faces' normals */
 };
 
 static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)

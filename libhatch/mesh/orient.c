@@ -13,10 +13,11 @@ struct flood {
     uint8_t *seen;    /* per face */
     uint32_t *queue;  /* faces of the component */
     uint32_t count;
-    bool closed; /* all sides are joined */
+    bool closed; /* every side of the faces has a partner */
 };
 
-/* Two sides of one edge agree when they run in opposite directions. */
+/* Returns whether the faces on both sides of an edge agree after flipping: their sides then run in opposite
+ * directions. */
 static bool agree(const struct flood *f, uint32_t side, uint32_t other)
 {
     bool same_way = f->faces->point[side] == f->faces->point[other];
@@ -43,8 +44,8 @@ static void flood_from(struct flood *f, uint32_t start)
         }
 }
 
-/* Six times the volume with the faces turned, relative to the component's first corner: a large offset from the origin
- * would cancel all digits. */
+/* Returns six times the signed volume of the component after flipping. Positions are relative to its first corner,
+ * because a large offset from the origin would cancel all digits. */
 static double volume(const struct flood *f)
 {
     double sum = 0, origin[3], corners[3][3], normal[3];
@@ -61,7 +62,9 @@ static double volume(const struct flood *f)
     return sum;
 }
 
-/* Counts the component's contrary edges with the faces turned, and as they were. */
+/* Counts the component's contrary edges.
+ *   turned  out: after flipping
+ *   before  out: without flipping */
 static void count_contrary(const struct flood *f, uint32_t *turned, uint32_t *before)
 {
     *turned = *before = 0;
@@ -74,7 +77,7 @@ static void count_contrary(const struct flood *f, uint32_t *turned, uint32_t *be
     }
 }
 
-/* Decides which side of the component is outside. */
+/* Decides which side of the component is the outside, and so which of its faces are flipped. */
 static void choose_side(struct flood *f, struct hatch_orientation *result)
 {
     uint32_t turned = 0, contrary, before;
@@ -84,7 +87,7 @@ static void choose_side(struct flood *f, struct hatch_orientation *result)
     result->contrary_edges += contrary < before ? contrary : before;
     if (turned == 0)
         return;
-    if (before <= contrary) { /* non-orientable, and turning gains nothing */
+    if (before <= contrary) { /* non-orientable, and flipping gains nothing */
         for (uint32_t i = 0; i < f->count; i++)
             f->flipped[f->queue[i]] = 0;
         return;

@@ -5,17 +5,17 @@
 #include "mesh/edges.h"
 
 struct hatch_orientation {
-    uint8_t *flipped;    /* set by the caller, out: per face, 1 when it must be turned round, else 0 */
-    uint32_t *component; /* set by the caller, out: per face, its component in order of their lowest faces; faces left
-                            out keep their value; NULL: not wanted */
-    uint32_t components; /* sets of faces joined side by side */
+    uint8_t *flipped;    /* array of the caller; out: per face, 1 if it must be flipped, else 0 */
+    uint32_t *component; /* array of the caller, or NULL; out: per face, the number of its component (numbered in the
+                            order of their lowest faces); unchanged for faces that are left out */
+    uint32_t components; /* number of components: sets of faces that are joined across edges */
     uint32_t faces_flipped;
-    uint32_t contrary_edges; /* joined sides whose faces cannot agree, as on a Möbius strip */
+    uint32_t contrary_edges; /* edges whose two faces cannot agree, as on a Möbius strip */
 };
 
-/* Finds the faces to be turned so that neighbours agree. A component keeps the orientation of most of its faces; where
- * it is closed and its faces disagree, it gets positive volume. A non-orientable component keeps its faces unless
- * turning some leaves fewer contrary edges.
+/* Finds the faces that must be flipped so that neighbours agree. A component keeps the orientation of the majority of
+ * its faces; if it is closed and its faces disagree, it is oriented to a positive volume. A non-orientable component
+ * stays as it is, unless flipping leaves fewer contrary edges.
  *   partner      per side, from hatch_edges_partners
  *   orientation  in, out */
 enum hatch_status hatch_mesh_orient(const struct hatch_mesh *mesh, const struct hatch_connectivity *faces,

@@ -4,8 +4,8 @@
 
 #include "base/keys.h"
 
-/* Numbers vertices that are equal in position and values.
- *   values  3 a vertex */
+/* Numbers the different vertices: those that are equal in position and values get the same number.
+ *   values  3 per vertex */
 static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
                                          struct hatch_remap *remap, struct hatch_err *err)
 {

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-/* Finds or makes the vertex for a class. The first class keeps the vertex; copies form a linked list from there.
+/* Finds or makes the copy of a vertex that a class uses. The first class keeps the vertex itself; the copies for other
+ * classes form a linked list that begins there.
  *   next  per vertex: the next copy, or 0 */
 static uint32_t vertex_for(struct hatch_splits *s, uint32_t *next, uint32_t vertex, uint32_t class)
 {

@@ -1,4 +1,5 @@
-/* Splitting vertices so that each serves corners of one class only. */
+/* Splits vertices so that all face corners that use a vertex have the same class. A class is any number that the caller
+ * gives to corners that may share a vertex. */
 #ifndef HATCH_MESH_SPLITS_H
 #define HATCH_MESH_SPLITS_H
 
@@ -14,9 +15,10 @@ struct hatch_splits {
     uint32_t *indices;  /* per corner: its vertex */
 };
 
-/* Splits vertices. The class of a vertex's first corner keeps the old index.
- *   vertex, class_of  per corner
- *   splits            out: its arrays live in scratch */
+/* Splits vertices. The class of the first corner that uses a vertex keeps the old index.
+ *   vertex    per corner
+ *   class_of  per corner; not HATCH_NO_CLASS
+ *   splits    out: its arrays are in scratch */
 enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
                                     uint32_t vertex_count, struct hatch_arena *scratch, struct hatch_splits *splits,
                                     struct hatch_err *err) HATCH_MUST_USE;

@@ -3,8 +3,8 @@
 #include "math/vector.h"
 #include "mesh/mesh.h"
 
-/* Adds a face's unit directions of rising u and falling v, weighted by area, to its vertices' sums.
- *   sums  6 a vertex */
+/* Adds a face's unit directions of increasing u and decreasing v, weighted by its area, to the sums of its vertices.
+ *   sums  6 per vertex */
 static void add_face(const struct hatch_mesh *mesh, uint32_t face, const float *texcoords, double *sums)
 {
     const uint32_t *index = &mesh->indices[(size_t)face * 3];
@@ -45,7 +45,7 @@ static void store(const float *normal_in, const double *sum, float *tangent)
     hatch_vec_normalize(normal);
     hatch_vec_add_scaled(sum, -hatch_vec_dot(sum, normal), normal, t);
     double length = hatch_vec_length(sum), rest = hatch_vec_normalize(t);
-    /* Where the sum is along the normal only rounding remains. */
+    /* If the sum is along the normal, only rounding errors remain here. */
     if (!(rest > 1e-6 * length))
         hatch_vec_any_orthogonal(normal, t);
     hatch_vec_cross(normal, t, other);

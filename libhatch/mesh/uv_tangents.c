@@ -5,8 +5,9 @@
 #include "math/vector.h"
 #include "mesh/remap.h"
 
-/* Adds dP/du and dP/dv of one face, each times twice the face's area.
- *   number  per vertex: its entry in sums */
+/* Adds dP/du and dP/dv of one face, each times twice the face's area, and that weight.
+ *   number  per vertex: its entry in sums
+ *   sums    7 per entry: dP/du, dP/dv, weight */
 static void add_face(const uint32_t corner[3], const float *position, const float *texcoord, const uint32_t *number,
                      double *sums)
 {
@@ -57,8 +58,8 @@ double hatch_uv_reach(const struct hatch_mesh *mesh)
     return uv_area > 0 ? most * sqrt(area / uv_area) : 0;
 }
 
-/* Flat-shaded meshes have separate vertices per face, so vertices that are equal in position and texture coordinates
- * share their tangents. */
+/* Vertices that are equal in position and texture coordinates share their tangents, because flat-shaded meshes have
+ * separate vertices for each face. */
 enum hatch_status hatch_uv_tangents(const struct hatch_mesh *mesh, struct hatch_arena *scratch, float **tangents,
                                     struct hatch_err *err)
 {

@@ -6,11 +6,11 @@
 
 #define EMPTY UINT32_MAX
 
-/* Coordinates up to this share of the mesh's size count as 0: the vertices at a sphere's pole are often at sin(π),
- * which is 1e-16 in doubles. */
+/* Coordinates of at most this share of the mesh's size count as 0: the vertices at the poles of a sphere are often at
+ * sin(π), which is 1e-16 in doubles. */
 #define ZERO_SHARE 0x1p-40f
 
-/* The bits of a position, with -0 and coordinates up to zero_max replaced by 0. */
+/* Returns the bits of a position, with -0 and all coordinates of at most zero_max replaced by 0. */
 static void position_bits(const float *position, float zero_max, uint32_t bits[3])
 {
     for (int k = 0; k < 3; k++) {

@@ -4,8 +4,8 @@
 #include "near/subdivide.h"
 #include "near/parts.h"
 
-#define MARGIN 0.02 /* added on each side of the tile, in widths or heights of it */
-#define RATIO 2.0   /* largest length of a piece's edge, in distances from the eye */
+#define MARGIN 0.02 /* widening of the tile on each side, as a share of its width or height */
+#define RATIO 2.0   /* largest length of a piece's edge, in multiples of its distance from the eye */
 
 struct cutting {
     struct hatch_buffer *buffer;
@@ -51,7 +51,7 @@ static void set_position(const struct hatch_near_frame *frame, const double worl
         at[row] = hatch_pair_dot(from, axes[row]);
 }
 
-/* Computes hatch_texcoord of the shader vertex.glsl, in double-double precision. */
+/* Computes the texture coordinates as hatch_texcoord in the shader vertex.glsl does, in double-double precision. */
 static void set_uv(const double turn[2], const float texcoord[2], const float repeat[2], struct hatch_pair uv[2])
 {
     double tiles[2];

@@ -6,7 +6,8 @@
 #include "near/subdivide.h"
 #include "near/parts.h"
 
-/* Computes the vector from the eye to a point, for an orthographic view from the view axis. */
+/* Computes the vector from the eye to a point; for an orthographic view, the vector from the view axis, as coordinates
+ * to the right and up. */
 static void from_eye(const struct hatch_near_frame *frame, const double point[3], double out[3])
 {
     double from[3];
@@ -22,8 +23,8 @@ static void from_eye(const struct hatch_near_frame *frame, const double point[3]
     out[2] = 0;
 }
 
-/* Returns the distance within which an item's faces are near. It grows with the item's texture coordinates, whose
- * rounding errors are then visible from farther away. */
+/* Returns the distance within which an item's faces are near. It increases with the size of the item's texture
+ * coordinates, because their rounding errors are then visible from further away. */
 static double reach_of(const struct hatch_near_frame *frame, const struct hatch_item *item)
 {
     const struct hatch_unit_scene *scene = frame->scene;
@@ -180,7 +181,7 @@ static uint32_t block_end(const struct hatch_near_faces *faces, uint32_t begin)
     return faces->count - begin < HATCH_NEAR_BLOCK ? faces->count : begin + HATCH_NEAR_BLOCK;
 }
 
-/* Chooses near faces and those that share a point with one. */
+/* Chooses the near faces, and the faces that share a point with one of them. */
 static void choose_ring(const struct hatch_near_frame *frame, const struct hatch_near_target *target,
                         const struct hatch_box *marked, struct hatch_near_choice *choice)
 {
@@ -200,7 +201,7 @@ static void choose_ring(const struct hatch_near_frame *frame, const struct hatch
 }
 
 /* Allocates room for all faces of the blocks within reach.
- *   box  NULL, or: for all faces of the blocks that meet it instead */
+ *   box  not NULL: for all faces of the blocks that meet this box, instead */
 static enum hatch_status make_room(const struct hatch_near_frame *frame, const struct hatch_near_target *target,
                                    double reach, const struct hatch_box *box, uint32_t **faces, struct hatch_err *err)
 {

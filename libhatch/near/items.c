@@ -1,8 +1,8 @@
 #include "near/parts.h"
 
-#define NEAREST 0x1p-60 /* least distance of the near plane: for an eye on the surface */
+#define NEAREST 0x1p-60 /* least distance of the near plane, for an eye that is on a surface */
 
-/* Returns half the picture's diagonal and a margin, for an orthographic view. */
+/* Returns half the picture's diagonal plus a margin, for an orthographic view. */
 static double half_diagonal(const struct hatch_view *view)
 {
     return 1.1 * view->half_height * hypot(1, view->aspect);
@@ -21,7 +21,7 @@ static struct hatch_near_frame frame_of(struct hatch_near *near, const struct ha
                                      .nearest = INFINITY};
 }
 
-/* Sets the ranges of the index buffer between near faces. */
+/* Sets the ranges of the index buffer that contain no near faces. */
 static enum hatch_status set_ranges(const struct hatch_near_faces *faces, const struct hatch_near_choice *choice,
                                     struct hatch_arena *arena, struct hatch_near_cut *cut, struct hatch_err *err)
 {
@@ -93,7 +93,7 @@ static enum hatch_status cut_all(struct hatch_near_frame *frame, const struct ha
     return status;
 }
 
-/* Drops data of the previous pose where the pose has changed. */
+/* Drops the data of the previous pose if the pose has changed. */
 static void drop_old_pose(struct hatch_near *near, const struct hatch_unit_scene *scene)
 {
     if (near->pose_number == scene->pose_number)

@@ -1,6 +1,7 @@
 /* Faces so near the eye that floats cannot resolve their position. They are cut into pieces in double-double
- * arithmetic, and the vertices of a piece are floats relative to the piece (near/subdivide.h). The faces around the
- * near ones are drawn both from the index buffer and as pieces, so that different rounding opens no gap. */
+ * arithmetic; a piece's vertices are floats, with positions relative to the eye and texture coordinates relative to the
+ * piece's first corner (near/subdivide.h). The faces around the near ones are drawn both from the index buffer and as
+ * pieces, so that their different rounding opens no gap. */
 #ifndef HATCH_NEAR_NEAR_H
 #define HATCH_NEAR_NEAR_H
 
@@ -14,7 +15,7 @@ struct hatch_near_vertex {
     float position[3];     /* camera coordinates: right, up, back */
     float uv[2];           /* relative to origin */
     float weight[3];       /* barycentric coordinates in the face; their sum is 1 */
-    uint32_t corner[3];    /* the face's vertices */
+    uint32_t corner[3];    /* the face's vertices, as indices into the item's mesh */
     uint32_t origin[2][4]; /* texture coordinates of the piece's first corner, u and v, as fixed-point numbers of
                               hatch_piece_fixed */
 };
@@ -22,10 +23,10 @@ struct hatch_near_vertex {
 /* How a list of faces is drawn: ranges of its index buffer, and pieces for the faces between the ranges. */
 struct hatch_near_cut {
     bool is_cut;          /* false: all faces are drawn from the index buffer; the other members are zero */
-    uint32_t range_count; /* of the index buffer */
+    uint32_t range_count; /* number of ranges of the index buffer */
     int *counts;          /* per range: number of indices */
     const void **offsets; /* per range: byte offset, as glMultiDrawElements expects it */
-    int first, count;     /* vertices of the pieces: range of hatch_near.vertices */
+    int first, count;     /* range of the pieces' vertices in hatch_near.vertices */
 };
 
 struct hatch_near_item {
@@ -37,7 +38,7 @@ struct hatch_near_shape;
 /* Data kept between frames. Starts zeroed; hatch_near_free releases it. */
 struct hatch_near {
     bool is_open;                          /* the arenas are initialized */
-    struct hatch_arena kept, posed, frame; /* lifetimes: until hatch_near_free, a pose, a frame */
+    struct hatch_arena kept, posed, frame; /* until hatch_near_free, the next pose, the next frame */
     uint32_t pose_number, frame_number;    /* of the last call; pose_number as in struct hatch_unit_scene */
     struct hatch_near_shape *shapes;       /* per item */
     struct hatch_near_item *items;         /* per item, of the last frame; NULL: no pieces */
@@ -59,7 +60,7 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
                                   const struct hatch_near_options *options, struct hatch_view *view,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns how an item is drawn in the last frame; NULL: all its faces from the index buffer.
+/* Returns how an item is drawn in the frame of the last call; NULL: all its faces are drawn from the index buffer.
  *   item  index into the scene's items */
 const struct hatch_near_item *hatch_near_item_at(const struct hatch_near *near, uint32_t item);
 

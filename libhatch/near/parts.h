@@ -8,11 +8,11 @@
 /* A list of faces of an item: of its surface or of its patches. */
 struct hatch_near_faces {
     const uint32_t *indices;
-    const uint32_t *vertex_of; /* per index value: vertex of the item's mesh; NULL: indices are vertices */
+    const uint32_t *vertex_of; /* converts an index to a vertex of the item's mesh; NULL: indices are such vertices */
     uint32_t count;            /* of faces */
 };
 
-/* The lists of an item; ordinary meshes have the first only. */
+/* The lists of faces of an item; ordinary meshes have only the first. */
 enum { HATCH_NEAR_SURFACE, HATCH_NEAR_PATCHES, HATCH_NEAR_LISTS };
 
 /* Returns the vertex at corner k, 0 .. 2, of a face. */
@@ -33,8 +33,8 @@ struct hatch_near_sphere {
 struct hatch_near_shape {
     double *positions; /* 3 per vertex, world coordinates; NULL: not computed for this pose */
     struct hatch_near_sphere *blocks[HATCH_NEAR_LISTS]; /* per list: bounding spheres of its blocks */
-    uint32_t *points; /* per vertex: number of its welded point; NULL: not computed yet */
-    uint32_t *marks;  /* per point: last frame in which it is on a near face */
+    uint32_t *points; /* per vertex: number of the point that it is welded to; NULL: not computed yet */
+    uint32_t *marks;  /* per point: number of the last frame in which it was on a near face */
 };
 
 /* State of one call. */
@@ -43,13 +43,13 @@ struct hatch_near_frame {
     const struct hatch_unit_scene *scene;
     const struct hatch_near_options *options;
     const struct hatch_view *view;
-    double reach;         /* perspective: distance within which faces are near, where uv_reach is below 2; orthographic:
-                             float error over HATCH_NEAR_PIXELS */
-    double half_diagonal; /* of the picture of an orthographic view, and a margin */
+    double reach; /* perspective: distance within which faces are near, unless large texture coordinates extend it;
+                     orthographic: float error over HATCH_NEAR_PIXELS */
+    double half_diagonal; /* half the picture's diagonal plus a margin, for an orthographic view */
     double nearest;       /* distance of the nearest face found so far */
 };
 
-/* A list of an item, to be examined. */
+/* A list of faces of an item, to be searched for near ones. */
 struct hatch_near_target {
     const struct hatch_item *item;
     struct hatch_near_shape *shape;
@@ -57,13 +57,14 @@ struct hatch_near_target {
     struct hatch_near_faces faces;
 };
 
-/* The near faces of a list, and the faces to cut: the near ones and those that share a point with one. Both rise. */
+/* The near faces of a list, and the faces to cut: the near ones and those that share a point with one. Both arrays are
+ * in ascending order. */
 struct hatch_near_choice {
     uint32_t near_count, piece_count;
     uint32_t *near_faces, *piece_faces;
 };
 
-/* Returns whether the item's bounding box is within reach. */
+/* Returns whether the item's bounding box is within reach of the eye. */
 bool hatch_near_touches(const struct hatch_near_frame *frame, const struct hatch_item *item);
 
 /* Fills the item's lists of faces and returns their number: HATCH_NEAR_LISTS for lapped textures, else 1.
@@ -71,7 +72,7 @@ bool hatch_near_touches(const struct hatch_near_frame *frame, const struct hatch
 int hatch_near_lists(const struct hatch_near_frame *frame, uint32_t item,
                      struct hatch_near_target lists[HATCH_NEAR_LISTS]);
 
-/* Computes the positions and bounding spheres of an item at the pose, unless they are present.
+/* Computes the positions and bounding spheres of an item at the pose, unless they are computed already.
  *   item  index into the scene's items */
 enum hatch_status hatch_near_shape_make(struct hatch_near_frame *frame, uint32_t item,
                                         struct hatch_err *err) HATCH_MUST_USE;

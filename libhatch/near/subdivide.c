@@ -4,16 +4,16 @@
 
 #include "math/vector.h"
 
-#define DEPTH_MAX 250 /* of the recursion; more halvings than between the size of any scene and of any view of it */
+#define DEPTH_MAX 250 /* of the recursion: more halvings than any scene and view need */
 
 struct cutting {
     const struct hatch_piece_view *view;
-    double least_distance; /* smaller distances of edges are raised to this */
+    double least_distance; /* distances of edges below this are raised to it */
     hatch_piece_visit visit;
     void *context;
 };
 
-/* Returns the distance of a segment from 0, in the first `axes` coordinates. */
+/* Returns the distance of a segment from the origin, in the first `axes` coordinates. */
 static double segment_distance(const double a[3], const double b[3], int axes)
 {
     double along = 0, square = 0, sum = 0;
@@ -44,7 +44,8 @@ static bool comes_first(const double a[3], const double b[3])
     return true;
 }
 
-/* Returns whether an edge is to be cut. Independent of the order of its ends, so that both faces at it agree. */
+/* Returns whether an edge must be cut. The result does not depend on the order of its ends, so that both faces at the
+ * edge agree. */
 static bool is_long(const struct cutting *c, const struct hatch_piece_corner *a, const struct hatch_piece_corner *b)
 {
     double p[2][3];
@@ -112,9 +113,9 @@ static int longest_edge(const piece p)
     return longest;
 }
 
-/* Lists the pieces of a triangle and returns their number. Where all edges are cut, the triangle is bisected at its
- * longest edge, and both halves at their other cut edge (Rivara 1984): four similar triangles would keep the shape of a
- * thin triangle, whose pieces then double in number with each step.
+/* Lists the pieces of a triangle and returns their number. If all edges are cut, the triangle is bisected at its
+ * longest edge, and then each half at its other cut edge (Rivara 1984). Four similar triangles would instead keep a
+ * thin triangle thin, and its pieces would double in number with each step.
  *   p  corners
  *   m  midpoints of the edges from each corner to the next, NULL for an uncut edge; at least one is not NULL */
 static int list_pieces(const piece p, const piece m, piece out[4])

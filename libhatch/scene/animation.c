@@ -1,12 +1,13 @@
-/* The pose of a scene at a time of an animation. */
+/* Poses a scene at a moment of an animation. */
 #include "scene/scene.h"
 
 #include <assert.h>
 #include <math.h>
 #include <string.h>
 
-/* Offsets in a node's 16 floats of `world` while a pose is computed: they hold its local translation, rotation and
- * scale until a pass over the nodes, parents first, replaces them by the world matrix. No scratch memory is needed. */
+/* Offsets in a node's 16 floats of `world` while a pose is computed. These floats first hold the node's local
+ * translation, rotation and scale; a pass over the nodes, parents first, then replaces them by the world matrix. This
+ * saves scratch memory. */
 enum { LOCAL_TRANSLATION = 0, LOCAL_ROTATION = 3, LOCAL_SCALE = 7 };
 
 static void multiply(const float *a, const float *b, float *out)
@@ -46,8 +47,8 @@ static void normalize4(double q[4])
         q[i] /= length;
 }
 
-/* Interpolates rotations along the shorter arc, at constant angular speed; nearly equal rotations linearly, because the
- * sine of the angle is too small to divide by. */
+/* Interpolates rotations along the shorter arc, at constant angular speed. Nearly equal rotations are interpolated
+ * linearly, because the sine of their angle is too small to divide by. */
 static void slerp(const float *a, const float *b, double t, double out[4])
 {
     double dot = 0;
@@ -64,7 +65,7 @@ static void slerp(const float *a, const float *b, double t, double out[4])
         out[i] = from * (double)a[i] + sign * to * (double)b[i];
 }
 
-/* Returns the last key at or before time_s, at most key_count - 2. */
+/* Returns the index of the last key at or before time_s, within 0 .. key_count - 2. */
 static uint32_t find_key(const struct hatch_animation_channel *channel, double time_s)
 {
     uint32_t low = 0, high = channel->key_count - 1;
@@ -78,7 +79,8 @@ static uint32_t find_key(const struct hatch_animation_channel *channel, double t
     return low;
 }
 
-/* Interpolates with cubic Hermite splines (glTF 2.0, appendix C): in-tangent, value, out-tangent per key. */
+/* Interpolates with cubic Hermite splines (glTF 2.0, appendix C). A key consists of in-tangent, value and
+ * out-tangent. */
 static void cubic(const float *key, const float *next, uint32_t n, double span_s, double t, double *out)
 {
     double t2 = t * t, t3 = t2 * t;

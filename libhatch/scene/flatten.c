@@ -5,10 +5,10 @@
 
 struct flat {
     const struct hatch_scene *scene;
-    const float *world; /* matrices of the nodes */
+    const float *world; /* world matrices of the nodes */
     struct hatch_mesh mesh;
     float *normals, *texcoords; /* NULL: omitted */
-    uint32_t vertex, face;      /* numbers added so far */
+    uint32_t vertex, face;      /* numbers of vertices and faces added so far */
 };
 
 static void transform(const float *matrix, const float *p, float *out)
@@ -21,8 +21,8 @@ static void transform(const float *matrix, const float *p, float *out)
     }
 }
 
-/* Computes the cofactors of a matrix, which transform normals (the transposed inverse up to a factor); times the sign
- * of the determinant also for mirroring matrices. Returns the determinant. */
+/* Computes the cofactors of a matrix; returns its determinant. They transform normals, because they are the transposed
+ * inverse times the determinant; for a mirroring matrix their sign must be changed. */
 static double cofactors(const float *matrix, double out[3][3])
 {
     double column[3][3];

@@ -4,7 +4,7 @@
 
 #include "scene/scene.h"
 
-/* Adds a level square with texture coordinates at the height of the lowest point of the rest pose. Its node is a
+/* Adds a horizontal square with texture coordinates at the height of the lowest point of the rest pose. Its node is a
  * backdrop, so the scene's bounds do not change.
  *   scene  its node and mesh arrays are replaced by longer ones in arena
  *   share  half the square's side, in radii of the scene's bounds; over 0 */

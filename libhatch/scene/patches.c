@@ -14,7 +14,7 @@ static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_m
            hatch_mesh_find(&mesh->mesh, "TEXCOORD_1", 2) && hatch_mesh_find(&mesh->mesh, "NORMAL", 3);
 }
 
-/* Returns whether two meshes can be joined: same material, same attributes in the same order. */
+/* Returns whether two meshes can be joined: they have the same material, and the same attributes in the same order. */
 static bool are_alike(const struct hatch_scene_mesh *a, const struct hatch_scene_mesh *b)
 {
     bool alike = a->material == b->material && a->mesh.attribute_count == b->mesh.attribute_count;
@@ -58,14 +58,15 @@ struct joining {
     const struct hatch_scene_mesh *from;
     struct hatch_patch_mesh *patches;
     struct hatch_mesh *joined;
-    struct hatch_remap weld;        /* of the joined vertices: points of the surface */
-    struct hatch_keys pairs, faces; /* numbers of pairs of a face's first two points; of a pair and the third point */
+    struct hatch_remap weld;        /* new indices of the joined vertices: vertices of the surface */
+    struct hatch_keys pairs, faces; /* pairs: numbers the pairs of a face's first two points; faces: numbers such a pair
+                                       with the third point */
     uint32_t *layer_of;             /* per surface face: 1 + highest layer that covers it */
     uint32_t *layer;                /* per patch */
 };
 
-/* Returns a face's corners in the joined mesh, the one with the lowest point first: faces on the same points are then
- * interpolated alike, and have equal depths. */
+/* Returns a face's corners in the joined mesh, starting with the lowest point, so that faces on the same points are
+ * interpolated alike and get equal depths. */
 static void corners_of(const struct joining *joining, uint32_t patch, uint32_t face, uint32_t corner[3])
 {
     const uint32_t *index = &joining->from[patch].mesh.indices[3 * (size_t)face];
@@ -84,7 +85,7 @@ static enum hatch_status find_faces(struct joining *joining, struct hatch_mesh *
 {
     for (uint32_t patch = 0; patch < joining->patches->patch_count; patch++) {
         uint32_t count = joining->from[patch].mesh.face_count, layer = 0;
-        uint32_t *surface_face = joining->joined->indices; /* scratch: order_faces fills the indices later */
+        uint32_t *surface_face = joining->joined->indices; /* used as scratch here; order_faces fills it later */
         for (uint32_t f = 0; f < count; f++) {
             uint32_t corner[3], point[3], pair, before = joining->faces.count;
             corners_of(joining, patch, f, corner);
@@ -146,7 +147,7 @@ static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t coun
 }
 
 /* Returns the number of meshes from `first` on that are patches of one surface; 1 for an ordinary mesh.
- *   begins  per mesh, and past the last: not 0: the first mesh of a node, or the one after its last */
+ *   begins  per mesh, and one more: not 0 for the first mesh of a node and for the mesh after its last one */
 static uint32_t run_length(const struct hatch_scene *scene, const uint8_t *begins, uint32_t first)
 {
     uint32_t end = first + 1;

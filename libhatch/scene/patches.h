@@ -1,5 +1,5 @@
-/* Lapped textures: a file has a mesh for each patch, thousands of them. Here the patches of a node are joined to one
- * mesh, and the surface that they cover is recovered from their overlaps. */
+/* Lapped textures: a file has a mesh for each patch, often thousands. Here the patches of a node are joined into one
+ * mesh, and the surface that they cover is rebuilt by keeping each face once, however many patches contain it. */
 #ifndef HATCH_SCENE_PATCHES_H
 #define HATCH_SCENE_PATCHES_H
 
@@ -8,15 +8,15 @@
 /* The patches of one mesh of a scene. */
 struct hatch_patch_mesh {
     uint32_t patch_count;   /* 0: an ordinary mesh; all other members are zero */
-    uint32_t *first_vertex; /* per patch, and the end of the last: its first vertex in the joined mesh */
+    uint32_t *first_vertex; /* per patch: its first vertex in the joined mesh; then the number of all vertices */
     uint32_t layer_count;
-    uint32_t *layer_end;       /* per layer: one past its last index in the joined mesh */
+    uint32_t *layer_end;       /* per layer: one past its last index in the index buffer of the joined mesh */
     struct hatch_mesh surface; /* the covered surface: each face and vertex once, without texture coordinates */
-    uint32_t *vertex_of;       /* per vertex of the surface: a vertex of the joined mesh at the same point */
+    uint32_t *vertex_of;       /* per vertex of the surface: a vertex of the joined mesh at the same position */
 };
 
 /* Joins successive meshes of a node that share a material with a patch outline, and renumbers the scene's meshes.
- * Patches are sorted into layers without overlaps, so that each layer can be drawn at once; overlapping patches keep
+ * Patches are put into layers in which none overlap, so that each layer can be drawn at once; overlapping patches keep
  * their drawing order. Faces on the same points begin with the same point in every patch, so that their depths are
  * equal to the last bit.
  *   scene    its meshes are replaced, and the mesh ranges of its nodes adjusted

@@ -97,7 +97,7 @@ bool hatch_pose_deforms(const struct hatch_scene *scene, uint32_t node, const st
     return skinned || hatch_mesh_target_count(mesh) > 0;
 }
 
-/* Computes a position or normal of a vertex with morph targets applied.
+/* Computes a vertex's position or normal with morph targets applied.
  *   moves  3 components per target; NULL: no targets */
 static void morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights, size_t vertex,
                   double out[3])

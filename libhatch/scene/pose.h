@@ -11,19 +11,19 @@
 
 struct hatch_pose {
     const struct hatch_scene *scene;
-    float *world;       /* matrix of each node: 16 per node, column-major */
+    float *world;       /* world matrices: 16 per node, column-major */
     float *joints;      /* scratch: 16 per joint of the largest skin */
-    double *weights;    /* scratch: one per morph target, as many as the mesh with most targets has */
-    uint32_t animation; /* or HATCH_NONE: the rest pose */
+    double *weights;    /* scratch: one per morph target of the mesh that has most */
+    uint32_t animation; /* index, or HATCH_NONE: the rest pose */
     double time_s;
 };
 
 /* Bounds of a scene in world coordinates; they define the unit scene. */
 struct hatch_bounds {
     double center[3]; /* of the bounding box */
-    double radius;    /* half the box's diagonal, over 0; 1 for a scene without extent */
+    double radius;    /* half the box's diagonal, over 0; 1 where empty */
     double half[3];   /* half the box's sides */
-    bool empty;       /* the scene has no face */
+    bool empty;       /* the scene has no faces, no extent, or one that doubles cannot hold */
 };
 
 /* Converts a point from world coordinates to the unit scene.
@@ -45,37 +45,37 @@ enum hatch_status hatch_pose_make(const struct hatch_scene *scene, struct hatch_
  *   time_s     as for hatch_scene_pose */
 void hatch_pose_set(struct hatch_pose *pose, uint32_t animation, double time_s);
 
-/* Computes the vertices of one of the scene's meshes at a node of the pose.
+/* Computes the vertices of a mesh of the scene, as a node poses it.
  *   positions  out: 3 per vertex, world coordinates
  *   normals    out: 3 per vertex, unit length, or 0 0 0 where undefined; NULL: not computed */
 void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, double *positions, float *normals);
 
-/* Computes the vertices of a mesh that is not in the scene, but is posed as the meshes of the node are. Arguments as
- * for hatch_pose_vertices; normals are not written where the mesh has none. */
+/* Computes the vertices of a mesh that is not in the scene, as a node would pose it. Arguments as for
+ * hatch_pose_vertices; normals are not written if the mesh has none. */
 void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_mesh *mesh, double *positions,
                      float *normals);
 
 /* Returns whether a skin or morph targets deform a mesh at a node. */
 bool hatch_pose_deforms(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh);
 
-/* Returns a node's world matrix, which meshes without a skin are posed by.
+/* Returns a node's world matrix, which places its meshes unless they are skinned.
  *   matrix  out: column-major */
 void hatch_pose_matrix(const struct hatch_pose *pose, uint32_t node, double matrix[16]);
 
-/* Computes the matrix that transforms normals: the cofactors of the upper left 3×3 part, with the sign of the
- * determinant, so that outward normals stay outward under a mirroring matrix. Returns whether the matrix mirrors.
+/* Computes the matrix that transforms normals: the cofactors of the upper left 3×3 part, with their signs changed if
+ * the matrix mirrors, so that outward normals stay outward. Returns whether the matrix mirrors.
  *   matrix  column-major
- *   normal  out: column-major; scales normals */
+ *   normal  out: column-major; it changes the lengths of normals */
 bool hatch_pose_normal_matrix(const double matrix[16], double normal[9]);
 
 /* Evenly spaced moments of an animation. */
 struct hatch_pose_span {
     uint32_t animation;    /* index, or HATCH_NONE: the rest pose */
     double begin_s, end_s; /* first and last moment */
-    uint32_t moments;      /* number, at least 1: begin_s alone */
+    uint32_t moments;      /* number of moments, at least 1; 1: begin_s alone */
 };
 
-/* Receives a face corner in world coordinates; three successive calls are one face. */
+/* A callback that receives a face corner in world coordinates; three successive calls are one face. */
 typedef void (*hatch_pose_visit)(void *context, const double point[3]);
 
 /* Calls visit for every corner of every face at every moment, except for faces of backdrops. Leaves the pose at the
@@ -84,7 +84,7 @@ enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct h
                                          struct hatch_arena *scratch, hatch_pose_visit visit, void *context,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the bounds of the faces at all moments, except for faces of backdrops. Leaves the pose at the last
+/* Computes the bounds of all faces at all moments, except for faces of backdrops. Leaves the pose at the last
  * moment. */
 enum hatch_status hatch_pose_bounds(struct hatch_pose *pose, const struct hatch_pose_span *span,
                                     struct hatch_arena *scratch, struct hatch_bounds *bounds,

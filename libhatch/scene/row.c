@@ -79,7 +79,7 @@ static enum hatch_status append(const struct hatch_scene *from, const struct hat
     append_nodes(from, root_index, to);
     HATCH_TRY(append_skins(from, first, to, arena, err));
     HATCH_TRY(append_animations(from, first, to, arena, err));
-    /* These contain no indices, and indices to them have been shifted above. */
+    /* These contain no indices; the indices that refer to them have been shifted above. */
     for (uint32_t i = 0; i < from->texture_count; i++)
         to->textures[to->texture_count++] = from->textures[i];
     for (uint32_t i = 0; i < from->camera_count; i++)
@@ -89,7 +89,7 @@ static enum hatch_status append(const struct hatch_scene *from, const struct hat
     return HATCH_OK;
 }
 
-/* Makes a scene without content, whose arrays have room for all scenes and a root node for each. */
+/* Makes an empty scene whose arrays have room for the content of all scenes, and for a root node for each. */
 static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t count, struct hatch_arena *arena,
                                    struct hatch_scene *made, struct hatch_err *err)
 {

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.h"
 
-#define HATCH_NONE UINT32_MAX /* an index without a target */
+#define HATCH_NONE UINT32_MAX /* an index that refers to nothing */
 
 /* Texture wrapping outside of 0 .. 1. */
 enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
@@ -15,7 +15,7 @@ struct hatch_texture_use {
     uint32_t texture;        /* index into scene.textures, or HATCH_NONE */
     uint32_t texcoord;       /* n of TEXCOORD_n, at most HATCH_TEXCOORD_MAX */
     enum hatch_wrap wrap[2]; /* of u, of v */
-    bool has_transform;      /* texture coordinates are scaled, then rotated, then moved; else the rest is unset */
+    bool has_transform;      /* coordinates are scaled, then rotated, then moved; false: the members below are unset */
     float scale[2], turn_rad, offset[2]; /* turn_rad: rotates v towards u */
 };
 
@@ -25,7 +25,7 @@ struct hatch_texture_use {
 struct hatch_normal_map {
     bool used; /* false: the other members are unset */
     struct hatch_texture_use at;
-    float strength; /* factor of the tangential components */
+    float strength; /* factor of the tangential components of its normals */
 };
 
 struct hatch_material {
@@ -39,7 +39,7 @@ struct hatch_material {
                      meshes are patches, drawn in order over each other */
 };
 
-/* An encoded PNG or JPEG, copied from the file. */
+/* An encoded PNG or JPEG image, copied from the file. */
 struct hatch_texture {
     const uint8_t *data; /* NULL where the image's own file could not be read; no material refers to it then */
     size_t size;
@@ -61,7 +61,7 @@ struct hatch_node {
     float matrix[16];                /* column-major; see has_matrix */
     bool has_matrix;                 /* matrix replaces translation, rotation and scale */
     uint32_t first_mesh, mesh_count; /* range in scene.meshes */
-    float *weights;  /* of its meshes' morph targets at rest, minus those already applied to the meshes; NULL: all 0 */
+    float *weights;  /* rest weights of its meshes' morph targets, less those already applied; NULL: all 0 */
     uint32_t skin;   /* index, or HATCH_NONE */
     uint32_t camera; /* index, or HATCH_NONE */
     uint32_t light;  /* index, or HATCH_NONE */
@@ -82,8 +82,8 @@ struct hatch_light {
     enum hatch_light_type type;
     float color[3];                       /* linear RGB */
     float intensity;                      /* lux (directional) or candela (point, spot) */
-    float range;                          /* distance without light beyond, world units; 0: unlimited */
-    float inner_cone_rad, outer_cone_rad; /* half angles of a spot */
+    float range;                          /* distance beyond which there is no light, world units; 0: unlimited */
+    float inner_cone_rad, outer_cone_rad; /* of a spot: angles from its axis */
 };
 
 struct hatch_skin {
@@ -100,7 +100,7 @@ struct hatch_animation_channel {
     enum hatch_channel_path path;
     enum hatch_interpolation interpolation;
     uint32_t key_count;
-    float *times_s;   /* per key, rising; of keys at one time the last is used */
+    float *times_s;   /* per key, ascending; where several keys have the same time, the last of them is used */
     float *values;    /* hatch_channel_width floats per key; HATCH_CUBIC: in-tangent, value, out-tangent per key */
     uint32_t targets; /* HATCH_PATH_WEIGHTS: number of morph targets of the node's meshes */
 };
@@ -114,7 +114,7 @@ static inline uint32_t hatch_channel_width(const struct hatch_animation_channel 
 struct hatch_animation {
     uint32_t channel_count;
     struct hatch_animation_channel *channels;
-    float duration_s; /* time of the last key */
+    float duration_s; /* time of the last key of all channels */
 };
 
 struct hatch_scene {
@@ -134,10 +134,10 @@ struct hatch_scene {
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                       struct hatch_scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors:
- * front faces are clockwise then.
+/* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors;
+ * front faces are then clockwise.
  *   animation  index, or HATCH_NONE: the rest pose
- *   time_s     any; wrapped to 0 .. duration_s
+ *   time_s     any time; wrapped to 0 .. duration_s
  *   world      out: 16 per node, column-major */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
 
@@ -154,11 +154,11 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
  *   joints  out: 16 per joint, column-major */
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
-/* Joins the meshes of all nodes at rest to one mesh in world coordinates, with POSITION, and NORMAL and TEXCOORD_0
- * where all meshes have them. Skinned meshes keep their bind pose. Faces under a mirroring matrix change their winding,
- * so that they stay counter-clockwise.
+/* Joins the meshes of all nodes at rest into one mesh in world coordinates. It has POSITION, and NORMAL and TEXCOORD_0
+ * if all meshes have them. Skinned meshes keep their bind pose. Under a mirroring matrix the winding of faces is
+ * reversed, so that they stay counter-clockwise.
  *   mesh  out: in arena
- * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also when there are too many faces for one mesh. */
+ * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also if there are too many faces for one mesh. */
 enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;

@@ -68,8 +68,8 @@ static void box_item(const struct hatch_unit_scene *unit, struct hatch_item *ite
     }
 }
 
-/* Sets an item's matrices and box. The mesh's origin and the scene's centre, which may both be large, cancel in
- * doubles. */
+/* Sets an item's matrices and box. Both the mesh's origin and the scene's centre may be large, so they are subtracted
+ * in doubles. */
 static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
     const double *origin = unit->meshes[item->mesh].origin;
@@ -94,7 +94,7 @@ static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *i
     box_item(unit, item);
 }
 
-/* Sets the matrices of an item whose vertices are computed in the unit scene. */
+/* Sets the matrices of a deformed item, whose vertices are computed directly in the unit scene. */
 static void place_deformed(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
     static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

@@ -10,8 +10,8 @@
 
 /* A mesh, shared by its items. */
 struct hatch_unit_mesh {
-    const struct hatch_mesh *mesh;          /* all faces; of a lapped texture the faces of all patches, which overlap */
-    const struct hatch_mesh *surface;       /* each face of the surface once; equals mesh for an ordinary mesh */
+    const struct hatch_mesh *mesh;    /* all faces; of a lapped texture, the faces of all patches, which overlap */
+    const struct hatch_mesh *surface; /* each face of the surface once; equals mesh for an ordinary mesh */
     const struct hatch_patch_mesh *patches; /* NULL: an ordinary mesh */
     double origin[3];                       /* centre of its box; float positions are relative to it */
     double half[3];                         /* half the sides of its box */
@@ -19,17 +19,17 @@ struct hatch_unit_mesh {
 
 struct hatch_item {
     uint32_t mesh, node;
-    bool deformed; /* a skin or morph targets deform it: its vertices are computed in the unit scene for each pose */
-    bool mirrored; /* the node's matrix reverses the winding of faces */
-    bool double_sided;  /* faces are visible from behind, too */
-    bool cut_out;       /* a texture with holes cuts its shape out of larger faces; set by the renderer */
-    float alpha_cutoff; /* texels with less alpha are holes; 0: no holes */
-    float to_unit[16];  /* from positions minus the mesh's origin to the unit scene, column-major; deformed: identity */
-    float normal[9];    /* normal matrix of to_unit, column-major; scales normals */
+    bool deformed;          /* a skin or morph targets move its vertices for each pose; to_unit is then the identity */
+    bool mirrored;          /* the node's matrix reverses the winding of faces */
+    bool double_sided;      /* faces are visible from behind, too */
+    bool cut_out;           /* a texture with holes cuts its shape out of larger faces; set by the renderer */
+    float alpha_cutoff;     /* texels with less alpha are holes; 0: no holes */
+    float to_unit[16];      /* converts positions minus the mesh's origin to the unit scene, column-major */
+    float normal[9];        /* normal matrix of to_unit, column-major; it changes the lengths of normals */
     double low[3], high[3]; /* bounding box in the unit scene */
-    double uv_reach;        /* of hatch_uv_reach; 0: unset */
+    double uv_reach;        /* as hatch_uv_reach computes it; 0: unset */
     float repeat[2];        /* tiles of the hatching pattern per unit of u and of v, on the largest chart */
-    float *repeats;         /* 2 per vertex: repeat on the vertex's chart; NULL: repeat everywhere */
+    float *repeats;         /* 2 per vertex: repeats on the vertex's chart; NULL: `repeat` everywhere */
     uint32_t chart_count;   /* number of charts with repeats of their own */
 };
 
@@ -37,15 +37,15 @@ struct hatch_unit_scene {
     const struct hatch_scene *scene;
     struct hatch_bounds bounds;
     struct hatch_pose pose;
-    uint32_t pose_number; /* rises with each change of the pose; 0: not posed yet */
-    uint32_t animation;   /* of the moment that the items are posed at; `pose` may be at another one */
-    double time_s;        /* of the same moment */
+    uint32_t pose_number; /* increases with each change of the pose; 0: not posed yet */
+    uint32_t animation;   /* animation that the items are posed by; `pose` may be at another moment */
+    double time_s;        /* time that the items are posed at */
     uint32_t item_count;
     struct hatch_unit_mesh *meshes; /* scene->mesh_count */
     struct hatch_item *items;
 };
 
-/* Lists the items of a scene, unposed: hatch_unit_scene_pose must follow.
+/* Lists the items of a scene. They are not posed yet: call hatch_unit_scene_pose next.
  *   scene    kept by reference
  *   patches  an entry per mesh of the scene, kept by reference; NULL: no mesh has patches
  *   bounds   of all moments that will be posed */
@@ -53,7 +53,7 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
                                         const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                         struct hatch_unit_scene *unit, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Poses all items. Of deformed items it sets the matrices only; hatch_item_deform computes their vertices and boxes.
+/* Poses all items. For deformed items this sets the matrices only; hatch_item_deform computes their vertices and boxes.
  *   animation, time_s  as for hatch_scene_pose */
 void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, double time_s);
 

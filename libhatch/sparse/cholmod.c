@@ -10,7 +10,8 @@ struct hatch_sparse_factor {
     cholmod_factor *factor;
 };
 
-/* CHOLMOD prints nothing and allocates exactly what the analysis has counted. */
+/* Configures CHOLMOD: it prints nothing, factorizes in simplicial mode after an AMD ordering, and allocates exactly
+ * what the analysis has counted. */
 static void set_up(cholmod_common *common)
 {
     common->print = 0;
@@ -23,7 +24,7 @@ static void set_up(cholmod_common *common)
     common->grow2 = 0;
 }
 
-/* A CHOLMOD matrix that refers to the caller's arrays, to which CHOLMOD does not write. */
+/* Returns a CHOLMOD matrix that refers to the caller's arrays. CHOLMOD only reads them. */
 static cholmod_sparse view_of(const struct hatch_sparse *matrix)
 {
     cholmod_sparse view = {.nrow = matrix->size,

@@ -11,10 +11,10 @@ struct exposure {
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
     uint32_t light_count;
     uint64_t bins[BINS];
-    uint64_t lit; /* number of vertices in bins */
+    uint64_t lit; /* number of vertices in all bins */
 };
 
-/* Returns the diffuse light of one light at a point: that of light_at in the shader light.glsl. */
+/* Returns the diffuse light that one light gives to a point, computed like light_at in the shader light.glsl. */
 static double diffuse_light(const struct hatch_unit_light *light, const double point[3], const float normal[3])
 {
     double to_light[3], square = 1, strength = (double)light->direction[3], facing = 0, along = 0;
@@ -82,7 +82,7 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
     static const struct hatch_key_light none;
     struct exposure *exposure;
     HATCH_TRY(HATCH_ALLOC(scratch, &exposure, 1, err));
-    /* Scales the strongest light to 1, as the strengths of all lights may be too small for floats. */
+    /* Lights are scaled so that the strongest one is 1, because their strengths may all be too small for floats. */
     double strongest = hatch_lights_strongest(&scene->pose, &scene->bounds);
     double prescale = strongest > 0 ? 1 / strongest : 1;
     exposure->light_count = hatch_lights_fill(&scene->pose, &scene->bounds, view, &none, prescale, exposure->lights);

@@ -3,8 +3,9 @@
 #include "image/color.h"
 #include "math/vector.h"
 
-/* Distance in radii beyond which a point or spot light is replaced by a directional one: its falloff is not visible
- * there, and lost in floats. Nearer than the reciprocal its strength does not rise any more. */
+/* Distance, in radii of the scene, beyond which a point or spot light is replaced by a directional one: there its
+ * falloff is not visible, and would be lost in floats. At distances below the reciprocal its strength does not increase
+ * any more. */
 #define FAR_AWAY 1e3
 
 static void set_directional(struct hatch_unit_light *light, const double to_light[3])
@@ -15,7 +16,7 @@ static void set_directional(struct hatch_unit_light *light, const double to_ligh
         light->direction[k] = (float)(to_light[k] / length);
 }
 
-/* Fills a light except for its strength, which it returns. */
+/* Fills a light except for its strength, and returns the strength. */
 static double set_scene_light(struct hatch_unit_light *light, const struct hatch_light *from, const double world[16],
                               const struct hatch_bounds *bounds)
 {
@@ -57,7 +58,7 @@ static void set_key_light(struct hatch_unit_light *light, const struct hatch_vie
     light->direction[3] = 1.0f;
 }
 
-/* Fills the light of a node, and its strength separately. Returns whether the node has a light. */
+/* Fills the light of a node, and returns its strength in *power. Returns false if the node has no light. */
 static bool light_at_node(const struct hatch_pose *pose, const struct hatch_bounds *bounds, uint32_t node,
                           struct hatch_unit_light *light, double *power)
 {
@@ -107,7 +108,7 @@ uint32_t hatch_lights_fill(const struct hatch_pose *pose, const struct hatch_bou
     double power;
     for (uint32_t node = 0; node < pose->scene->node_count && !key->replaces && count < HATCH_LIGHTS_MAX; node++)
         if (light_at_node(pose, bounds, node, &lights[count], &power))
-            /* Strength and exposure may each be outside the range of floats. */
+            /* Computed in doubles, as strength and exposure may each be outside the range of floats. */
             lights[count++].direction[3] = (float)fmin(power * exposure, 1e30);
     if (count)
         return count;

@@ -8,15 +8,16 @@
 
 /* A directional light that is fixed to the camera, for scenes without lights. */
 struct hatch_key_light {
-    bool replaces;                     /* used instead of the scene's lights, too */
-    double azimuth_rad, elevation_rad; /* direction to the light relative to the camera; 0 0: light from the camera */
+    bool replaces;                     /* used also if the scene has lights, in place of them */
+    double azimuth_rad, elevation_rad; /* where it comes from, relative to the camera; 0 0: from the camera */
 };
 
 /* A light as a GLSL struct of three vec4, 48 bytes. */
 struct hatch_unit_light {
     float position[4];  /* xyz: unit scene; w: 0 directional, 1 point or spot */
-    float direction[4]; /* xyz: unit vector to the light (directional) or along the spot's axis; w: strength */
-    float cone[4]; /* falloff of a spot: scale and offset of the cosine; 1/range²; least distance² to divide by */
+    float direction[4]; /* xyz: unit vector to the light (directional) or along the axis of the spot; w: strength */
+    float cone[4];      /* xy: scale and offset of the cosine, for the falloff of a spot; z: 1/range², or 0; w: squared
+                           distances are raised to this before dividing by them */
 };
 
 /* Computes the lights of a posed scene, up to HATCH_LIGHTS_MAX, or the key light alone.

@@ -7,7 +7,7 @@
 /* A connected part of a surface in texture space. */
 struct chart {
     double area;         /* in the unit scene */
-    double log_u, log_v; /* sums over faces of area times log2 of the length of a unit of u, of v */
+    double log_u, log_v; /* sums over faces of area times log2 of the length of a unit of u, of v, in the unit scene */
 };
 
 /* Measurements of an item. */
@@ -16,7 +16,7 @@ struct survey {
     const float *texcoord;
     double *positions;            /* in the unit scene */
     uint32_t *parent;             /* per vertex: disjoint sets of vertices, one per chart */
-    struct chart *charts;         /* per vertex: its chart if it is the root of a set */
+    struct chart *charts;         /* per vertex: the chart whose set has its root at this vertex */
     float *repeats;               /* 2 per vertex */
     double seen_weight, seen_log; /* over visible faces: sums of weight, and of weight times log2 of pixels per unit */
     double all_weight, all_log;   /* the same sums over all faces */
@@ -38,7 +38,8 @@ static int compare_vertices(const void *a, const void *b)
     return (x->v > y->v) - (x->v < y->v);
 }
 
-/* Joins the vertices of each chart to a set: those of a face, and those equal in position and texture coordinates. */
+/* Joins the vertices of each chart into a set: those of one face, and those that are equal in position and texture
+ * coordinates. */
 static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = survey->mesh;
@@ -64,7 +65,7 @@ static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *
     return HATCH_OK;
 }
 
-/* Measures a face; false where its texture coordinates or its corners are collinear.
+/* Measures a face; returns false if its texture coordinates or its corners are collinear.
  *   p     positions of its corners
  *   t     texture coordinates of its corners
  *   step  out: length of a unit of u, of v */
@@ -124,10 +125,10 @@ static void add_face(struct survey *survey, size_t face, const struct hatch_uv_r
     }
 }
 
-/* Chooses the repeats of a chart. The direction with fewer pixels is chosen first, and the other one repeats more
- * often, so that strokes are not stretched. Repeats below 1 make seams of closed surfaces visible; they are used only
- * where otherwise no stroke would be drawn.
- *   target  log2 of the repeats at which texels of level 0 are pixels */
+/* Chooses the repeats of a chart. The direction, u or v, with fewer pixels per unit is chosen first; the other one then
+ * repeats more often, so that strokes are not stretched. Repeats below 1 make the seams of closed surfaces visible, so
+ * they are used only where no stroke would be drawn otherwise.
+ *   target  log2 of the repeats at which a texel of level 0 is as large as a pixel */
 static void choose(const double target[2], uint32_t levels, float repeat[2])
 {
     int fewer = target[1] < target[0];
@@ -140,14 +141,15 @@ static void choose(const double target[2], uint32_t levels, float repeat[2])
     repeat[!fewer] = (float)exp2(power + round(target[!fewer] - target[fewer]));
 }
 
-/* Returns the mean log2 of the pixels per unit of the unit scene: of visible faces, or of all where none is visible. */
+/* Returns the weighted mean of log2 of the pixels per unit of the unit scene: over visible faces, or over all faces if
+ * none is visible. */
 static double log_pixels_of(const struct survey *survey)
 {
     return survey->seen_weight > 0 ? survey->seen_log / survey->seen_weight : survey->all_log / survey->all_weight;
 }
 
-/* Chooses the repeats of all charts of an item, with one number of pixels per unit, so that charts of equal size have
- * equal repeats at any distance from the camera. */
+/* Chooses the repeats of all charts of an item. All charts use the same number of pixels per unit, so that charts of
+ * equal size have equal repeats whatever their distances from the camera. */
 static void choose_all(struct survey *survey, const struct hatch_uv_repeat *how, struct hatch_item *item)
 {
     double log_pixels = log_pixels_of(survey), largest = 0;
@@ -157,7 +159,7 @@ static void choose_all(struct survey *survey, const struct hatch_uv_repeat *how,
         const struct chart *chart = &survey->charts[root];
         float *repeat = survey->repeats + 2 * (size_t)v;
         repeat[0] = repeat[1] = 1.0f;
-        if (root != v) { /* a root has the lowest number of its set */
+        if (root != v) { /* a root has the lowest number of its set, so its repeats are known */
             repeat[0] = survey->repeats[2 * (size_t)root];
             repeat[1] = survey->repeats[2 * (size_t)root + 1];
             continue;
@@ -210,19 +212,19 @@ static enum hatch_status set_item(struct hatch_unit_scene *scene, const struct h
     return HATCH_OK;
 }
 
-/* Returns log2 of the length of a unit of texture coordinates in the unit scene. */
+/* Returns log2 of the length of a unit of texture coordinates in the unit scene, as a mean of u and v. */
 static double log_step_of(const struct chart *chart)
 {
     return 0.5 * (chart->log_u + chart->log_v) / chart->area;
 }
 
-/* Sets the repeats of all lapped textures such that strokes have one size in the scene, independent of the scales of
- * nodes: the size at which texels of level 0 are as large as pixels on visible faces. */
+/* Sets the repeats of all lapped textures so that strokes have the same size everywhere in the scene, whatever the
+ * scales of nodes: the size at which texels of level 0 are on average as large as pixels on visible faces. */
 static enum hatch_status set_patches(struct hatch_unit_scene *scene, const struct hatch_uv_repeat *how,
                                      struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct survey all = {.mesh = NULL};
-    /* Per item: length of a unit of texture coordinates; 0: no patches. */
+    /* Per item: length of a unit of texture coordinates in the unit scene; 0: no patches. */
     double *steps;
     HATCH_TRY(HATCH_ALLOC(scratch, &steps, scene->item_count, err));
     for (uint32_t i = 0; i < scene->item_count; i++) {

@@ -4,8 +4,8 @@
 
 #include "math/vector.h"
 
-#define TURNS 24            /* angles to which a full turn is reduced for framing */
-#define FLOAT_ERROR 0x1p-22 /* of positions in the unit scene after transformation in floats */
+#define TURNS 24            /* number of angles at which a full turn is sampled for framing */
+#define FLOAT_ERROR 0x1p-22 /* error of positions in the unit scene after transformation in floats */
 #define FILL 0.92           /* share of the picture's sides that a framed scene fills */
 
 static bool make_unit(double v[3])
@@ -32,8 +32,8 @@ struct fit {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
     int turns;
-    double left, right, down, up; /* per side of the frustum: max(±x + z·tan), a bound on the eye's position */
-    double nearest;               /* largest z */
+    double left, right, down, up; /* per side of the frustum: largest ±x + z·tan of any corner; see frame_scene */
+    double nearest;               /* largest z: that of the corner nearest to the camera */
     bool any;
 };
 
@@ -57,8 +57,9 @@ static void fit_point(void *context, const double point[3])
     }
 }
 
-/* Computes the closest eye from which every corner is inside the picture. Each side of the frustum passes through the
- * corner that is furthest out, which determines the distance and the sideways shift. */
+/* Computes the nearest eye from which all corners of all faces are inside the picture. Opposite sides of the frustum
+ * should pass through the corners that are furthest out, which determines the sideways shift and a distance; the larger
+ * of the distances for width and height is taken. */
 static enum hatch_status frame_scene(const struct hatch_view_choice *choice, struct hatch_pose *pose,
                                      const struct hatch_framing *framing, struct hatch_arena *scratch,
                                      struct hatch_view *view, struct hatch_err *err)
@@ -88,8 +89,8 @@ struct hatch_pair hatch_view_to_unit(const struct hatch_bounds *bounds, int axis
     return hatch_pair_div(hatch_pair_sum(world, -bounds->center[axis]), hatch_pair_of(bounds->radius));
 }
 
-/* Sets the lens. Where the picture is narrower than the camera's aspect, it is enlarged vertically, so that it still
- * contains all that the camera sees. */
+/* Sets the projection. If the picture is narrower than the camera's aspect, it shows more above and below, so that it
+ * still contains all that the camera sees. */
 static void set_lens(const struct hatch_camera *camera, double radius, double aspect, struct hatch_view *view)
 {
     double half = camera->orthographic ? (double)camera->ymag / radius : tan(0.5 * (double)camera->yfov_rad);
@@ -153,7 +154,7 @@ static enum hatch_status look_from(const struct hatch_view_choice *choice, const
     return HATCH_OK;
 }
 
-/* Returns the camera of the first node that has one, or HATCH_NONE. */
+/* Returns the index of the camera of the first node that has one, or HATCH_NONE. */
 static uint32_t first_camera(const struct hatch_scene *scene)
 {
     for (uint32_t node = 0; node < scene->node_count; node++)
@@ -210,8 +211,8 @@ void hatch_view_turn(struct hatch_view *view, double angle_rad)
     turn(view->back, c, s);
 }
 
-/* Projects a column of a matrix to camera coordinates.
- *   column  [3]: 1 for points, 0 for directions */
+/* Converts a point or a direction from camera coordinates to clip coordinates of a tile: a column of a matrix.
+ *   column  [3]: 1 for a point, 0 for a direction */
 static void through_lens(const struct hatch_view *view, const struct hatch_tile *tile, const double column[4],
                          float clip[4])
 {

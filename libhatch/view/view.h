@@ -5,7 +5,7 @@
 #include "math/pair.h"
 #include "scene/pose.h"
 
-#define HATCH_VIEW_NEAR 1e-4 /* default distance of the near plane, while no face is nearer */
+#define HATCH_VIEW_NEAR 1e-4 /* default distance of the near plane; it is smaller if a face is nearer */
 
 struct hatch_view {
     double eye[3];                   /* position, high part (math/pair.h) */
@@ -15,22 +15,22 @@ struct hatch_view {
     double half_height;     /* half the picture's height: at distance 1 (perspective) or everywhere (orthographic) */
     double aspect;          /* width / height */
     double near, far;       /* distances of the clipping planes; far is used by orthographic views only */
-    bool near_is_automatic; /* the near plane may be moved to the nearest face */
+    bool near_is_automatic; /* the near plane may be moved closer where a face is near */
     double pivot;           /* distance to the point that orbiting turns around, over 0 */
 };
 
 /* Kinds of views. */
 enum hatch_view_kind {
     HATCH_VIEW_FIRST_CAMERA, /* the scene's first camera; HATCH_VIEW_FRAMED where it has none */
-    HATCH_VIEW_CAMERA,       /* camera number index */
-    HATCH_VIEW_FRAMED,       /* the whole scene in the picture */
+    HATCH_VIEW_CAMERA,       /* the scene's camera number `index` */
+    HATCH_VIEW_FRAMED,       /* a view in which the whole scene fills the picture */
     HATCH_VIEW_EYE           /* from eye to target */
 };
 
 /* A view as a user chooses it. */
 struct hatch_view_choice {
     enum hatch_view_kind kind;
-    uint32_t index;                    /* CAMERA: of the scene's camera */
+    uint32_t index;                    /* CAMERA: number of the camera in the scene */
     double eye[3], target[3];          /* EYE: world coordinates */
     bool has_target;                   /* EYE: false: the target is the centre of the bounds */
     double azimuth_rad, elevation_rad; /* FRAMED: direction to the camera; azimuth from +z towards +x */
@@ -41,7 +41,7 @@ struct hatch_view_choice {
 /* A rectangle of a picture, in pixels. */
 struct hatch_tile {
     double x, y, width, height;     /* x, y: its lower left corner */
-    double full_width, full_height; /* of the picture */
+    double full_width, full_height; /* size of the whole picture */
 };
 
 /* Returns whether the view is independent of the pose; a view through one of the scene's cameras may not be. */
@@ -50,13 +50,14 @@ bool hatch_view_is_fixed(const struct hatch_view_choice *choice, const struct ha
 /* The scene and picture that a view is made for. */
 struct hatch_framing {
     const struct hatch_pose_span *span; /* FRAMED: the moments that the view shows */
-    const struct hatch_bounds *bounds;  /* of the unit scene */
+    const struct hatch_bounds *bounds;  /* bounds that define the unit scene */
     double aspect;                      /* width / height of the picture */
 };
 
 /* Computes the view at a pose.
- *   pose  for a framed view left at the last moment of the span
- * HATCH_BAD_INPUT for a camera that the scene does not show, or an eye at its target. */
+ *   pose  in, out: a framed view leaves it at the last moment of the span
+ * HATCH_BAD_INPUT for a camera that the scene does not have, that no node carries or whose node has no size, and for an
+ * eye at its target. */
 enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct hatch_pose *pose,
                                   const struct hatch_framing *framing, struct hatch_arena *scratch,
                                   struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
@@ -65,18 +66,19 @@ enum hatch_status hatch_view_make(const struct hatch_view_choice *choice, struct
  *   axis  0 .. 2 */
 struct hatch_pair hatch_view_to_unit(const struct hatch_bounds *bounds, int axis, double world);
 
-/* Turns the view about the vertical axis through the origin of the unit scene. */
+/* Rotates the view about the vertical axis through the origin of the unit scene. */
 void hatch_view_turn(struct hatch_view *view, double angle_rad);
 
-/* Makes the near plane of a perspective view automatic, at most HATCH_VIEW_NEAR away; for views that move. */
+/* Makes the near plane of a perspective view automatic, at a distance of at most HATCH_VIEW_NEAR. For views that
+ * move. */
 void hatch_view_set_near_automatic(struct hatch_view *view);
 
 /* Sets the axes of an upright view.
  *   back  direction to the camera, of any length */
 void hatch_view_set_back(struct hatch_view *view, const double back[3]);
 
-/* Computes the matrix from the unit scene to clip coordinates of a tile. Depth is 1 at the near plane and 0 at infinity
- * (reversed z), which floats resolve evenly.
+/* Computes the matrix from the unit scene to clip coordinates of a tile. Depth is reversed, which suits the precision
+ * of floats: 1 at the near plane, and 0 at infinity (orthographic: at the far plane).
  *   clip_from_unit  out: column-major */
 void hatch_view_matrix(const struct hatch_view *view, const struct hatch_tile *tile, float clip_from_unit[16]);
 
@@ -84,23 +86,24 @@ void hatch_view_matrix(const struct hatch_view *view, const struct hatch_tile *t
  *   clip_from_camera  out: column-major */
 void hatch_view_projection(const struct hatch_view *view, const struct hatch_tile *tile, float clip_from_camera[16]);
 
-/* Returns the error of float positions in the unit scene, in pixels: at distance 1 from the eye (it falls with the
- * distance), for orthographic views everywhere. */
+/* Returns the error that float positions in the unit scene cause in the picture, in pixels. For a perspective view it
+ * is that at distance 1 from the eye, and inversely proportional to the distance; for an orthographic view it is the
+ * same everywhere. */
 double hatch_view_float_error(const struct hatch_view *view, const struct hatch_tile *tile);
 
-/* Returns whether a point is inside the picture or at most 10 % of its half height and width beside it. */
+/* Returns whether a point is beyond the near plane, and inside the picture or at most 10 % of its half width or half
+ * height outside. */
 bool hatch_view_sees(const struct hatch_view *view, const double point[3]);
 
-/* Returns the length of a unit of the unit scene at a point, in pixels; points behind the camera count by their
- * distance from it.
+/* Returns how many pixels a length of 1 in the unit scene covers at a point. For points behind the camera it is
+ * computed from their distance to the eye.
  *   height_px  of the picture */
 double hatch_view_pixels_per_unit(const struct hatch_view *view, const double point[3], double height_px);
 
-/* Moves the eye along the view axis until its distance to the face in the middle of the picture is 1 / factor of what
- * it was; where there is no face, the distance to the pivot. The half height of an orthographic view is divided
- * instead.
- *   pose    left at the moment
- *   moment  of which begin_s is used
+/* Moves the eye along the view axis until it is closer by a factor to the face in the middle of the picture, or to the
+ * pivot if there is no face. For an orthographic view, half the picture's height is divided by the factor instead.
+ *   pose    in, out: left at the moment, except for an orthographic view
+ *   moment  its begin_s is used
  *   factor  over 0 */
 enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
                                   const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,

@@ -3,17 +3,17 @@
 
 #include "math/vector.h"
 
-/* The view axis. */
+/* State of intersecting the view axis with faces. */
 struct ray {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
     double corners[3][3]; /* of a face, relative to the eye */
     int corner;           /* number of corners received, modulo 3 */
-    double distance;      /* of the nearest face on the view axis */
+    double distance;      /* distance of the nearest face on the view axis */
 };
 
-/* Intersects the view axis with a face, which it passes through when its triple products with all three sides have the
- * same sign. */
+/* Intersects the view axis with a face. The axis passes through the face if its triple products with all three sides
+ * have the same sign. */
 static void intersect_face(struct ray *ray)
 {
     const double *back = ray->view->back;
