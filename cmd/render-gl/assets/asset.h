@@ -31,7 +31,7 @@ struct asset_tones {
 /* Limits of uploads. */
 struct asset_limits {
     uint32_t size_max_px; /* largest side of a texture */
-    float anisotropy;     /* of the sampler, 1 (none) .. 16 */
+    float anisotropy;     /* greatest anisotropy of the sampler, 1 (none) .. 16 */
 };
 
 /* A kind of asset. */

@@ -32,7 +32,7 @@ struct frame_block {
     float shade[4];                         /* unused, ambient, specular, shininess */
     float viewport[4];                      /* half the tile's width and height in pixels */
     float hatch[4];                         /* cosine and sine of the pattern's rotation, both divided by its scale */
-    int32_t counts[4];                      /* number of lights, of tones; enum frame_ink_mode; 1: reaches_ink */
+    int32_t counts[4];                      /* numbers of lights and of tones; enum frame_ink_mode; reaches_ink */
     float ramp_low[2][4], ramp_scale[2][4]; /* for the first six tones: the preceding tone, 1 / difference from it */
     float targets[FRAME_TONES_MAX / 4][4];  /* tone of each column, ascending */
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];

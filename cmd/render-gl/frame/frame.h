@@ -21,7 +21,7 @@ struct frame_style {
     struct frame_inks inks;
     struct frame_curve curve;
     struct hatch_key_light light;
-    float anisotropy;      /* of texture filters, 1 (none) .. 16 */
+    float anisotropy;      /* greatest anisotropy of texture filters, 1 (none) .. 16 */
     double hatch_turn_rad; /* turn of the strokes on their surface, counter-clockwise seen from outside */
     double hatch_scale;    /* scale of the strokes' pattern, over 0 */
     bool base_tone;        /* the materials' colours and textures count as tone */

@@ -162,8 +162,8 @@ static void draw_patches_at_once(const struct drawing *drawing)
 }
 
 /* Draws patches with a shading of several passes (Real-Time Hatching §6), one layer of patches at a time; patches of
- * one layer do not overlap. Pass 0 writes the outlines into the target's alpha. By that alpha, pass 1 mixes its colour
- * with the target's, and later passes add theirs. */
+ * one layer do not overlap. Pass 0 writes the outlines into the target's alpha. Pass 1 mixes its colour with the
+ * target's by that alpha, and later passes add theirs times that alpha. */
 static void draw_patches_in_passes(const struct drawing *drawing)
 {
     const struct hatch_patch_mesh *patches = drawing->frame->scene->unit.meshes[drawing->unit->mesh].patches;

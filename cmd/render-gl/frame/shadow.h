@@ -13,8 +13,8 @@
 /* std140 layout; the same as block Shadows of shaders/shadow/block.glsl. */
 struct shadow_block {
     float map_from_unit[SHADOW_LAYERS_MAX][16]; /* from the unit scene to a map, 0 .. 1 in x, y, depth; column-major */
-    float maps[HATCH_LIGHTS_MAX][4]; /* per light: first layer (negative: none), number of layers, and the length 1 at
-                                        distance 1 from the light as a share of the map's width and of its height */
+    float maps[HATCH_LIGHTS_MAX][4]; /* per light: first layer (negative: none), number of layers, and the shares of
+                                        the map's width and height that a length of 1 covers (lamps: at distance 1) */
     float edge[4];                   /* half the width of soft edges in the unit scene, 1 / side of a map in texels */
 };
 
@@ -30,8 +30,9 @@ struct shadow {
     struct shadow_block block;
 };
 
-/* Draws the shadow maps of a frame's lights, unless they are up to date. Lights for which no layers are left, in the
- * order of the lights, cast no shadows. Updates the uniform block and binds the maps for shaders.
+/* Draws the shadow maps of a frame's lights, unless they are up to date. Layers are
+ * given to lights in their order; lights for which none are left cast no shadows. Updates the uniform block and binds
+ * the maps for shaders.
  *   frame  the block whose lights are used
  *   width  width of the soft edges of shadows, in the unit scene
  * HATCH_LIMIT when the GPU has no memory for the maps. */

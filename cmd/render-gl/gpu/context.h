@@ -13,7 +13,7 @@ struct gpu_context {
     void (*close)(struct gpu_context *context); /* releases both; NULL: there is no context */
     const char *device;                         /* name of the device; owned by the driver */
     uint32_t size_max_px;                       /* largest side of a texture and of a viewport */
-    float anisotropy_max;                       /* of texture filters; 1: the driver has isotropic filters only */
+    float anisotropy_max; /* greatest anisotropy of filters; 1: the driver has isotropic ones only */
 };
 
 /* Makes a context without a window system and makes it current: on the first graphics device that EGL lists, else on

@@ -16,7 +16,7 @@ struct gpu_stages {
 
 /* A compiled program. Pointers to it stay valid when it is compiled again. */
 struct gpu_program {
-    GLuint name;              /* of the GL program */
+    GLuint name;              /* name of the GL program */
     GLuint no_attributes;     /* empty vertex array, for draws without attributes: core profiles require a bound one */
     struct gpu_stages stages; /* stages and defines are the key by which gpu_program_get finds it */
     const char *defines;

@@ -31,7 +31,7 @@ struct option_change {
 };
 
 struct options {
-    const struct technique *technique; /* of --technique or --show */
+    const struct technique *technique; /* the choice of --technique or --show */
     const char *map_path;              /* --tam; NULL: none */
     const char *scene_path;            /* first operand; NULL: standard input */
     const char *shader_folder;         /* --shader-dir; NULL: the built-in shaders */
@@ -41,7 +41,7 @@ struct options {
     double hatch_turn_deg, hatch_scale;
     double tone_range[2], tone_gamma;
     double light_deg[2];  /* azimuth, elevation */
-    double shadow_edge;   /* --shadows, in the scene's radii */
+    double shadow_edge;   /* --shadows: width of soft edges, in the scene's radii */
     double exposure;      /* 0: automatic; job_prepare replaces it by the factor found */
     double halo_px;       /* width of haloes; 0: none */
     double line_px;       /* width of feature lines */
@@ -63,7 +63,7 @@ struct options {
     struct option_change changes[OPTIONS_CHANGES_MAX]; /* the same, parsed by params_read */
     uint32_t change_count;
     double repeat;          /* --uv-scale: tiles per unit of u and v; 0: automatic */
-    uint32_t width, height; /* of the picture, in pixels */
+    uint32_t width, height; /* size of the picture in pixels */
     uint32_t side;          /* samples along a pixel's side, 1 .. 8 */
     uint32_t frames;
     bool turntable;

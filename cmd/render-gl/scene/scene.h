@@ -31,8 +31,8 @@ struct scene_mesh {
 
 /* Vertex arrays, buffers and textures of an item. */
 struct scene_item {
-    GLuint vertex_array;              /* for the mesh's indices */
-    GLuint surface_array;             /* for surface_indices; 0: the mesh is not lapped */
+    GLuint vertex_array;              /* vertex array with the mesh's indices */
+    GLuint surface_array;             /* vertex array with surface_indices; 0: the mesh is not lapped */
     GLuint posed;                     /* for a deformed item: struct scene_vertex at the current pose; else 0 */
     GLuint repeats;                   /* 2 floats per vertex: hatch_item's repeats; 0: repeat applies to all vertices */
     GLuint uv_tangents;               /* 6 floats per vertex: hatch_uv_tangents; 0: not made */

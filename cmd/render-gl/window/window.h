@@ -35,7 +35,7 @@ struct window {
     double title_s;                      /* clock at the last update of the title */
     bool paused;
     bool stale; /* the picture must be drawn again */
-    bool save;  /* the next picture is saved */
+    bool save;  /* the next frame is also saved as a picture */
     bool moved; /* keys or mouse have moved the camera */
 };
 

@@ -23,9 +23,10 @@ float jump_between(float nearer, float farther)
     return halo_depth.x * (nearer - farther) + halo_depth.y * (nearer / max(farther, max(1e-3 * nearer, 1e-30)) - 1.0);
 }
 
-const float STEEP = 3.0; // a jump is at least so many times the change by slope; at a ball's rim the ratio is 2.4
+const float STEEP = 3.0; // least ratio of a jump to the change by slope; at the rim of a ball the ratio is only 2.4
 
-// Returns whether the neighbour of a sample in direction `way` lies behind it by much more than by slope.
+// Returns whether the neighbour of a sample in direction `way` lies behind it by much more than the slope
+// explains.
 bool is_edge(ivec2 at, float depth, ivec2 way)
 {
     ivec2 last = textureSize(halo_depths, 0) - 1;
