@@ -44,7 +44,7 @@ bool assets_have(const struct assets *assets, const struct asset_kind *kind)
     return !kind || (assets->asset && kind->is(assets->asset));
 }
 
-/* Makes the sampler, which repeats along the surface and clamps along tone. */
+/* Makes the sampler, which repeats the texture along u and v and clamps it along tone. */
 static void make_sampler(struct asset_tones *tones, float anisotropy)
 {
     GLint filter = tones->exact ? GL_NEAREST : GL_LINEAR;
@@ -99,6 +99,6 @@ void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t
 {
     frame_block_set_tones(block, tones->targets, tones->count, tones->reaches_ink);
     gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
-    if (anisotropy > 1) /* a bias in the shader would cost software renderers time at every read */
+    if (anisotropy > 1) /* the driver chooses the level; a bias in the shader would slow down software renderers */
         glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));
 }

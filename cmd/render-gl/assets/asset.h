@@ -1,5 +1,6 @@
-/* The asset: the file of --tam, from which strokes are read. A technique names the kind of asset that it draws with; a
- * kind tells whether a file is of it, and uploads it in the form that the technique's shaders read. */
+/* The asset: the file of --tam, from which strokes are read. A technique names the kind of asset that it needs; struct
+ * asset_kind has a function that recognises such an asset and one that uploads it in the form that the technique's
+ * shaders read. */
 #ifndef RENDER_ASSETS_ASSET_H
 #define RENDER_ASSETS_ASSET_H
 
@@ -12,33 +13,34 @@
 
 /* The content of the file: a tonal art map, or a texture made from one. Zeroed: neither. */
 struct asset {
-    struct hatch_tam map;        /* tones 0: no map */
-    struct tone_texture texture; /* holds TONE_TEXTURE_NONE: no texture */
+    struct hatch_tam map;        /* map.tones == 0: no map */
+    struct tone_texture texture; /* texture.holds == TONE_TEXTURE_NONE: no texture */
 };
 
-/* The tones of an asset on the GPU. Texels of maps hold ink, which is 1 minus reflectance: paper, the implicit white of
- * Real-Time Hatching §5, is then the sum of no columns. Texels of volumes hold reflectance. */
+/* An asset on the GPU. Texels of maps hold ink, which is 1 minus reflectance, so that no texture is needed for paper
+ * (the implicit white tone of Real-Time Hatching §5). Texels of volumes hold reflectance. */
 struct asset_tones {
     GLuint texture, sampler;
     bool layered;                       /* a 2D array texture; false: 3D, or 2D if exact */
     bool exact;                         /* exact runs: integers, which samplers cannot filter */
-    bool reaches_ink;                   /* the darkest tone is 1, all ink */
-    uint32_t count;                     /* columns or slices, at most HATCH_TAM_TONES_MAX */
-    float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, rising; 0 for volumes and thresholds */
+    bool reaches_ink;                   /* the darkest tone is 1, solid ink; not set for maps */
+    uint32_t count;                     /* number of columns or slices, at most HATCH_TAM_TONES_MAX */
+    float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; 0 for volumes and threshold textures */
 };
 
 /* Limits of uploads. */
 struct asset_limits {
     uint32_t size_max_px; /* largest side of a texture */
-    float anisotropy;     /* of the sampler, 1 (none) .. 16 */
+    float anisotropy;     /* greatest anisotropy of the sampler, 1 (none) .. 16 */
 };
 
+/* A kind of asset. */
 struct asset_kind {
     const char *name;                      /* for messages: "a tonal art map (tamgen makes one)" */
     bool (*is)(const struct asset *asset); /* whether the asset is of this kind */
     /* Uploads an asset of this kind.
      *   size_max_px  largest side of a texture
-     *   tones        in, out: zeroed before; all but the sampler is set, on failure what has been made
+     *   tones        in: zeroed; out: all members but the sampler; on failure the caller deletes what they hold
      * HATCH_LIMIT when the GPU's textures or memory are too small. */
     enum hatch_status (*upload)(const struct asset *asset, uint32_t size_max_px, struct hatch_arena *scratch,
                                 struct asset_tones *tones, struct hatch_err *err);
@@ -46,15 +48,16 @@ struct asset_kind {
 
 extern const struct asset_kind asset_six_columns; /* a map as up to six grey columns, in two layers of four channels */
 extern const struct asset_kind asset_columns;     /* a map, each column a layer, grey or coloured */
-extern const struct asset_kind asset_volume;      /* reflectance over tone, in slices or in layers */
-extern const struct asset_kind asset_thresholds;  /* thresholds, or exact runs */
+extern const struct asset_kind asset_volume;      /* a volume: slices of a 3D texture or layers of a 2D array */
+extern const struct asset_kind asset_thresholds;  /* a threshold texture, or exact runs */
 
 #define ASSET_SIX_COLUMNS_MAX 6u
 
-/* Reads an asset into args->keep. Exits with a message if the file holds none. */
+/* Reads an asset into args->keep. Exits with a message if the file is not an asset.
+ *   path  NULL or "-": standard input */
 void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 
-/* Properties of the map or of the texture, whichever the asset holds. */
+/* Properties of the asset, whether it is a map or a texture. */
 bool asset_is_map(const struct asset *asset);
 float asset_darkest(const struct asset *asset);    /* darkest tone, 0 .. 1 */
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
@@ -70,11 +73,11 @@ struct assets {
     } uploaded[4]; /* one per kind */
 };
 
-/* Whether there is an asset of a kind.
- *   kind  NULL: the result is true */
+/* Returns whether there is an asset of a kind.
+ *   kind  NULL: no asset is needed, and the result is true */
 bool assets_have(const struct assets *assets, const struct asset_kind *kind);
 
-/* Uploads the asset as a kind; returns the earlier upload if there is one.
+/* Uploads the asset in the form of a kind, or returns the earlier upload if there is one.
  *   kind   assets_have must be true for it
  *   tones  out: owned by assets
  * HATCH_LIMIT when the GPU's textures or memory are too small. */
@@ -86,8 +89,8 @@ void assets_free(struct assets *assets);
 
 /* Binds the tones for shaders and writes their number and targets into the frame's block.
  *   anisotropy  1 (none) .. 16
- *   side        samples along a pixel's side; the mip level is that of the whole pixel, so that strokes keep their
- *               width whatever the number of samples */
+ *   side        samples along a pixel's side; the mip level is chosen for the whole pixel, so that strokes have the
+ *               same width for any number of samples */
 void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block);
 
 #endif

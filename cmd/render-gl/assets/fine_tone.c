@@ -29,8 +29,8 @@ static void upload_level(const struct hatch_texels *texels, uint32_t level, GLui
                                       (GLsizei)hatch_texels_level_size(texels, level), texels->texels[level]);
 }
 
-/* Core OpenGL lacks S3TC (BC1), which desktop GPUs support as an extension, and of the block formats allows only BPTC
- * (BC7) in 3D textures. */
+/* Fails if the GPU cannot read the texels. S3TC (BC1) is not in core OpenGL, but in an extension that desktop GPUs
+ * have. Of the block formats, only BPTC (BC7) is allowed in 3D textures. */
 static enum hatch_status check_texels(const struct hatch_texels *texels, struct hatch_err *err)
 {
     if (texels->code == HATCH_TEXELS_BC1 && !epoxy_has_gl_extension("GL_EXT_texture_compression_s3tc"))
@@ -47,7 +47,7 @@ static enum hatch_status check_texels(const struct hatch_texels *texels, struct 
     return HATCH_OK;
 }
 
-/* Exact runs are integers in rows of HATCH_EXACT_WIDTH, which shaders fetch one by one. */
+/* Uploads exact runs: integers in rows of HATCH_EXACT_WIDTH, which shaders fetch one by one. */
 static enum hatch_status upload_runs(const struct asset *asset, struct asset_tones *tones, struct hatch_err *err)
 {
     const struct hatch_exact *exact = &asset->texture.exact;

@@ -1,4 +1,4 @@
-/* Uploads tonal art maps with their own mip levels: up to six columns in grey, or all columns. */
+/* Uploads tonal art maps, with the mip levels of their files: up to six columns in grey, or all columns. */
 #include <math.h>
 
 #include "image/color.h"
@@ -6,7 +6,8 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-/* Ink of one texel, 0 .. 255. Channel 3 of a coloured map is the ink of its luminance. */
+/* Returns the ink of one texel in a channel, 0 .. 255. Of a coloured map, channels 0 to 2 are R G B, and channel 3 is
+ * computed from the luminance. */
 static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t channel, bool color)
 {
     const float *at = image->pixels + texel * image->channel_count;
@@ -17,7 +18,8 @@ static uint8_t ink_of(const struct hatch_image *image, size_t texel, uint32_t ch
     return ink <= 0.0f ? 0 : ink >= 255.0f ? 255 : (uint8_t)lrintf(ink);
 }
 
-/* Index of the map's column in slot `slot` when `count` columns are chosen evenly, the darkest always among them. */
+/* Returns the index of the slot-th column when `count` of the map's columns are chosen at even distances; the darkest
+ * one is always among them. */
 static uint32_t chosen_column(const struct hatch_tam *map, uint32_t count, uint32_t slot)
 {
     return (slot + 1) * map->tones / count - 1;
@@ -32,8 +34,8 @@ struct image {
     uint8_t *texels; /* out: texel_count * channels */
 };
 
-/* The first layer holds columns 1 to 4 in its channels, the second 3 to 6: both columns of any blend are then in one
- * layer. */
+/* Fills the four channels of one of two layers. The first layer holds columns 1 to 4 and the second 3 to 6, so that two
+ * neighbouring columns, which shaders blend, are always in one layer. */
 static void fill_six(const struct image *image)
 {
     for (uint32_t c = 0; c < 4 && 2 * image->layer + c < image->count; c++) {
@@ -51,9 +53,9 @@ static void fill_column(const struct image *image)
         image->texels[i] = ink_of(from, i / image->channels, (uint32_t)(i % image->channels), image->map->color);
 }
 
-/* Layout of a map in the texture. */
+/* How a map is laid out in a texture. */
 struct form {
-    uint32_t count; /* columns */
+    uint32_t count; /* columns on the GPU */
     uint32_t layers, channels;
     void (*fill)(const struct image *image); /* computes the texels of one image */
 };

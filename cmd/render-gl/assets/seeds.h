@@ -8,17 +8,17 @@
 
 #define SEEDS_VIEWS 5
 
-/* A model on the GPU. Zeroed: none. */
+/* A model (struct hatch_rptam) on the GPU. Zeroed: none. */
 struct seeds {
-    GLuint layers;               /* uniform block: struct hatch_rptam_packed's block */
+    GLuint layers;               /* uniform buffer: struct hatch_rptam_block */
     GLuint buffers[SEEDS_VIEWS]; /* images of strokes, seed points, coverage lists, tone curve, seed numbers */
     GLuint views[SEEDS_VIEWS];   /* textures through which shaders read the buffers */
-    bool vary;                   /* strokes differ from seed to seed */
+    bool vary;                   /* strokes differ from seed point to seed point */
     bool shrink;                 /* strokes fade by getting smaller */
 };
 
 /* Uploads a model.
- *   all    make every coverage list hold all seeds (slow; for comparison)
+ *   all    true: every coverage list holds all strokes that may reach into the tile (slow; for comparison)
  *   seeds  out: owned by the caller
  * HATCH_LIMIT when the GPU's textures or memory are too small. */
 enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct hatch_arena *scratch,

@@ -13,7 +13,7 @@ bool tone_texture_is(struct hatch_bytes file)
     return file.size >= sizeof identifier && memcmp(file.data, identifier, sizeof identifier) == 0;
 }
 
-/* The darkest tone of a threshold texture: the mean over all texels of the sum of their steps. */
+/* Returns the darkest tone of a threshold texture: the mean, over all texels, of the sum of a texel's steps. */
 static float darkest_of(const struct hatch_thresholds *thresholds)
 {
     const struct hatch_texels *texels = &thresholds->texels;
@@ -47,7 +47,7 @@ static enum hatch_status read_exact(struct tone_texture *texture, struct hatch_e
     return HATCH_OK;
 }
 
-/* Compressed texels are decompressed here for validation only; the GPU receives them as they are. */
+/* Reads a volume. Compressed texels are decompressed here for validation only; the GPU receives them as they are. */
 static enum hatch_status read_volume(const char *const *key_values, struct hatch_arena *scratch,
                                      struct tone_texture *texture, struct hatch_err *err)
 {

@@ -1,5 +1,5 @@
-/* Textures for fine tone control (Webb et al. 2002): volumes, which tamvol writes, and threshold textures and exact
- * runs, which tamthresh writes. */
+/* Textures for fine tone control (Webb et al. 2002): the volumes that tamvol writes, and the threshold textures and
+ * exact runs that tamthresh writes. */
 #ifndef RENDER_ASSETS_TEXTURE_H
 #define RENDER_ASSETS_TEXTURE_H
 
@@ -13,13 +13,13 @@ enum tone_texture_holds { TONE_TEXTURE_NONE, TONE_TEXTURE_VOLUME, TONE_TEXTURE_T
 struct tone_texture {
     enum tone_texture_holds holds;
     struct hatch_texels texels; /* as in the file, possibly block-compressed */
-    struct hatch_exact exact;   /* of RUNS only: texels, parsed */
+    struct hatch_exact exact;   /* the parsed texels, if holds is TONE_TEXTURE_RUNS */
     uint32_t size_px;           /* side of the finest level */
     uint32_t levels;            /* mip levels that hold strokes */
     float darkest;              /* darkest tone, 0 .. 1 */
 };
 
-/* Whether a file is a KTX2 texture, judged by its first bytes. */
+/* Returns whether a file begins like a KTX2 texture. */
 bool tone_texture_is(struct hatch_bytes file);
 
 /* Reads a volume (3D texture or 2D array), a threshold texture or exact runs.

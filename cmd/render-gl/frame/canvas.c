@@ -58,7 +58,7 @@ void canvas_read(const struct canvas *canvas, struct gpu_rectangle from, struct 
     assert(image->channel_count == 3 && x + from.width <= image->width && y + from.height <= image->height);
     float *corner = image->pixels + 3 * ((size_t)(image->height - y - from.height) * image->width + x);
     gpu_target_read(canvas->picture, 0, from, GL_RGB, GL_FLOAT, image->width, corner);
-    /* OpenGL's first row is the lowest. */
+    /* OpenGL's first row is the lowest, an image's first row is the highest. */
     for (size_t low = 0, high = from.height - 1; low < high; low++, high--)
         for (size_t i = 0; i < 3 * (size_t)from.width; i++) {
             float *a = corner + 3 * low * image->width + i, *b = corner + 3 * high * image->width + i;

@@ -1,6 +1,6 @@
-/* The canvas: the target that a picture is drawn on, with colour (half floats, linear light) and depth. It
- * supersamples: every sample of a pixel is shaded, and their mean is the picture. Multisampling would smooth the edges
- * of faces only, while strokes have their edges inside faces; and software renderers take as long for either. */
+/* The canvas: the render target of a picture, with colour (half floats, linear light) and depth. It supersamples: every
+ * sample is shaded, and a pixel of the picture is the mean of its samples. Multisampling would smooth only the edges of
+ * faces, but strokes have their edges inside faces; and software renderers need the same time for both. */
 #ifndef RENDER_FRAME_CANVAS_H
 #define RENDER_FRAME_CANVAS_H
 
@@ -14,7 +14,7 @@ struct canvas {
     uint32_t side;                    /* samples along a pixel's side, 1 .. 8 */
     struct gpu_target samples;        /* side * width by side * height; output 0: colour; depth: 1 near, 0 far */
     struct gpu_target means;          /* width by height; zeroed if side is 1 */
-    const struct gpu_target *picture; /* means, or samples if side is 1: holds the picture after canvas_resolve */
+    const struct gpu_target *picture; /* holds the picture after canvas_resolve: means, or samples if side is 1 */
     const struct gpu_program *average, *present; /* programs of canvas_resolve and canvas_present */
 };
 
@@ -32,9 +32,9 @@ void canvas_resolve(const struct canvas *canvas);
 void canvas_present(const struct canvas *canvas);
 
 /* Copies a rectangle of the picture into an image.
- *   from   rectangle of the picture
- *   image  channels R G B, linear light; the rectangle must fit into it at x, y
- *   x, y   column, and row counted from the bottom, of the rectangle's lower left corner in the image */
+ *   from   the rectangle of the picture
+ *   image  channels R G B, linear light; must have room for the rectangle at x, y
+ *   x, y   where the rectangle's lower left corner is put in the image: column, and row counted from the bottom */
 void canvas_read(const struct canvas *canvas, struct gpu_rectangle from, struct hatch_image *image, uint32_t x,
                  uint32_t y);
 

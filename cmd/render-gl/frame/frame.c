@@ -46,7 +46,8 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
     return HATCH_OK;
 }
 
-/* A halo is measured from the edge of the surface; half the line's width covers its inner part. */
+/* Returns the width of haloes from the edge of the surface. The feature line on that edge covers half its own width of
+ * the halo, so this half is added. */
 static double halo_reach_px(const struct frame *frame, double line_px)
 {
     return frame->style.halo_px + 0.5 * line_px;

@@ -1,5 +1,5 @@
-/* A frame: everything about drawing the scene once that does not depend on the technique. The steps are
- *     frame_begin       sets view and lights, cuts near faces, draws shadow maps, clears the canvas
+/* A frame: drawing the scene once, as far as all techniques do it in the same way. The steps are
+ *     frame_begin       sets view and lights, cuts faces near the eye, draws shadow maps, clears the canvas
  *     frame_draw_items  draws every item with a technique's shading (frame/items.h); or the technique's own passes
  *                       (frame/pass.h)
  *     frame_end         draws haloes, averages the samples
@@ -16,31 +16,31 @@
 #include "render-gl/frame/targets.h"
 #include "render-gl/scene/scene.h"
 
-/* The user's settings that are neither view nor technique. */
+/* The user's settings for drawing, apart from the view and from the technique and its options. */
 struct frame_style {
     struct frame_inks inks;
     struct frame_curve curve;
     struct hatch_key_light light;
-    float anisotropy;      /* of texture filters, 1 (none) .. 16 */
+    float anisotropy;      /* greatest anisotropy of texture filters, 1 (none) .. 16 */
     double hatch_turn_rad; /* turn of the strokes on their surface, counter-clockwise seen from outside */
     double hatch_scale;    /* scale of the strokes' pattern, over 0 */
     bool base_tone;        /* the materials' colours and textures count as tone */
     bool pixel_light;      /* techniques that can compute light per pixel do so */
     bool shadows;          /* lights cast shadows; implies pixel_light */
     double shadow_edge;    /* width of the soft edges of shadows, in the unit scene; over 0 */
-    double halo_px;        /* width of haloes, from the edge of the line beside them; 0: none */
+    double halo_px;        /* width of haloes in pixels, from the outer edge of the feature line, if any; 0: none */
 };
 
-/* One frame to draw. Everything is kept by reference until frame_end. */
+/* One frame to draw. The pointers must stay valid until frame_end. */
 struct frame_request {
     const struct hatch_view *view;
     const struct hatch_tile *tile;
-    const struct canvas *canvas; /* as large as the tile */
-    const float *background;     /* 3 numbers, linear light */
+    const struct canvas *canvas; /* as large as the tile; the result is drawn on it */
+    const float *background;     /* R G B, linear light */
     double line_px;              /* width of feature lines that will be drawn over the frame; 0: none */
 };
 
-/* State that all frames share. Zeroed, apart from programs, scene, style and size_max_px, which the owner sets. */
+/* State that is kept from frame to frame. The owner zeroes it and sets programs, scene, style and size_max_px. */
 struct frame {
     struct gpu_programs programs;
     struct frame_targets targets;
@@ -52,24 +52,25 @@ struct frame {
     struct shadow shadow;
     struct halo halo;
     struct near near;
-    bool floats_alone;    /* near faces are not cut into pieces, for comparison: their vertices stay floats */
+    bool floats_alone;    /* for comparison: near faces are not cut into pieces, so floats alone place them */
     uint32_t size_max_px; /* largest side of a texture */
     /* Valid from frame_begin to frame_end: */
     struct frame_request request;
     struct hatch_view view; /* the requested view, its near plane moved to the nearest surface */
 };
 
-/* Writes the uniform block, cuts near faces into pieces, draws the shadow maps and clears the canvas. The technique
- * sets the block's tones beforehand. pieces  the technique can draw near faces as pieces (TECHNIQUE_PIECES) HATCH_LIMIT
- * when memory, on the GPU or not, does not suffice. */
+/* Writes the uniform block, cuts near faces into pieces, draws the shadow maps and clears the canvas. The block's tones
+ * must be set before.
+ *   pieces  the technique can draw near faces as pieces (TECHNIQUE_PIECES)
+ * HATCH_LIMIT when main memory or the GPU's memory does not suffice. */
 enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, bool pieces,
                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws haloes and averages the samples.
- *   haloes  false: the technique's output is no colour, so that no haloes are drawn over it */
+ *   haloes  false: no haloes are drawn, because the technique's output is not a colour */
 enum hatch_status frame_end(struct frame *frame, bool haloes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the distance beyond a tile's border from which haloes reach into the tile, in pixels.
+/* Returns how far outside a tile, in pixels, surfaces still influence its haloes; 0 without haloes.
  *   line_px  as in struct frame_request */
 uint32_t frame_reach_px(const struct frame *frame, double line_px);
 

@@ -7,17 +7,16 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-/* Edges are searched in two steps: each cell of the picture holds its nearest edge, and each block of cells the depth
- * of its nearest. */
+/* Edges are found in two steps. Cells are squares of samples, and blocks are squares of cells. The first step finds the
+ * edge nearest to the eye in each cell, the second one the depth of the nearest edge in each block. */
 #define BLOCK 8u             /* cells along a block's side; the same as in shaders/halo/halo.glsl */
-#define REACH_MAX_CELLS 12.0 /* cells become larger for wide haloes: more of them would be slower and look the same */
-#define JUMP_MIN 0.015 /* in half heights of the picture; the halo of a jump fades in from here to twice as much */
+#define REACH_MAX_CELLS 12.0 /* greatest width of haloes in cells: for wider haloes, cells become larger */
+#define JUMP_MIN 0.015 /* least jump with a halo, in half heights of the picture; haloes fade in up to twice this */
 
 /* std140 layout; the same as block Halo of shaders/halo/halo.glsl. */
 struct halo_block {
     float sizes[4]; /* in samples: width of haloes, a cell's side, a pixel's side; 0 */
-    float
-        depth[4]; /* factors that turn differences and ratios of depth into half heights of the picture; JUMP_MIN; 0 */
+    float depth[4]; /* factors from differences and from ratios of depth to half heights of the picture; JUMP_MIN; 0 */
 };
 
 static const char defines[] = "#define HALOES 1\n";
@@ -27,7 +26,8 @@ static uint32_t divide_rounding_up(uint32_t whole, uint32_t part)
     return (whole + part - 1) / part;
 }
 
-/* Draws a transient target from the textures that are bound, by a shader that finds edges, and binds it to a unit. */
+/* Runs one of the two steps: draws into a transient target with a shader that reads the textures bound so far, and
+ * binds the result to a texture unit. */
 static enum hatch_status reduce(const char *fragment, const struct gpu_target_form *form, GLuint unit,
                                 struct gpu_programs *programs, struct frame_targets *targets, struct hatch_err *err)
 {
@@ -42,7 +42,8 @@ static enum hatch_status reduce(const char *fragment, const struct gpu_target_fo
     return HATCH_OK;
 }
 
-/* Covers the canvas within the width of the edges found, without its depth, which shaders read. */
+/* Draws the haloes of the edges found over the canvas's colour. The framebuffer has no depth, because shaders read it.
+ */
 static void cover(struct halo *halo, const struct canvas *canvas, const struct gpu_program *program, const float rgb[3],
                   uint32_t blocks)
 {

@@ -1,6 +1,6 @@
 /* Haloes (Appel, Rohlf & Stein 1979): strips of bare paper along the edges of surfaces that pass in front of farther
- * ones. Edges are found in the depth buffer, where depth jumps; surfaces behind an edge are covered within the halo's
- * width (shaders/halo/halo.glsl). */
+ * ones. An edge is a jump of depth in the depth buffer. Paper covers the surfaces behind it up to the halo's width
+ * (shaders/halo/halo.glsl). */
 #ifndef RENDER_FRAME_HALO_H
 #define RENDER_FRAME_HALO_H
 
@@ -10,14 +10,16 @@
 
 /* Zeroed before the first call. */
 struct halo {
-    GLuint buffer;      /* uniform block */
-    GLuint framebuffer; /* the canvas's colour alone, since shaders read its depth */
+    GLuint buffer;      /* uniform block Halo */
+    GLuint framebuffer; /* has the canvas's colour only, because shaders read the canvas's depth at the same time */
 };
 
 /* Finds the edges in the canvas's depth, and draws haloes beside them over the canvas's samples. The edges stay bound
- * for shaders until the frame ends. reach_px  width of haloes from an edge, 0.5 .. 64 rgb       their
- * colour, linear light targets   supplies the transient targets that hold the edges HATCH_LIMIT when the GPU has no
- * memory for them. */
+ * for shaders until the frame ends.
+ *   reach_px  width of haloes from an edge, 0.5 .. 64
+ *   rgb       colour of haloes, linear light
+ *   targets   supplies the transient targets that hold the edges
+ * HATCH_LIMIT when the GPU has no memory for the targets. */
 enum hatch_status halo_draw(struct halo *halo, const struct canvas *canvas, const struct hatch_view *view,
                             double reach_px, const float rgb[3], struct gpu_programs *programs,
                             struct frame_targets *targets, struct hatch_err *err) HATCH_MUST_USE;

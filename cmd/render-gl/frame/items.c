@@ -14,7 +14,7 @@ struct drawing {
     const struct hatch_item *unit;
     const struct scene_item *item;
     const struct hatch_near_item *near; /* NULL: none of its faces is near */
-    uint32_t variant;                   /* enum frame_variant, joined */
+    uint32_t variant;                   /* bits of enum frame_variant */
 };
 
 static uint32_t variant_of(const struct frame *frame, const struct frame_shading *shading, uint32_t index)
@@ -73,7 +73,7 @@ static enum hatch_status compile(struct frame *frame, const struct frame_shading
     return gpu_program_get(&frame->programs, &shading->stages, all, program, err);
 }
 
-/* Compiles the programs for the surface below a shading's patches. */
+/* Compiles the program for the surface below patches, or the one for its pieces. */
 static enum hatch_status compile_below(struct frame *frame, const struct frame_shading *shading, bool pieces,
                                        const struct gpu_program **program, struct hatch_err *err)
 {
@@ -85,7 +85,8 @@ static enum hatch_status compile_below(struct frame *frame, const struct frame_s
     return gpu_program_get(&frame->programs, &stages, pieces ? "#define PIECES 1\n" : "", program, err);
 }
 
-/* Compiles the programs that the items need, or those for the pieces of their near faces. */
+/* Compiles the programs that the items need.
+ *   pieces  true: those for the pieces of near faces; false: the others */
 static enum hatch_status compile_all(struct frame *frame, const struct frame_shading *shading, const char *defines,
                                      bool pieces, struct frame_shader *shader, struct hatch_err *err)
 {
@@ -112,7 +113,8 @@ static void use(const struct drawing *drawing, const struct gpu_program *program
                    drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
 }
 
-/* Double-sided faces are drawn once per side: light is computed per vertex, and a vertex does not know its side. */
+/* Draws a part. Double-sided faces are drawn once for each side, because light is computed at vertices, which do not
+ * know the side that is seen. */
 static void draw_sides(const struct drawing *drawing, struct frame_part part, uint32_t pass)
 {
     glUniform1i(UNIFORM_PASS, (GLint)pass);
@@ -132,7 +134,7 @@ static struct frame_part use_pieces(const struct drawing *drawing, const struct 
     return (struct frame_part){.vertex_array = drawing->frame->near.array, .cut = cut, .pieces = true};
 }
 
-/* Draws the surface below patches as bare paper. It also sets the depth, at which patches are drawn (equal depth). */
+/* Draws the surface below patches as bare paper, and writes its depth: patches are drawn where their depth is equal. */
 static void draw_below_patches(const struct drawing *drawing)
 {
     const struct hatch_near_item *near = drawing->near;
@@ -159,8 +161,9 @@ static void draw_patches_at_once(const struct drawing *drawing)
                0);
 }
 
-/* Draws patches with a shading of several passes (Real-Time Hatching §6), one layer at a time. Pass 0 writes the
- * outline into the target's alpha; pass 1 replaces the colour by that alpha, and later passes add to it. */
+/* Draws patches with a shading of several passes (Real-Time Hatching §6), one layer of patches at a time; patches of
+ * one layer do not overlap. Pass 0 writes the outlines into the target's alpha. Pass 1 mixes its colour with the
+ * target's by that alpha, and later passes add theirs times that alpha. */
 static void draw_patches_in_passes(const struct drawing *drawing)
 {
     const struct hatch_patch_mesh *patches = drawing->frame->scene->unit.meshes[drawing->unit->mesh].patches;
@@ -204,8 +207,11 @@ static void draw_ordinary(const struct drawing *drawing, uint32_t pass)
             pass);
 }
 
-/* Draws one pass over the items that are shown as patches, or over the others.
- *   below  the surface below the patches instead of the patches */
+/* Draws one kind of items.
+ *   like     all members except those of an item
+ *   patches  true: the items that are shown as patches; false: the others
+ *   pass     index of the pass, for the others
+ *   below    true: the surfaces below patches instead of the patches */
 static void draw_all(const struct drawing *like, bool patches, uint32_t pass, bool below)
 {
     for (uint32_t i = 0; i < like->frame->scene->unit.item_count; i++) {

@@ -1,5 +1,5 @@
-/* Pieces of near faces on the GPU. Faces near the eye, whose vertices floats cannot place, are cut into pieces on the
- * processor (near/near.h). */
+/* Pieces of near faces on the GPU. Faces so near the eye that floats cannot place their vertices precisely enough are
+ * cut into pieces on the processor (near/near.h). */
 #ifndef RENDER_FRAME_NEAR_H
 #define RENDER_FRAME_NEAR_H
 
@@ -12,16 +12,16 @@
 struct near {
     struct hatch_near found;
     GLuint array, buffer;       /* vertex array and buffer of the pieces; 0: not made */
-    GLuint views[3];            /* an item's vertices, uv_tangents and repeats, as textures of floats */
+    GLuint views[3];            /* buffer textures: an item's vertices, uv_tangents and repeats, as single floats */
     float clip_from_camera[16]; /* column-major */
 };
 
 /* Cuts the near faces of a frame into pieces and uploads them.
- *   view  in, out: its near plane is moved to the nearest surface if it is automatic */
+ *   view  in, out: an automatic near plane is moved to just in front of the nearest surface */
 enum hatch_status near_begin(struct near *near, const struct scene *scene, const struct hatch_near_options *options,
                              struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Binds the buffers and sets the uniforms for the pieces of an item, in the program in use.
+/* Binds the buffers for the pieces of an item, and sets the uniforms of the program in use.
  *   item  index in scene->items */
 void near_use(const struct near *near, const struct scene *scene, uint32_t item);
 

@@ -1,5 +1,5 @@
-/* A pass: drawing into one target under one state. frame_pass_begin sets all of the state that drawing depends on, so
- * that no pass depends on the one before it. */
+/* A pass: draw calls into one target with one set of GL state. frame_pass_begin sets all of the state that drawing
+ * depends on, so that no pass depends on the one before it. */
 #ifndef RENDER_FRAME_PASS_H
 #define RENDER_FRAME_PASS_H
 
@@ -7,64 +7,66 @@
 #include "render-gl/gpu/target.h"
 #include "render-gl/gpu/timer.h"
 
-/* Combination of a shader's outputs with the target's content. */
+/* How a shader's output is combined with the target's content. */
 enum frame_blend {
     FRAME_BLEND_REPLACE,
-    FRAME_BLEND_OVER,           /* colour and alpha mixed by the shader's alpha */
-    FRAME_BLEND_OVER_COLOR,     /* colour mixed by the shader's alpha; the target's alpha is unchanged */
+    FRAME_BLEND_OVER,           /* colour is mixed by the shader's alpha; alpha becomes that of both layers together */
+    FRAME_BLEND_OVER_COLOR,     /* colour is mixed by the shader's alpha; alpha is unchanged */
     FRAME_BLEND_ADD,            /* sum of colour and alpha */
     FRAME_BLEND_MAX,            /* maximum of colour and alpha */
-    FRAME_BLEND_SET_ALPHA,      /* alpha replaced, colour unchanged */
-    FRAME_BLEND_UNDER_ALPHA,    /* colour mixed by the target's alpha, which is unchanged */
-    FRAME_BLEND_ADD_UNDER_ALPHA /* colour times the target's alpha added; alpha is unchanged */
+    FRAME_BLEND_SET_ALPHA,      /* alpha is replaced; colour is unchanged */
+    FRAME_BLEND_UNDER_ALPHA,    /* colour is mixed by the target's alpha; alpha is unchanged */
+    FRAME_BLEND_ADD_UNDER_ALPHA /* colour is multiplied by the target's alpha and added; alpha is unchanged */
 };
 
-/* Depth is 1 at the near plane and 0 far away. */
+/* The depth test, and whether depth is written. Depth is 1 at the near plane and 0 far away; in shadow maps it is 0
+ * near the light. */
 enum frame_depth {
-    FRAME_DEPTH_NONE,
-    FRAME_DEPTH_NEARER, /* draws where nearer, and writes depth */
-    FRAME_DEPTH_EQUAL,  /* draws where depth is equal; does not write it */
-    FRAME_DEPTH_BEFORE, /* draws where nearer; does not write depth */
-    FRAME_DEPTH_LOWER   /* draws where depth is lower, and writes it: for shadow maps, where 0 is near */
+    FRAME_DEPTH_NONE,   /* no test; depth is not written */
+    FRAME_DEPTH_NEARER, /* draws what is nearer, and writes depth */
+    FRAME_DEPTH_EQUAL,  /* draws what has equal depth; does not write it */
+    FRAME_DEPTH_BEFORE, /* draws what is nearer; does not write depth */
+    FRAME_DEPTH_LOWER   /* draws what has a lower depth, and writes it; for shadow maps */
 };
 
 struct frame_pass {
-    const char *name;                /* in the report of --time */
+    const char *name;                /* shown in the report of --time */
     const struct gpu_target *target; /* kept by reference until the pass ends */
     enum frame_blend blend;
     enum frame_depth depth;
     bool culls;               /* back faces are not drawn */
     bool masks_color;         /* colour and alpha are not written */
-    const float *clear;       /* 4 numbers to which output 0 is cleared first; NULL: not cleared */
-    const float *clear_depth; /* depth is cleared to this first; NULL: not cleared */
+    const float *clear;       /* R G B A to which output 0 is cleared at the beginning; NULL: not cleared */
+    const float *clear_depth; /* depth to which the target is cleared at the beginning; NULL: not cleared */
 };
 
-/* Binds the target, all of it as viewport, and sets the state. */
+/* Binds the target, sets the viewport to all of it, clears it if the pass says so, and sets the state. */
 void frame_pass_begin(const struct frame_pass *pass);
 
 /* Changes the blending within a pass. */
 void frame_pass_blend(enum frame_blend blend);
 
-/* Draws one triangle that covers the target. */
+/* Runs a program for every pixel of the target, by drawing one triangle that covers it. */
 void frame_pass_screen(const struct gpu_program *program);
 
-/* Draws instances of a strip of four vertices, which shaders place by gl_VertexID.
+/* Draws instances of a quad: a strip of four vertices, which the vertex stage places by gl_VertexID.
  *   array  vertex array with attributes per instance; 0: none */
 void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei instances);
 
-/* Ends a pass, so that its time is taken.
+/* Ends a pass and takes its time.
  *   timer  NULL: nothing is timed */
 void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer);
 
 /* A compute pass. */
 struct frame_dispatch {
-    const char *name; /* in the report of --time */
+    const char *name; /* shown in the report of --time */
     const struct gpu_program *program;
-    GLuint groups[3];   /* work groups along each axis, at least 1 */
-    GLbitfield barrier; /* reads that wait for its writes: GL_TEXTURE_FETCH_BARRIER_BIT and so on */
+    GLuint groups[3];   /* number of work groups along each axis, at least 1 */
+    GLbitfield barrier; /* kinds of later access that wait for its writes, as for glMemoryBarrier */
 };
 
-/* Runs a compute pass, whose uniforms and images are set. timer may be NULL. */
+/* Runs a compute pass. The caller has set the uniforms and bound the images.
+ *   timer  NULL: nothing is timed */
 void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer);
 
 #endif

@@ -10,15 +10,13 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-#define MARGIN 1.05 /* radius around the scene that maps show, so that soft edges at the rim fit in */
-#define CUBE_TANGENT                                                                                                   \
-    1.15                /* half width of a cube's face at distance 1: faces overlap, for soft edges across borders     \
-                         */
-#define SPOT_COSINE 0.4 /* of the half angle; wider spots need a cube of six maps */
-#define NEAREST 1e-3    /* smallest distance from a lamp at which surfaces cast shadows */
+#define MARGIN 1.05       /* factor by which maps show more than the scene, so that soft edges at its rim fit in */
+#define CUBE_TANGENT 1.15 /* half width of a cube's map at distance 1; over 1, for soft edges across borders */
+#define SPOT_COSINE 0.4   /* least cosine of half a spot's angle for one map; wider spots need a cube of six */
+#define NEAREST 1e-3      /* smallest distance from a lamp at which surfaces cast shadows */
 #define SIZE_MIN_PX 512u
 #define SIZE_MAX_PX 2048u
-#define EDGE_PX 13.0 /* smallest width of soft edges in texels of a map: fewer would leave gaps between the reads */
+#define EDGE_PX 13.0 /* least width of soft edges in texels of a map; maps are enlarged for it up to SIZE_MAX_PX */
 
 static const GLuint units[2] = {UNIT_SHADOWS, UNIT_SHADOW_TEXELS};
 
@@ -26,8 +24,8 @@ static const GLuint units[2] = {UNIT_SHADOWS, UNIT_SHADOW_TEXELS};
 struct lens {
     double axes[3][3]; /* unit vectors of the map's x and y, and the direction away from the light */
     double from[3];    /* origin: position of the lamp; directional: middle of the scene's box */
-    double extent[2];  /* half width and height of the map; of a lamp at distance 1 */
-    double near, far;  /* along the last axis */
+    double extent[2];  /* half the map's width and height; of a lamp's map at distance 1 */
+    double near, far;  /* range of distances along the last axis */
     bool lamp;
 };
 
@@ -64,7 +62,7 @@ static void set_matrix(const struct lens *lens, float matrix[16])
             matrix[4 * c + r] = (float)rows[r][c];
 }
 
-/* Fits the map of a directional light to the bounding box of all items along its axes. */
+/* Fits the map of a directional light to the extent of all items along the map's axes. */
 static void fit(const struct hatch_unit_scene *scene, struct lens *lens)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -97,8 +95,8 @@ static void set_map(struct shadow *shadow, uint32_t light, const struct lens *le
         shadow->block.maps[light][2 + k] = (float)(0.5 / lens->extent[k]);
 }
 
-/* Sets the six maps of a lamp. A point belongs to the face along whose axis it is farthest from the lamp, in the order
- * +x -x +y -y +z -z (cube_face in shaders/shadow/shadow.glsl). */
+/* Sets the six maps of a lamp, in the order +x -x +y -y +z -z. A point is in the map of that axis along which it is
+ * farthest from the lamp (cube_face in shaders/shadow/shadow.glsl). */
 static void set_cube(struct shadow *shadow, uint32_t light, struct lens lens)
 {
     lens.extent[0] = lens.extent[1] = CUBE_TANGENT;
@@ -143,7 +141,7 @@ static void add_light(const struct hatch_unit_light *light, uint32_t index, cons
     set_map(shadow, index, &lens);
 }
 
-/* Points outside a map are lit. */
+/* Sets up a sampler that compares depths. Points outside a map are lit. */
 static void set_reads(GLuint sampler, GLint filter)
 {
     static const GLfloat lit[4] = {1, 1, 1, 1};

@@ -1,5 +1,6 @@
-/* Shadow maps (Williams 1978): depth as seen from each light, in the layers of one texture. shaders/shadow/shadow.glsl
- * computes the share of a light that reaches a point from them, with soft edges (Reeves et al. 1987). */
+/* Shadow maps (Williams 1978): depth as seen from each light, in the layers of one texture. From these maps,
+ * shaders/shadow/shadow.glsl computes the share of a light that reaches a point, with soft edges (Reeves et al. 1987).
+ */
 #ifndef RENDER_FRAME_SHADOW_H
 #define RENDER_FRAME_SHADOW_H
 
@@ -11,9 +12,9 @@
 
 /* std140 layout; the same as block Shadows of shaders/shadow/block.glsl. */
 struct shadow_block {
-    float map_from_unit[SHADOW_LAYERS_MAX][16]; /* to 0 .. 1 in x, y and depth; column-major */
-    float maps[HATCH_LIGHTS_MAX][4]; /* per light: first layer (below 0: none), layers, and the size of one unit at
-                                        distance 1, as a share of the map's width and height */
+    float map_from_unit[SHADOW_LAYERS_MAX][16]; /* from the unit scene to a map, 0 .. 1 in x, y, depth; column-major */
+    float maps[HATCH_LIGHTS_MAX][4]; /* per light: first layer (negative: none), number of layers, and the shares of
+                                        the map's width and height that a length of 1 covers (lamps: at distance 1) */
     float edge[4];                   /* half the width of soft edges in the unit scene, 1 / side of a map in texels */
 };
 
@@ -24,15 +25,16 @@ struct shadow {
     GLuint samplers[2];         /* both compare depth; the first filters, the second reads single texels */
     uint32_t size_px;           /* side of a map */
     uint32_t layers;            /* layers in use */
-    uint32_t pose_number;       /* pose of the scene that the maps show */
+    uint32_t pose_number;       /* the scene's pose_number when the maps were drawn */
     bool drawn;                 /* the maps are up to date */
     struct shadow_block block;
 };
 
-/* Draws the shadow maps of a frame's lights, in their order until SHADOW_LAYERS_MAX layers are used, unless lights and
- * pose are those of the last call. Updates the uniform block and binds the maps for shaders.
- *   frame  its lights are set
- *   width  of the soft edges of shadows, in the unit scene
+/* Draws the shadow maps of a frame's lights, unless they are up to date. Layers are
+ * given to lights in their order; lights for which none are left cast no shadows. Updates the uniform block and binds
+ * the maps for shaders.
+ *   frame  the block whose lights are used
+ *   width  width of the soft edges of shadows, in the unit scene
  * HATCH_LIMIT when the GPU has no memory for the maps. */
 enum hatch_status shadow_draw(struct shadow *shadow, const struct frame_block *frame, const struct scene *scene,
                               double width, struct gpu_programs *programs, struct hatch_err *err) HATCH_MUST_USE;

@@ -1,4 +1,4 @@
-/* Transient targets: their content lasts until the frame ends, and frames of one size share them. */
+/* Transient render targets: their content lasts until the frame ends, and later frames use them again. */
 #ifndef RENDER_FRAME_TARGETS_H
 #define RENDER_FRAME_TARGETS_H
 
@@ -9,7 +9,7 @@
 struct frame_targets {
     struct {
         struct gpu_target target;
-        bool taken;            /* in this frame */
+        bool taken;            /* this frame uses it */
         uint32_t frames_spare; /* number of frames since its last use */
     } entries[FRAME_TARGETS_MAX];
 };
@@ -17,7 +17,8 @@ struct frame_targets {
 /* Makes all targets available again, and frees those that the last two frames have not used. */
 void frame_targets_begin(struct frame_targets *targets);
 
-/* Returns a target of a size and formats for use until the next frame_targets_begin. Its content is undefined.
+/* Supplies a target for use until the next frame_targets_begin. Its content is undefined.
+ *   form    size and formats of the target
  *   target  out: owned by targets
  * HATCH_LIMIT when the GPU has no memory for it, or FRAME_TARGETS_MAX are in use. */
 enum hatch_status frame_target(struct frame_targets *targets, const struct gpu_target_form *form,

@@ -10,13 +10,13 @@
 #define BLOCK_HALOES 3
 
 /* Texture units */
-#define UNIT_TONES 0 /* the asset that strokes are read from; in full-screen passes the source texture */
+#define UNIT_TONES 0 /* the asset that strokes are read from; in full-screen passes the texture to read */
 #define UNIT_SOURCE 1
 #define UNIT_SHADOW_TEXELS 2
 #define UNIT_BASE 3
 #define UNIT_TECHNIQUE 4 /* five units, 4 .. 8, free for the technique in use */
 #define UNIT_NORMALS 9
-#define UNIT_PIECES 10 /* three units: vertices, surface derivatives along u and v, repeats */
+#define UNIT_PIECES 10 /* three units, 10 .. 12: vertices, surface derivatives along u and v, repeats */
 #define UNIT_SHADOWS 13
 #define UNIT_HALO_DEPTHS 14
 #define UNIT_HALO_CELLS 15

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 
 #ifdef __SANITIZE_ADDRESS__
-/* Drivers keep memory until the process ends but are unloaded before the leak check, so that a suppression list cannot
- * name them. Therefore leak detection is off in programs that draw. */
+/* Drivers hold memory until the process ends, but are unloaded before the leak check, so that suppressions cannot match
+ * them by name. Programs that draw therefore turn leak detection off. */
 int __lsan_is_turned_off(void);
 int __lsan_is_turned_off(void)
 {
@@ -57,7 +57,7 @@ static bool make_current(struct gpu_context *context, EGLDisplay display)
     return true;
 }
 
-/* Opens the first device that is hardware; Mesa lists its software renderer as a device, too. */
+/* Opens the first hardware device. Mesa's list of devices also contains its software renderer, which is skipped. */
 static bool open_hardware(struct gpu_context *context, const char *extensions)
 {
     EGLDeviceEXT devices[DEVICES_MAX];
@@ -108,7 +108,7 @@ enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_
         return hatch_fail(err, HATCH_IO,
                           "libEGL.so.1 or libGL.so.1 is missing: install EGL "
                           "(libegl1) and OpenGL (libgl1-mesa-dri)");
-    /* Otherwise Mesa prints messages about devices that it may not open. */
+    /* Keeps Mesa from printing messages about devices that it has no permission to open. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     /* Mesa's software renderer reads its number of threads from this variable only. */
     snprintf(number, sizeof number, "%u", threads);

@@ -1,7 +1,7 @@
 #!/bin/sh
-# embed.sh BINDINGS FOLDER FILE...: writes the C source that defines the variables of shader_files.h: the FILEs, named
-# relative to FOLDER, and the #define lines of BINDINGS. Texts are arrays of numbers, because C limits the length of
-# string literals.
+# embed.sh BINDINGS FOLDER FILE... writes a C source that defines the variables of shader_files.h. They hold the FILEs,
+# with names relative to FOLDER, and the #define lines of BINDINGS. Texts are written as arrays of numbers, because C
+# limits the length of string literals.
 set -eu
 bytes() {
     od -An -v -tu1 | sed 's/  */,/g; s/^,//; s/$/,/'

@@ -10,7 +10,7 @@
 #define INCLUDES_MAX 16u
 #define NAME_MAX_BYTES 64u
 
-/* The text of a stage while it is joined from files. The index of a file is its number in #line directives. */
+/* The text of a stage while it is put together from files. The index of a file is its number in #line directives. */
 struct stage_text {
     const struct gpu_programs *programs;
     struct hatch_buffer text;
@@ -36,7 +36,7 @@ static enum hatch_status find_text(const struct gpu_programs *programs, const ch
     return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: there is no such built-in file", name);
 }
 
-/* Extracts the file name of an #include line; empty for other lines. */
+/* Extracts the file name from an #include line; from any other line, an empty name. */
 static void included_name(const char *line, size_t length, char name[NAME_MAX_BYTES])
 {
     static const char directive[] = "#include \"";
@@ -88,7 +88,8 @@ static enum hatch_status add_file(struct stage_text *stage, const char *name, st
     return HATCH_OK;
 }
 
-/* Reports the first line of the compiler's log, which begins with the number of the file: "0:12(5): error". */
+/* Fails with the first line of the compiler's log. It begins with the number of the file, as in "0:12(5): error".
+ *   stage  NULL: the log is the linker's */
 static enum hatch_status fail_with_log(const struct stage_text *stage, const char *what, const char *log,
                                        struct hatch_err *err)
 {

@@ -16,23 +16,23 @@ struct gpu_stages {
 
 /* A compiled program. Pointers to it stay valid when it is compiled again. */
 struct gpu_program {
-    GLuint name;              /* of the GL program */
+    GLuint name;              /* name of the GL program */
     GLuint no_attributes;     /* empty vertex array, for draws without attributes: core profiles require a bound one */
-    struct gpu_stages stages; /* with defines the key by which gpu_program_get finds it */
+    struct gpu_stages stages; /* stages and defines are the key by which gpu_program_get finds it */
     const char *defines;
-    GLuint fresh;             /* while programs are compiled again: the new one; else 0 */
+    GLuint fresh;             /* during gpu_programs_reload: the new GL program; else 0 */
     struct gpu_program *next; /* NULL: the last */
 };
 
 struct gpu_programs {
-    const char *folder;          /* of the shader files; NULL: the built-in ones */
+    const char *folder;          /* folder of the shader files; NULL: the built-in ones are used */
     struct hatch_arena *scratch; /* for the text of a stage; kept by reference */
     struct hatch_arena keep;     /* holds the programs; the owner initialises it with a limit */
     struct gpu_program *first;   /* list of all programs; NULL: none */
     GLuint no_attributes;        /* shared by all programs; 0 until the first is made */
 };
 
-/* Returns a program; compiles and links it on the first call.
+/* Supplies a program; compiles and links it on the first call.
  *   defines  lines put before every stage ("#define COLOR 1\n"), "" for none; copied
  *   program  out: owned by programs, valid until gpu_programs_free
  * HATCH_IO if a file of the folder cannot be read, HATCH_BAD_INPUT with the compiler's first message, which gives file

@@ -28,7 +28,7 @@ struct gpu_target {
 enum hatch_status gpu_target_make(const struct gpu_target_form *form, struct gpu_target *target,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* A rectangle of texels; x and y of its lower left corner, rows counted from the bottom. */
+/* A rectangle of texels. x and y are those of its lower left corner; rows are counted from the bottom. */
 struct gpu_rectangle {
     uint32_t x, y, width, height;
 };

@@ -17,7 +17,7 @@ GLuint gpu_texture_2d(GLenum format, uint32_t width, uint32_t height);
 GLuint gpu_texture_make(GLenum kind, GLsizei levels, GLenum format, uint32_t width, uint32_t height, uint32_t depth);
 
 /* Makes a texture through which shaders read a buffer as an array of texels.
- *   format  of a texel (GL_RGBA8) */
+ *   format  internal format of a texel, such as GL_RGBA8 */
 GLuint gpu_texture_of_buffer(GLenum format, GLuint buffer);
 
 /* Makes shaders read a one-channel texture as grey with alpha 1. */

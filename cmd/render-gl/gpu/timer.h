@@ -10,7 +10,7 @@
 
 struct gpu_timer {
     GLuint queries[GPU_TIMER_PASSES_MAX + 1]; /* time stamps: start of the frame, end of each pass */
-    bool every_pass;     /* time each pass, waiting for the GPU after each; false: the whole frame; set by the user */
+    bool every_pass;     /* set by the caller: each pass is timed, and the GPU finishes after each; false: the frame */
     uint32_t count;      /* passes timed so far; after gpu_timer_end: valid entries of the arrays below */
     double wall_begin_s; /* start of the current pass, gpu_timer_now_s */
     double gpu_ms[GPU_TIMER_PASSES_MAX], wall_ms[GPU_TIMER_PASSES_MAX]; /* milliseconds */
@@ -20,16 +20,17 @@ struct gpu_timer {
 /* Makes the queries; gpu_timer_free releases them. */
 void gpu_timer_make(struct gpu_timer *timer);
 
-/* Starts timing a frame. timer: NULL here and in the next two functions: they do nothing. */
+/* Starts timing a frame. If timer is NULL, this function and the next two do nothing. */
 void gpu_timer_begin(struct gpu_timer *timer);
-/* Ends a pass, which began where the previous one ended. name: string literal, kept by reference. */
+/* Ends a pass, which began where the previous one ended. Does nothing without every_pass.
+ *   name  string literal, kept by reference */
 void gpu_timer_end_pass(struct gpu_timer *timer, const char *name);
-/* Waits for the GPU and sets gpu_ms. Without every_pass there is one entry, "frame". */
+/* Ends a frame: waits for the GPU and sets gpu_ms. Without every_pass there is one entry, "frame". */
 void gpu_timer_end(struct gpu_timer *timer);
 
 void gpu_timer_free(struct gpu_timer *timer);
 
-/* Seconds of a monotonic clock. */
+/* Returns the seconds of a monotonic clock. */
 double gpu_timer_now_s(void);
 
 #endif

@@ -19,7 +19,7 @@ static const char *scene_name(const struct job *job)
     return cmd_input_name(job->options->scene_path);
 }
 
-/* Strokes follow texture coordinates. */
+/* Fails if a mesh has no texture coordinates, which strokes follow. */
 static enum hatch_status check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++)
@@ -116,8 +116,8 @@ struct technique_instance *job_use(struct job *job, const struct technique *tech
     return instance;
 }
 
-/* Opens the chosen technique, and those whose options were given: a window may switch to them, and errors in their
- * files should show at the start. */
+/* Opens the chosen technique and all techniques whose options were given: a window may switch to them, and errors in
+ * their files should be reported at the start. */
 static void open_techniques(struct job *job)
 {
     struct hatch_err err;
@@ -139,7 +139,7 @@ static void load_row(struct cmd_args *args, uint32_t count, bool stand, struct h
     cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
 }
 
-/* Removes the faces of meshes whose base colour alone is below the alpha cutoff: no part of them is visible. */
+/* Removes the faces of meshes whose base colour has an alpha below the cutoff, since no part of them is visible. */
 static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes *notes)
 {
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
@@ -152,7 +152,8 @@ static void drop_transparent(struct hatch_scene *scene, struct hatch_mesh_notes 
     }
 }
 
-/* Reads the scenes of the operands as one; several are put in a row. Adds normals, patches and --ground. */
+/* Reads the operands into one scene; several scenes are put in a row. Drops meshes that are wholly transparent, adds
+ * the ground of --ground and missing normals, and joins lapped patches (hatch_patches_join). */
 static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
 {
     struct cmd_args *args = &job->args;
@@ -199,7 +200,8 @@ static double time_of(const struct job *job, uint32_t frame)
     return job->options->time_s + (double)frame / job->options->rate;
 }
 
-/* Sets the time span of all frames. They share one unit scene and one framing, so that the camera does not move. */
+/* Sets the time span of all frames. All frames share the bounds and the framing of this span, so that the camera does
+ * not move. */
 static void set_span(struct job *job)
 {
     const struct options *options = job->options;
@@ -234,7 +236,7 @@ static void open_context(struct job *job)
         cmd_note("the driver limits --anisotropy to %g", (double)job->gpu.anisotropy_max);
 }
 
-/* Measures the scene, finds the view, opens the context and uploads. */
+/* Measures the scene, finds the view, opens the GL context, and uploads meshes and materials. */
 static void upload_scene(struct job *job)
 {
     const struct options *options = job->options;

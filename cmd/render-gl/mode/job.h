@@ -1,4 +1,4 @@
-/* A run of the command after its options are read: the scene, the asset, the GL context, the techniques in use. */
+/* One run of the command, once its options are read: the scene, the asset, the GL context and the techniques in use. */
 #ifndef RENDER_MODE_JOB_H
 #define RENDER_MODE_JOB_H
 
@@ -11,7 +11,7 @@ struct job {
     struct options *options;
     struct hatch_scene values;        /* the scene as read from files, in memory */
     struct hatch_patch_mesh *patches; /* one per mesh of values */
-    struct asset asset;               /* of --tam; zeroed: none */
+    struct asset asset;               /* the file of --tam; zeroed: none */
     struct gpu_context gpu;
     enum hatch_status (*open_window)(struct gpu_context *context, uint32_t width, uint32_t height,
                                      struct hatch_err *err); /* window_open; NULL: no window, frames go to files */
@@ -19,55 +19,55 @@ struct job {
     struct assets assets;
     struct frame frame;
     struct technique_context context;
-    struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those opened; two more for --show and --probe */
+    struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those opened; 2 more, for --show and for --probe */
     struct line_overlay lines;
-    bool has_lines;               /* lines have been made */
+    bool has_lines;               /* `lines` has been made */
     struct cmd_output **outputs;  /* one per frame, or one for a report; NULL with a window */
-    struct hatch_pose_span span;  /* the animation and its time, over all frames */
-    struct hatch_view fixed_view; /* the view, if it does not follow the scene's pose */
-    struct hatch_view first_view; /* of the first frame */
-    uint32_t changes;             /* number of times that the technique's `changed` ran */
-    double changes_ms;            /* total time of those */
+    struct hatch_pose_span span;  /* the animation, and its time span over all frames */
+    struct hatch_view fixed_view; /* the view of all frames, unless it follows the scene's pose */
+    struct hatch_view first_view; /* the view of the first frame */
+    uint32_t changes;             /* number of calls of the technique's `changed` */
+    double changes_ms;            /* total time of these calls */
 };
 
-/* Reads the files. Exits with a message on failure. */
+/* Reads the scene, the asset and the files of techniques, and checks them. Exits with a message on failure. */
 void job_read(struct job *job);
 
 /* Opens the context, uploads the scene and the asset, prepares the technique, and poses the scene for the first frame.
  * Exits with a message on failure. */
 void job_prepare(struct job *job);
 
-/* Returns the instance of a technique. Opens it on the first call and reads its files; exits with a message if they
- * are wrong. NULL, with err set, when memory does not suffice. */
+/* Returns the instance of a technique. On the first call, opens it and reads its files; exits with a message if they
+ * are wrong. Returns NULL and sets err when memory does not suffice. */
 struct technique_instance *job_open(struct job *job, const struct technique *technique, struct hatch_err *err);
 
 /* Returns the instance of a technique, opened and prepared to draw. Exits with a message on failure. */
 struct technique_instance *job_use(struct job *job, const struct technique *technique);
 
-/* Returns a struct picture that draws with a prepared instance, for picture_draw. */
+/* Returns a struct picture for picture_draw, which draws with a prepared instance. */
 struct picture job_picture(struct job *job, struct technique_instance *instance);
 
 /* Finds the scene's feature lines.
- *   kinds  enum hatch_line_kind, joined */
+ *   kinds  bits of enum hatch_line_kind */
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Fails with HATCH_BAD_INPUT if the scene lacks something that the technique draws. */
 enum hatch_status job_check(const struct job *job, const struct technique *technique,
                             struct hatch_err *err) HATCH_MUST_USE;
 
-/* Recomputes what depends on parameters that have changed.
- *   instance  the one that draws
- *   subjects  bits 1 << enum param_subject of those parameters */
+/* Recomputes everything that depends on changed parameters.
+ *   instance  the instance that draws
+ *   subjects  bits 1 << enum param_subject of the changed parameters */
 enum hatch_status job_refresh(struct job *job, struct technique_instance *instance, uint32_t subjects,
                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* Sets the parameters of --animate and the pose for a frame, and computes its view.
- *   frame  from 0
+ *   frame  index from 0
  *   view   out */
 void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view);
 
 /* Computes the view that the options describe, at the scene's current pose.
- *   time_s  of the animation, for that pose
+ *   time_s  time of the animation at that pose
  *   view    out */
 void job_view(struct job *job, double time_s, struct hatch_view *view);
 

@@ -1,5 +1,5 @@
-/* The command's work on a prepared job: write pictures, report times, report a probe. The functions exit with a
- * message on failure. */
+/* The modes of the command that need no window: writing pictures, --time and --probe. Each function works on a prepared
+ * job and exits with a message on failure. */
 #ifndef RENDER_MODE_MODES_H
 #define RENDER_MODE_MODES_H
 
@@ -10,8 +10,8 @@ void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
 
 /* Encodes a picture: as OpenEXR if the path ends in .exr, else as PNG.
- *   path  NULL: PNG
- *   file  out: empty before */
+ *   path  NULL: standard output, as PNG
+ *   file  in: empty; out: the encoded picture */
 void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
                      struct hatch_buffer *file);
 

@@ -11,7 +11,7 @@
 #include "render-gl/mode/show.h"
 
 #define AMBIENT 0.05 /* light from all directions, so that unlit parts are not all of one tone */
-#define ROWS_MAX 80  /* of the option table */
+#define ROWS_MAX 80  /* rows of the option table, with one that ends it */
 
 static struct options chosen = {
     .hatch_scale = 1,
@@ -28,7 +28,7 @@ static struct options chosen = {
     .rate = 24,
 };
 
-/* Option values that options_read converts for struct options. */
+/* Values of options in the form in which they are parsed; options_read converts them for struct options. */
 static int technique, show = -1; /* -1: --show is not given */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static double size[2] = {1280, 720};
@@ -160,7 +160,7 @@ bool options_is_given(const char *name)
     return *options_find(name)->given;
 }
 
-/* Every row gets a `given`. */
+/* Appends rows to the table and returns their new number. A row without a `given` gets one. */
 static size_t add_rows(const struct cmd_option *rows, size_t count)
 {
     static bool given[ROWS_MAX];
@@ -247,7 +247,7 @@ static bool has_option(const struct technique *owner, const struct cmd_option *o
     return row && row->name;
 }
 
-/* Refuses options of techniques that are not drawn; a window may switch to them, so it accepts all. */
+/* Refuses options of techniques other than the chosen one, except with a window, which may switch to them. */
 static void check_owners(void)
 {
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
@@ -257,7 +257,7 @@ static void check_owners(void)
                           chosen.technique->name);
 }
 
-/* Writes the names of the techniques with a feature: "a, b and c". */
+/* Writes the names of the techniques that have a feature, as in "a, b and c". */
 static void list_features(uint32_t feature, char *text, size_t bytes)
 {
     size_t left = 0, used = 0;

@@ -8,30 +8,30 @@
 
 /* The part of a picture that a parameter influences. */
 enum param_subject {
-    PARAM_STYLE,    /* every picture */
-    PARAM_CAMERA,   /* the view; keys do not change it, the mouse does */
+    PARAM_STYLE,    /* shading, with any technique */
+    PARAM_CAMERA,   /* the view, which the keys for parameters do not change */
     PARAM_LINES,    /* feature lines */
-    PARAM_STROKES,  /* every technique with TECHNIQUE_STROKES */
-    PARAM_TECHNIQUE /* its owner, whose `changed` applies the value */
+    PARAM_STROKES,  /* strokes, with any technique that has TECHNIQUE_STROKES */
+    PARAM_TECHNIQUE /* one technique only, whose `changed` applies the value */
 };
 
 /* An option whose value may change from frame to frame. */
 struct param {
     const struct cmd_option *option;
     enum param_subject subject;
-    const struct technique *owner; /* of PARAM_TECHNIQUE; else NULL */
-    bool by_factor;                /* changes by factors; false: by differences */
-    double step;                   /* factor or difference per key press, in the option's unit */
+    const struct technique *owner; /* the technique of PARAM_TECHNIQUE; else NULL */
+    bool by_factor;                /* true: a step multiplies the value; false: it is added or subtracted */
+    double step;                   /* factor or difference per key press; a difference is in the option's unit */
 };
 
-/* A parameter of --animate: it goes from `from` at the first frame to `to` at the last. */
+/* A parameter of --animate, which goes from `from` at the first frame to `to` at the last. */
 struct option_change {
     struct param param;
-    double from[2], to[2]; /* in the option's unit; the second entry is used by pairs only */
+    double from[2], to[2]; /* in the option's unit; the second entry is used only if the option is a pair */
 };
 
 struct options {
-    const struct technique *technique; /* of --technique or --show */
+    const struct technique *technique; /* the choice of --technique or --show */
     const char *map_path;              /* --tam; NULL: none */
     const char *scene_path;            /* first operand; NULL: standard input */
     const char *shader_folder;         /* --shader-dir; NULL: the built-in shaders */
@@ -41,36 +41,36 @@ struct options {
     double hatch_turn_deg, hatch_scale;
     double tone_range[2], tone_gamma;
     double light_deg[2];  /* azimuth, elevation */
-    double shadow_edge;   /* --shadows, in the scene's radii */
+    double shadow_edge;   /* --shadows: width of soft edges, in the scene's radii */
     double exposure;      /* 0: automatic; job_prepare replaces it by the factor found */
-    double halo_px;       /* 0: none */
-    double line_px;       /* width */
+    double halo_px;       /* width of haloes; 0: none */
+    double line_px;       /* width of feature lines */
     double from_deg[2];   /* azimuth, elevation */
-    double fov_deg, zoom; /* zoom: over 0, 1: none */
+    double fov_deg, zoom; /* zoom: over 0; 1: none */
     bool tone_range_given, light_given;
 
     struct frame_inks inks;
     float line_color[3]; /* linear light */
-    double specular[2];  /* strength, exponent */
+    double specular[2];  /* strength and exponent of highlights */
     double anisotropy, crease_deg;
     double ground; /* half the side of the ground plane, in the scene's radii; 0: none */
     bool base_tone, pixel_light, shadows;
-    uint32_t line_kinds;           /* enum hatch_line_kind, joined */
-    bool lines_given;              /* --lines was given; otherwise lines are drawn with TECHNIQUE_STROKES only */
-    struct hatch_view_choice view; /* kind and camera; options_view adds the numbers above */
+    uint32_t line_kinds;           /* bits of enum hatch_line_kind */
+    bool lines_given;              /* --lines was given; false: only techniques with TECHNIQUE_STROKES have lines */
+    struct hatch_view_choice view; /* kind and camera; options_view adds from_deg and fov_deg */
 
-    struct cmd_texts animate;                          /* the texts of --animate */
-    struct option_change changes[OPTIONS_CHANGES_MAX]; /* params_read parses animate into these */
+    struct cmd_texts animate;                          /* the arguments of --animate */
+    struct option_change changes[OPTIONS_CHANGES_MAX]; /* the same, parsed by params_read */
     uint32_t change_count;
     double repeat;          /* --uv-scale: tiles per unit of u and v; 0: automatic */
-    uint32_t width, height; /* of the picture, in pixels */
+    uint32_t width, height; /* size of the picture in pixels */
     uint32_t side;          /* samples along a pixel's side, 1 .. 8 */
     uint32_t frames;
     bool turntable;
-    double time_s;      /* of the animation at the first frame */
+    double time_s;      /* time of the animation at the first frame */
     double rate;        /* frames per second */
-    bool animated;      /* false: the rest pose */
-    uint32_t animation; /* index */
+    bool animated;      /* an animation moves the scene, if there is one; false: the rest pose is drawn */
+    uint32_t animation; /* index of the animation */
     bool animation_given;
     uint32_t timed_frames; /* --time; 0: not given */
     bool probe, window;
@@ -84,10 +84,10 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args);
  *   name  without dashes; the option must exist */
 const struct cmd_option *options_find(const char *name);
 
-/* Whether an option is on the command line. */
+/* Returns whether an option has been given, on the command line or by params_set. */
 bool options_is_given(const char *name);
 
-/* Whether feature lines are drawn over the pictures of a technique. */
+/* Returns whether feature lines are drawn over the pictures of a technique. */
 bool options_draw_lines(const struct options *options, const struct technique *technique);
 
 /* Convert the values to a frame's style, and to a choice of view. */

@@ -6,7 +6,7 @@
 
 #define TEXT_MAX 128
 
-/* Parameters that belong to no technique, in the order of the window's keys. */
+/* Parameters that belong to no technique, in the order in which the window's key p goes through them. */
 static const struct {
     struct technique_param param;
     enum param_subject subject;

@@ -5,13 +5,13 @@
 
 #include "render-gl/mode/options.h"
 
-/* Returns the parameter at an index, from 0; false beyond the last. */
+/* Supplies the parameter at an index, from 0. Returns false beyond the last one. */
 bool params_at(uint32_t index, struct param *param);
 
 /* Returns the number of values of a parameter: 2 for pairs, else 1. */
 uint32_t params_count(const struct param *param);
 
-/* Whether a parameter influences the pictures of a technique.
+/* Returns whether a parameter influences the pictures of a technique.
  *   lines  feature lines are drawn */
 bool params_are_used(const struct param *param, const struct technique *technique, bool lines);
 
@@ -25,7 +25,7 @@ bool params_set(const struct param *param, const double values[2]);
 void params_read(struct options *options);
 
 /* Sets the parameters of --animate to their values at a time.
- *   share  0 (first frame) .. 1 (last frame)
+ *   share  the time, 0 (first frame) .. 1 (last frame)
  * Returns what has changed, as bits 1 << enum param_subject. */
 uint32_t params_move(const struct options *options, double share);
 

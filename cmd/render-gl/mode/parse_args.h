@@ -1,4 +1,4 @@
-/* Parsers for options whose values are not plain numbers. */
+/* Parsers for arguments that are not plain numbers. */
 #ifndef RENDER_MODE_PARSE_ARGS_H
 #define RENDER_MODE_PARSE_ARGS_H
 
@@ -18,16 +18,16 @@ bool parse_whole(const char *text, uint32_t most, uint32_t *value);
 /* Parses X,Y,Z[:X,Y,Z]: the camera's position and the point that it looks at. Returns false for any other text. */
 bool parse_camera_place(const char *text, struct hatch_view_choice *view);
 
-/* Parses the comma-separated list of --lines. Exits with a usage message on an unknown word. Returns enum
- * hatch_line_kind, joined. */
+/* Parses the comma-separated list of --lines. Returns bits of enum hatch_line_kind. Exits with a usage message on an
+ * unknown word. */
 uint32_t parse_line_kinds(const char *list);
 
-/* Whether a file name has exactly one field for the frame number: %d, %3d or %03d.
- *   pattern  NULL: false */
+/* Returns whether a file name has exactly one field for the frame number, such as %d, %3d or %03d.
+ *   pattern  the file name; NULL: the result is false */
 bool parse_has_frame(const char *pattern);
 
 /* Writes the file name of a frame: `pattern` with its field, if any, replaced by the number.
- *   size_bytes  of name; longer names are truncated */
+ *   size_bytes  size of name; a longer name is truncated */
 void parse_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes);
 
 #endif

@@ -35,7 +35,7 @@ enum hatch_status picture_draw_tile(const struct picture *picture, const struct 
     return HATCH_OK;
 }
 
-/* Overlap of neighbouring tiles: the distance from which drawing influences a tile. */
+/* Returns how far outside a tile drawing influences it; neighbouring tiles overlap by as much. */
 static uint32_t reach_px(const struct picture *picture)
 {
     uint32_t reach = technique_reach_px(picture->context, picture->instance, line_px(picture));

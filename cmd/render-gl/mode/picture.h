@@ -5,17 +5,17 @@
 #include "render-gl/overlay/lines.h"
 #include "render-gl/technique/technique.h"
 
-#define PICTURE_CANVAS_MAX_PX 4096u /* samples along a side of a canvas */
+#define PICTURE_CANVAS_MAX_PX 4096u /* greatest number of samples along a side of a canvas */
 
-/* Technique and lines with which pictures are drawn. */
+/* The technique and the lines with which pictures are drawn. */
 struct picture {
     struct technique_context *context;
     struct technique_instance *instance; /* prepared */
     struct line_overlay *lines;          /* NULL: not made */
-    bool draws_lines;                    /* only if lines is set */
+    bool draws_lines;                    /* whether lines are drawn; false if `lines` is NULL */
 };
 
-/* Makes a canvas for pictures of a size: as large as the picture, or as a tile of it.
+/* Makes a canvas for pictures of a size. It is as large as the picture, or smaller: then pictures are drawn in tiles.
  *   side    samples along a pixel's side, 1 .. 8
  *   canvas  out: owned by the caller */
 enum hatch_status picture_canvas(struct frame *frame, uint32_t width, uint32_t height, uint32_t side,
@@ -28,7 +28,7 @@ enum hatch_status picture_draw_tile(const struct picture *picture, const struct 
                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws a whole picture of the posed scene.
- *   canvas  of picture_canvas, for the image's size
+ *   canvas  made by picture_canvas for the image's size
  *   image   channels R G B, linear light */
 enum hatch_status picture_draw(const struct picture *picture, const struct hatch_view *view,
                                const struct canvas *canvas, struct hatch_image *image,

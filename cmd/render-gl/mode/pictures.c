@@ -43,7 +43,7 @@ void pictures_write(struct job *job)
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);
         files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
-        if (cmd_write_ahead(&files[frame])) { /* written early: thousands of frames would not fit into memory */
+        if (cmd_write_ahead(&files[frame])) { /* memory would not hold thousands of frames */
             files[frame] = (struct cmd_file){.output = job->outputs[frame]};
             hatch_arena_rewind(keep, mark);
         }

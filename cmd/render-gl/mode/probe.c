@@ -1,4 +1,5 @@
-/* --probe: which tones and mip levels of the map a picture uses, and counts of the scene, as TSV or JSON. */
+/* --probe: reports which tones and mip levels of the map a picture uses, and how many faces, patches and so on the
+ * scene has, as TSV or JSON. */
 #include <math.h>
 
 #include "render-gl/mode/modes.h"
@@ -6,17 +7,17 @@
 
 #define LEVELS_MAX 32
 
-/* Numbers of samples. */
+/* Numbers of samples of the picture. */
 struct probe {
-    uint64_t pixels;                     /* all */
-    uint64_t drawn;                      /* of the scene */
-    uint64_t tones[HATCH_TAM_TONES_MAX]; /* that read each column of the map */
-    uint64_t bare;                       /* of the scene, with tone 0 */
-    uint64_t levels[LEVELS_MAX];         /* that read each mip level */
-    uint64_t magnified;                  /* that would need a finer level than the finest */
+    uint64_t pixels;                     /* all samples */
+    uint64_t drawn;                      /* samples that show the scene */
+    uint64_t tones[HATCH_TAM_TONES_MAX]; /* per column of the map: samples that read it */
+    uint64_t bare;                       /* samples that show the scene with tone 0 */
+    uint64_t levels[LEVELS_MAX];         /* per mip level: samples that read it */
+    uint64_t magnified;                  /* samples that need a level finer by more than 0.5 than the finest */
 };
 
-/* Counts the one or two columns whose blend has a tone. */
+/* Counts a sample for the one or two columns that are blended to its tone. */
 static void count_tones(const struct hatch_tam *map, float amount, uint64_t *tones)
 {
     uint32_t above = 0;
@@ -86,7 +87,7 @@ static void report_row(struct cmd_report *report, const char *thing, uint32_t in
     cmd_report_text(report, thing);
     cmd_report_integer(report, index);
     if (value == floor(value))
-        cmd_report_integer(report, (uint64_t)value); /* counts of texels are printed in full */
+        cmd_report_integer(report, (uint64_t)value); /* prints large counts in full */
     else
         cmd_report_number(report, value);
     cmd_report_text(report, unit);

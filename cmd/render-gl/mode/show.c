@@ -31,7 +31,7 @@ static const struct technique show_patches = {
     .prepare = prepare_patches,
 };
 
-/* Draws direction marks over the tone. */
+/* State of show_field, which draws direction marks over the tone. */
 struct field_state {
     struct shaded_state shaded;
     struct mark_overlay marks;

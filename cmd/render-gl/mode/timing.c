@@ -1,4 +1,4 @@
-/* --time: how long frames and their passes take, as TSV or JSON. */
+/* --time: reports how long frames and their passes take, as TSV or JSON. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 #define WARM_UP 3u /* frames drawn before any is timed */
 
-/* The times of one span, which is a whole frame or one pass, over all frames. */
+/* The times of one span, a whole frame or one of its passes, in all frames. */
 struct series {
     const struct technique *technique;
     const char *name;
@@ -29,9 +29,11 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-/* Draws frames and records their times. The kinds of frame (whole, its single passes, the reference) alternate, so that
- * the load of the machine affects all of them alike. Passes are timed in frames of their own, because the GPU must
- * finish after each pass, which is slower. Returns the number of series. */
+/* Draws frames and records their times. Three kinds of frame alternate, so that the load of the machine affects all of
+ * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique. Passes are not
+ * timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the number of
+ * series.
+ *   turns  one picture for each kind of frame */
 static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
                         struct series *series)
 {
@@ -103,7 +105,7 @@ void timing_report(struct job *job)
     const struct picture picture = job_picture(job, job_use(job, job->options->technique));
     const struct picture reference = job_picture(job, job_use(job, technique_find(TECHNIQUE_REFERENCE)));
     struct picture turns[3] = {picture, picture, reference};
-    /* The reference has the same feature lines: it differs from the technique in the strokes only. */
+    /* The reference is drawn with the same feature lines, so that it differs from the technique in the strokes only. */
     turns[2].draws_lines = picture.draws_lines;
     make_series(job, series);
     job_make_canvas(job, &canvas);

@@ -7,7 +7,7 @@
 #include "render-gl/gpu/texture.h"
 
 #define BATCH 1024u /* samples in a row of the texture */
-#define ROWS 1024u  /* of the texture; more samples are tested in several passes */
+#define ROWS 1024u  /* rows of the texture; if there are more samples, they are tested in several passes */
 
 static enum hatch_status compile(struct line_overlay *overlay, struct gpu_programs *programs, struct hatch_err *err)
 {
@@ -53,9 +53,9 @@ static void upload(const struct line_overlay *overlay, const struct hatch_line_s
         glTextureSubImage2D(overlay->samples, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT, samples + (size_t)rows * BATCH);
 }
 
-/* Tests the samples against the canvas's depth and haloes. A sample is visible if at least one texel around it is not
- * nearer than the sample's depth limit.
- *   seen  out: enum hatch_line_seen per sample, joined; has room for sample_count rounded up to a multiple of BATCH */
+/* Tests the samples against the canvas's depth and haloes. A sample is visible if at least one of the depths around it
+ * is not nearer than the sample's depth limit.
+ *   seen  out: bits of enum hatch_line_seen per sample; room for sample_count, rounded up to a multiple of BATCH */
 static void test_samples(const struct line_overlay *overlay, const struct canvas *canvas,
                          const struct hatch_line_frame *lines, uint8_t *seen)
 {
@@ -74,8 +74,8 @@ static void test_samples(const struct line_overlay *overlay, const struct canvas
     }
 }
 
-/* Draws segments with round ends into a transient coverage target, blended by maximum so that joints and crossings are
- * no darker than the rest; then draws the colour over the picture by that coverage. */
+/* Draws segments with round ends into a transient target of coverage, of which overlapping segments keep the maximum,
+ * so that joints and crossings are no darker than the rest. Then draws the colour over the picture by that coverage. */
 static enum hatch_status draw_segments(struct line_overlay *overlay, struct frame *frame,
                                        const struct hatch_line_segment *segments, size_t count, struct hatch_err *err)
 {

@@ -5,7 +5,7 @@
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 
-#define WIDTH_PX 1.5 /* of marks */
+#define WIDTH_PX 1.5 /* width of marks */
 
 enum hatch_status mark_overlay_make(struct mark_overlay *overlay, struct frame *frame, const struct hatch_view *view,
                                     double height_px, struct hatch_arena *arena, struct hatch_err *err)

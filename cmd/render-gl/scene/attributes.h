@@ -5,19 +5,20 @@
 #include "render-gl/scene/scene.h"
 #include "view/uv_repeat.h"
 
-/* Computes how often the map repeats over each item of a posed scene (hatch_uv_repeat_set) and uploads the result.
- *   arena  holds the repeats per vertex, for the life of the scene */
+/* Computes how often the map repeats per unit of u and v on each item of a posed scene (hatch_uv_repeat_set), and
+ * uploads the result.
+ *   arena  holds the repeats of vertices; must live as long as the scene */
 enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_repeat *how, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes and uploads per vertex the derivatives of the surface along u and v, and sets uv_reach of every item. Items
- * with skins or morph targets have none, because their surface moves: shaders use screen-space derivatives there.
- * Repeated calls return at once. */
+/* Computes the derivatives of the surface along u and v at every vertex, uploads them, and sets uv_reach of every item.
+ * Items with skins or morph targets get no derivatives, because their surface moves; shaders use screen-space
+ * derivatives for them. Meshes without TEXCOORD_0 are skipped. Repeated calls upload nothing. */
 enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives every patch of lapped meshes a random tone, as a vertex attribute, to tell patches apart. Repeated calls return
- * at once. */
+/* Gives every patch of lapped meshes a random tone, as a vertex attribute, so that patches can be told apart. Repeated
+ * calls make no new tones. */
 enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 

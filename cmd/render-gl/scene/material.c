@@ -96,7 +96,7 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
         cmd_die(file, &err);
     }
     for (size_t i = 0; i < (size_t)image.width * image.height * image.channel_count; i++)
-        image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* undoes the decoding as a colour */
+        image.pixels[i] = hatch_linear_to_srgb(image.pixels[i]); /* undoes the sRGB decoding of colours */
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made = upload(&image, normals->at.wrap);
     hatch_arena_rewind(&args->scratch, mark);
@@ -154,7 +154,7 @@ static const struct scene_item *find_same_texture(const struct scene *scene, uin
     return NULL;
 }
 
-/* Chooses the level for reading the texture at vertices: finer detail than the spacing of vertices would alias. */
+/* Chooses the mip level for reading the texture at vertices: detail finer than the distance of vertices would alias. */
 static void set_lod(struct scene_item *item, const struct hatch_mesh *mesh)
 {
     float vertices_side = sqrtf((float)mesh->vertex_count);
@@ -183,7 +183,7 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool as
         decode(decoding, material, outline, item);
     }
     if (item->base_alpha >= unit->alpha_cutoff)
-        unit->alpha_cutoff = 0; /* no holes: exporters often declare opaque textures as blended */
+        unit->alpha_cutoff = 0; /* there are no holes; exporters often declare opaque textures as blended */
     unit->cut_out = unit->alpha_cutoff > 0;
     set_lod(item, &mesh->mesh);
 }

@@ -1,5 +1,5 @@
-/* Base colours and base-colour textures of materials. They count in three ways: as tone, as holes (alpha below the
- * material's cutoff), and as the outline of patches. */
+/* Base colours and base-colour textures of materials. They are used in three ways: as tone, as holes (where alpha is
+ * below the material's cutoff), and as the outline of lapped patches. */
 #ifndef RENDER_SCENE_MATERIAL_H
 #define RENDER_SCENE_MATERIAL_H
 
@@ -10,13 +10,13 @@
 /* Decodes and uploads the base-colour textures that items need, each once, and sets the base_... members of the items.
  * Exits with a message on an image that cannot be read.
  *   file         the scene's name, for messages
- *   as_tone      colours count as tone; false: only holes and outlines count
+ *   as_tone      true: textures are also uploaded for use as tone; false: only for holes and outlines
  *   size_max_px  larger images are halved until they fit */
 void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct scene *scene);
 
-/* Replaces the base texture of every item that has neither patches nor holes by one image, which then counts as tone
- * (Webb et al. 2002, §3.2, the globe). Exits with a message on an image that cannot be read.
- *   path         of the image
+/* Replaces the base texture of every item that has neither patches nor holes by one image, to be used as tone (as for
+ * the globe in Webb et al. 2002, §3.2). Exits with a message on an image that cannot be read.
+ *   path         path of the image
  *   size_max_px  larger images are halved until they fit */
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct scene *scene);
 
@@ -28,9 +28,9 @@ void material_modulate(struct cmd_args *args, const char *path, uint32_t size_ma
 GLuint material_normals(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
                         const struct hatch_normal_map *normals, uint32_t size_max_px);
 
-/* Uploads the alpha of an image as the outline of patches, in the red channel: 1 for images without alpha, 0 outside
- * the image. Shaders read the three finest levels only: coarser ones would thin the outline's opaque middle, and the
- * paper below would show between patches.
+/* Uploads the alpha of an image, as the outline of patches, to the red channel of a texture. It is 1 everywhere in an
+ * image without alpha, and 0 outside the image. Shaders read the three finest levels only: in coarser ones the opaque
+ * middle of the outline would shrink, and the paper below would show between patches.
  *   texture  out: owned by the caller */
 enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
                                    struct hatch_err *err) HATCH_MUST_USE;

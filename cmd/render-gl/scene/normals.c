@@ -8,7 +8,7 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/scene/material.h"
 
-/* Computes the tangent frames of a mesh at rest, for the texture coordinates of its normal map. */
+/* Computes the tangent frames of a mesh at rest for those texture coordinates that its normal map uses. */
 static enum hatch_status make_tangents(const struct hatch_mesh *from, const struct hatch_normal_map *normals,
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct scene_tangent **tangents, struct hatch_err *err)
@@ -96,7 +96,7 @@ enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const 
     if (!places)
         return HATCH_LIMIT;
     memcpy(tangents, item->rest, sizeof *tangents * count);
-    /* The posed tangent is the difference between the posed vertex and the posed point one tangent ahead of it. */
+    /* To pose a tangent, pose the point that lies one tangent ahead of the vertex, and subtract the posed vertex. */
     for (uint32_t i = 0; i < ahead.attribute_count; i++)
         if (strcmp(ahead.attributes[i].name, "POSITION") == 0) {
             for (size_t k = 0; k < 3 * count; k++)

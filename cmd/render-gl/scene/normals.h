@@ -1,5 +1,5 @@
-/* Normal maps of materials, for light per pixel. A vertex's tangent frame is that of glTF 2.0: the TANGENT of the file,
- * or the direction of rising u, with the handedness in w. */
+/* Normal maps of materials, for light per pixel. Tangent frames follow glTF 2.0: the tangent of a vertex is TANGENT of
+ * the file, or else the direction in which u rises; its w is the handedness. */
 #ifndef RENDER_SCENE_NORMALS_H
 #define RENDER_SCENE_NORMALS_H
 
@@ -8,7 +8,7 @@
 
 /* Tangent frame of a vertex, in addition to struct scene_vertex. */
 struct scene_tangent {
-    float along[4];    /* unit tangent, in mesh space; of a deformed item in the unit scene; w: handedness, 1 or -1 */
+    float along[4];    /* unit tangent in mesh space (a deformed item: in the unit scene); w: handedness, 1 or -1 */
     float texcoord[2]; /* where the normal map is read */
 };
 
@@ -21,7 +21,7 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
 /* Gives an item a normal map and uploads its tangent frames.
  *   item     index in scene->items
  *   texture  the normal map; the item owns it from now on
- *   arena    holds the frames at rest, for the life of the scene */
+ *   arena    holds the tangent frames at rest; must live as long as the scene */
 enum hatch_status normals_set(struct scene *scene, uint32_t item, const struct hatch_normal_map *normals,
                               GLuint texture, struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_err *err) HATCH_MUST_USE;

@@ -51,7 +51,7 @@ enum hatch_status scene_make_vertices(const struct hatch_scene *scene, uint32_t 
     return HATCH_OK;
 }
 
-/* The surface below patches uses vertices of the patches, with indices of its own. */
+/* Uploads indices of the surface below patches. It uses the vertices of the patches. */
 static enum hatch_status upload_surface(const struct hatch_unit_mesh *unit, struct hatch_arena *scratch,
                                         struct scene_mesh *mesh, struct hatch_err *err)
 {

@@ -1,6 +1,6 @@
 #include "render-gl/technique/list.h"
 
-/* Draws the tone itself, which other techniques approximate by strokes: the reference for tone and for speed. */
+/* Draws the tone itself, which other techniques approximate by strokes. It is the reference for tone and for speed. */
 const struct technique technique_gouraud = {
     .name = "gouraud",
     .summary = "the tone without strokes",

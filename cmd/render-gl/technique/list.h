@@ -1,5 +1,5 @@
-/* The techniques of --technique, in the order of its choices; the first is the default. A new technique adds a line to
- * TECHNIQUES. */
+/* The techniques of --technique, in the order of the option's choices; the first is the default. A new technique needs
+ * a line in TECHNIQUES. */
 #ifndef RENDER_TECHNIQUE_LIST_H
 #define RENDER_TECHNIQUE_LIST_H
 
@@ -18,7 +18,7 @@
     X(threshold)                                                                                                       \
     X(threshold_soft)
 
-/* Each NAME of the list is the variable technique_NAME, defined in technique/NAME.c. */
+/* Declares a variable technique_NAME for each NAME of the list. It is defined in technique/NAME.c. */
 #define TECHNIQUE_DECLARE(name) extern const struct technique technique_##name;
 TECHNIQUES(TECHNIQUE_DECLARE)
 

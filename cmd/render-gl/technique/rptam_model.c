@@ -109,7 +109,7 @@ static void set_stroke(const struct rptam_stroke *stroke, struct hatch_rptam_lay
 }
 
 /* Returns the side of the tile at which all layers together have the tone DARKEST, assuming that strokes overlap at
- * random, and no layer has more ink than LAYER_INK. */
+ * random. The tile is larger if a layer would otherwise have more ink than LAYER_INK. */
 static double tile_for(const struct rptam_source *source, const struct hatch_rptam_layer_style *strokes)
 {
     uint32_t layers = source->layers.count ? source->layers.count : source->sets.layer_count;
@@ -129,7 +129,7 @@ static void fill_from_style(const struct rptam_source *source, struct rptam_opti
         options->stroke_px[0] = STYLE_TILE_PX * ((double)drawing->length_min + (double)drawing->length_max) / 2;
         options->stroke_px[1] = (double)drawing->width_px;
     }
-    options->stroke_px[0] = fmax(options->stroke_px[0], options->stroke_px[1]); /* a dot */
+    options->stroke_px[0] = fmax(options->stroke_px[0], options->stroke_px[1]); /* a dot is as long as it is wide */
     struct hatch_rptam_layer_style strokes = {
         .length_px = options->stroke_px[0], .width_px = options->stroke_px[1], .ink = options->ink};
     set_stroke(&source->stroke, &strokes);
@@ -137,9 +137,9 @@ static void fill_from_style(const struct rptam_source *source, struct rptam_opti
         options->tile_px = tile_for(source, &strokes);
 }
 
-/* Sets a layer to the style's values. Layers use the style's directions in turn; when all are used up, they start over
- * with turns of LAYER_TURN degrees, to alternating sides. Each layer begins at the tone at which the previous one is
- * complete. */
+/* Sets a layer to the values of the drawing style and the options. Successive layers take successive directions of the
+ * style. When all have been taken, they start over, rotated by LAYER_TURN degrees to one side, then to the other side,
+ * then by twice as much, and so on. Each layer begins at the tone at which the previous one is complete. */
 static void set_layer(const struct rptam_source *source, uint32_t index, uint32_t count,
                       struct hatch_rptam_layer_style *layer)
 {
@@ -158,7 +158,7 @@ static void set_layer(const struct rptam_source *source, uint32_t index, uint32_
     set_stroke(&source->stroke, layer);
 }
 
-/* Applies a line of the file of layers, which takes precedence over the options and the style. */
+/* Applies a line of the file of layers to a layer. It takes precedence over the options and the style. */
 static void change_layer(const struct rptam_source *source, uint32_t index, struct hatch_rptam_layer_style *layer)
 {
     const struct hatch_layer_line *line = &source->layers.lines[index];
@@ -172,7 +172,7 @@ static void change_layer(const struct rptam_source *source, uint32_t index, stru
         layer->width_px = line->width_px;
     if (line->length_px > 0)
         layer->length_px = line->length_px;
-    layer->length_px = fmax(layer->length_px, layer->width_px); /* a dot */
+    layer->length_px = fmax(layer->length_px, layer->width_px); /* a dot is as long as it is wide */
     if (line->ink > 0)
         layer->ink = line->ink;
     if (line->stroke)

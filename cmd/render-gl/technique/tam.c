@@ -1,6 +1,6 @@
 #include "render-gl/technique/list.h"
 
-/* The paper's single-pass 6-way blend (§5). */
+/* The single-pass 6-way blend of Real-Time Hatching (Praun et al. 2001), §5. */
 const struct technique technique_tam = {
     .name = "tam",
     .summary = "six tones of the map, blended over each face",

@@ -1,6 +1,7 @@
 #include "render-gl/technique/list.h"
 
-/* The second of §5's approximations: flat shading, blended between two columns. */
+/* Flat shading with a blend of two columns: the second of the approximations in Real-Time Hatching (Praun et al. 2001),
+ * §5. */
 const struct technique technique_tam_face = {
     .name = "tam-face",
     .summary = "two tones of the map blended per face: faces show, motion is smooth",

@@ -1,6 +1,7 @@
 #include "render-gl/technique/list.h"
 
-/* The first of §5's approximations: flat shading with a palette of columns. */
+/* Flat shading with the nearest column: the first of the approximations in Real-Time Hatching (Praun et al. 2001), §5.
+ */
 const struct technique technique_tam_flat = {
     .name = "tam-flat",
     .summary = "one tone of the map per face: faces show, and tones pop in motion",

@@ -1,6 +1,7 @@
 #include "render-gl/technique/list.h"
 
-/* The third of §5's approximations: Gouraud shading with a palette of columns. */
+/* Gouraud shading with the nearest column at each vertex: the third of the approximations in Real-Time Hatching (Praun
+ * et al. 2001), §5. */
 const struct technique technique_tam_gouraud = {
     .name = "tam-gouraud",
     .summary = "one tone of the map per vertex, blended over faces: tones pop in motion",

@@ -1,6 +1,7 @@
 #include "render-gl/technique/list.h"
 
-/* The 6-way blend through clamp(8t − 3.5) (§5, tone thresholding). */
+/* The 6-way blend, whose result t (reflectance) is replaced by clamp(8t − 3.5, 0, 1): tone thresholding in Real-Time
+ * Hatching (Praun et al. 2001), §5. */
 const struct technique technique_tam_threshold = {
     .name = "tam-threshold",
     .summary = "tam with strokes made black or white: they grow in length, not in darkness",

@@ -1,13 +1,13 @@
 #include "render-gl/technique/list.h"
 
-/* Triple-pass 2-way blend (Real-Time Hatching §5): each pass adds the share of one vertex of every face. A pass reads
- * two columns only, so that maps may have any number of tones, and colours. */
+/* The triple-pass 2-way blend of Real-Time Hatching (Praun et al. 2001), §5: each pass adds the share of one vertex of
+ * every face. A pass reads two columns only, so that maps may have any number of tones, and may have colours. */
 const struct technique technique_tam_triple = {
     .name = "tam-triple",
     .summary = "one pass per vertex of a face: maps with any number of tones, and colours",
     .asset = &asset_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_ALL_COLUMNS,
-    /* The first pass draws faces in black; the others add to what lies at the same depth. */
+    /* The first pass draws faces in black and writes depth; the others add where their depth is equal. */
     .shading = {.stages = {.vertex = "corners/corner.vert",
                            .geometry = "corners/corners.geom",
                            .fragment = "corners/triple.frag"},

@@ -1,6 +1,6 @@
 #include "render-gl/technique/list.h"
 
-/* Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.2. */
+/* Threshold textures: Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.2. */
 const struct technique technique_threshold = {
     .name = "threshold",
     .summary = "texels darken at thresholds of tone: black strokes with soft edges",

@@ -1,6 +1,6 @@
 #include "render-gl/technique/list.h"
 
-/* Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.1. */
+/* Volumes: Webb et al., "Fine Tone Control in Hardware Hatching" (2002), §3.1. */
 const struct technique technique_volume = {
     .name = "volume",
     .summary = "tone is the third coordinate of a 3D texture: strokes appear one by one",

@@ -4,9 +4,9 @@
 #include "math/angle.h"
 #include "render-gl/window/window.h"
 
-#define STEP_RAD 0.1     /* turn of the camera per arrow key */
-#define HATCH_STEP_DEG 5 /* turn of the strokes per key */
-#define HATCH_STEP 1.1   /* factor for the size of strokes per key */
+#define STEP_RAD 0.1     /* rotation of the camera per press of an arrow key */
+#define HATCH_STEP_DEG 5 /* rotation of the strokes per key press */
+#define HATCH_STEP 1.1   /* factor for the size of the strokes' pattern per key press */
 
 static void say_keys(void)
 {
@@ -71,7 +71,7 @@ bool window_draws_lines(const struct window *window)
     return window->job->has_lines && !window->lines_off && (strokes || asked);
 }
 
-/* Switches feature lines; makes them on first use. */
+/* Switches feature lines on or off; finds them on first use. */
 static void toggle_lines(struct window *window)
 {
     struct hatch_err err;
@@ -83,8 +83,9 @@ static void toggle_lines(struct window *window)
     window->lines_on = true;
 }
 
-/* Moves the camera nearer or further. If the surface in the middle of the picture is much nearer than the point about
- * which the camera turns, that point moves to it, so that repeated zooming never passes through the surface. */
+/* Moves the camera nearer or further. If the surface in the middle of the picture is much nearer than the point around
+ * which the camera turns, that point is moved to the surface first, so that repeated zooming never passes through it.
+ */
 static void zoom(struct window *window, double factor)
 {
     struct hatch_orbit *orbit = &window->orbit;

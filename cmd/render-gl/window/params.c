@@ -5,7 +5,8 @@
 
 #include "render-gl/window/window.h"
 
-/* Whether keys can change a parameter. One that is 0 and changes by factors is switched off and stays off. */
+/* Returns whether keys can change a parameter. A parameter that is 0 and changes by factors is switched off; factors
+ * cannot switch it on. */
 static bool is_available(const struct window *window, const struct param *param)
 {
     double values[2];
@@ -41,8 +42,8 @@ static void choose(struct window *window, bool back)
     }
 }
 
-/* Returns the value after a key press. It stops at the end of the range, but a value that the mouse has moved beyond
- * the range may return. */
+/* Returns the value after a key press. It stays within the range of the option; a value that the mouse has moved out of
+ * that range can only be moved back. */
 static double stepped(double value, bool more, const struct param *param)
 {
     double change = more ? 1 : -1;

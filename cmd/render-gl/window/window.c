@@ -10,7 +10,7 @@
 #include "render-gl/window/window.h"
 
 #define TITLE_EVERY_S 0.5 /* time between updates of the title */
-#define MOVING_S 4        /* duration of --animate without --frames */
+#define MOVING_S 4        /* time in which --animate goes from A to B if --frames is not given */
 
 static void resize(struct window *window)
 {
@@ -35,7 +35,8 @@ static struct picture picture_of(struct window *window)
     return picture;
 }
 
-/* Checks the folder first: a failed write would end the command, and the user's view would be lost. */
+/* Returns whether the folder of a file can be written to. This is checked first, because a failed write ends the
+ * command, and the user's view is lost. */
 static bool can_save(const char *name)
 {
     char folder[4096] = ".";
@@ -75,7 +76,7 @@ static void save(struct window *window, const struct hatch_view *view)
     cmd_say("saved %s", name);
 }
 
-/* Moves the parameters of --animate forward and backward in turns. */
+/* Moves the parameters of --animate back and forth between their ends. */
 static void move_params(struct window *window)
 {
     struct job *job = window->job;

@@ -1,4 +1,5 @@
-// Mean of a pixel's SAMPLES_SIDE by SAMPLES_SIDE samples. A filtered read between four samples returns their mean.
+// Computes the mean of a pixel's SAMPLES_SIDE by SAMPLES_SIDE samples. A filtered read at the corner where four samples
+// meet returns the mean of these four.
 layout(binding = UNIT_TONES) uniform sampler2D samples;
 out vec4 o_color;
 

@@ -1,4 +1,5 @@
-// Passes on the places of a face's three vertices among the columns, and the barycentric coordinates (v_share).
+// Passes on, for the tones of a face's three vertices, their places among the columns (place_of in tones/targets.glsl),
+// and the barycentric coordinates (v_share).
 #include "tones/targets.glsl"
 
 layout(triangles) in;

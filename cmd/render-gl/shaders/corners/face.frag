@@ -1,4 +1,4 @@
-// tam-flat draws the nearest column (NEAREST), tam-face a blend of two.
+// Draws a face with the nearest column (tam-flat, which defines NEAREST) or with a blend of two columns (tam-face).
 #include "tones/layers.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

@@ -1,4 +1,5 @@
-// Computes one place among the columns per face, from the mean tone of its vertices.
+// Computes one place among the columns for each face (place_of in tones/targets.glsl), from the mean of the tones at
+// its vertices.
 #include "tones/targets.glsl"
 
 layout(triangles) in;
@@ -7,7 +8,7 @@ layout(triangle_strip, max_vertices = 3) out;
 in vec2 g_texcoord[3];
 in vec2 g_amounts[3];
 out vec2 v_texcoord;
-flat out vec2 v_place; // x: of the dark ink, y: of the light ink
+flat out vec2 v_place; // x: place for the dark ink, y: for the light ink
 #ifdef BASE_TEXTURE
 in vec2 g_base_texcoord[3];
 out vec2 v_base_texcoord;

@@ -1,4 +1,4 @@
-// Pass 0 draws black; passes 1 to 3 each add the share of one vertex of the face.
+// Draws one pass of tam-triple. Pass 0 draws black; passes 1 to 3 each add the share of one vertex of the face.
 #include "tones/layers.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

@@ -1,4 +1,4 @@
-// One column per vertex, blended over the face.
+// Blends over the face the three columns that are nearest to the tones of its vertices (tam-gouraud).
 #include "tones/layers.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

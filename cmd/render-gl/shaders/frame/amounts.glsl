@@ -1,12 +1,13 @@
-// amounts(): the amount of each ink at a fragment, from light at vertices or at the fragment (PIXEL_LIGHT). Not defined
-// with WEIGHTS_AT_VERTICES, where vertices pass on weights instead.
+// Defines amounts(), which returns the amount of each ink at a fragment. Light is computed at the vertices or, with
+// PIXEL_LIGHT, at the fragment. With WEIGHTS_AT_VERTICES the vertex stage passes on weights of columns instead, and
+// amounts() is not defined.
 #include "frame/light.glsl"
 #include "frame/base.glsl"
 
 #ifdef PIXEL_LIGHT
 in vec3 v_point, v_normal;
 
-// The geometric normal of the face; the given normal where the face is too small for floats.
+// Returns the geometric normal of the face, or the given normal if the face is too small for floats.
 vec3 face_normal(vec3 normal)
 {
     vec3 face = cross(dFdx(v_point), dFdy(v_point));
@@ -20,12 +21,12 @@ layout(location = UNIFORM_NORMAL_STRENGTH) uniform float normal_strength;
 in vec4 v_tangent;
 in vec2 v_normal_texcoord;
 
-// The normal of the normal map, in the interpolated tangent frame without normalisation (MikkTSpace); turned towards
-// the side that is drawn.
+// Returns the normal of the normal map, on the side of the face that is drawn. As in MikkTSpace, the interpolated
+// tangent frame is not normalised.
 vec3 shading_normal()
 {
     vec3 tilt = texture(normal_map, v_normal_texcoord).xyz * 2.0 - 1.0, up = side * v_normal;
-    tilt.xy -= clamp(tilt.xy, -1.0 / 255.0, 1.0 / 255.0); // 8 bits cannot encode 0: 127 and 128 both mean it
+    tilt.xy -= clamp(tilt.xy, -1.0 / 255.0, 1.0 / 255.0); // 8 bits cannot encode 0, so 127 and 128 both count as 0
     tilt.xy *= normal_strength;
     vec3 normal = tilt.x * v_tangent.xyz + tilt.y * v_tangent.w * cross(up, v_tangent.xyz) + tilt.z * up;
     return side * normal / max(length(normal), 1e-20);

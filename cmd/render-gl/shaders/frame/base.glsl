@@ -13,7 +13,7 @@ float base_light()
 #endif
 }
 
-float opacity = 1.0; // of the fragment; set by base_holes
+float opacity = 1.0; // opacity of the fragment; set by base_holes()
 
 void base_holes()
 {

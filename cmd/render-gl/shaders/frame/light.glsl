@@ -1,7 +1,7 @@
 #include "frame/frame.glsl"
 
-// SUN: the only light is directional. It is a compile-time case because software renderers are slow at variable indices
-// and execute both branches of every `if`.
+// SUN is defined if there is one light only, and it is directional. This is a case at compile time, because software
+// renderers are slow at variable indices and execute both branches of every `if`.
 #ifdef SUN
 #define LIGHTS 1
 #define IS_LAMP(light) false
@@ -11,8 +11,8 @@
 #endif
 #include "shadow/shadow.glsl"
 
-// Diffuse light and highlights at a point of the unit scene, from 0 (1: paper). normal: of shading, unit; face: the
-// geometric normal, for shadows.
+// Returns the ambient and diffuse light and the highlights at a point of the unit scene: 0: dark, 1 or more: fully
+// lit. normal: shading normal, of unit length; face: geometric normal, for shadows.
 float light_at(vec3 point, vec3 normal, vec3 face)
 {
     float sum = shade.y;
@@ -43,7 +43,7 @@ float light_at(vec3 point, vec3 normal, vec3 face)
     return sum;
 }
 
-// Amounts of the dark and of the light ink, 0 .. 1, for a lightness.
+// Returns the amounts of the dark and of the light ink, 0 .. 1, for a lightness.
 vec2 ink_amounts(float lightness)
 {
     float dark = pow(1.0 - clamp(lightness, 0.0, 1.0), curve.z);
@@ -53,5 +53,5 @@ vec2 ink_amounts(float lightness)
     if (counts.z == 2)
         amounts = vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0));
     amounts = mix(curve.xx, curve.yy, amounts);
-    return counts.z == 2 ? amounts : vec2(amounts.x, 0.0); // a single ink: no amount of the other
+    return counts.z == 2 ? amounts : vec2(amounts.x, 0.0); // a single ink has no light one
 }

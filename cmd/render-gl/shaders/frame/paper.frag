@@ -1,4 +1,4 @@
-// Bare paper; it covers surfaces behind.
+// Draws bare paper, which hides the surfaces behind it.
 #include "frame/frame.glsl"
 
 out vec4 o_color;

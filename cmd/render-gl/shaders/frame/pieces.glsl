@@ -1,18 +1,18 @@
-// PIECES: vertices of pieces, into which near faces are cut because floats cannot place them (near/near.h).
-// take_corner() reads the attributes of one corner of the whole face from its buffers into variables named like the
-// usual inputs.
+// With PIECES, vertices are those of pieces, into which faces near the eye are cut because floats cannot place such
+// faces precisely enough (near/near.h). take_corner() reads the attributes of one corner of the uncut face from buffers
+// into variables that are named like the usual inputs.
 #ifdef PIECES
 layout(location = ATTRIBUTE_PLACE) in vec3 a_place;   // in camera space
-layout(location = ATTRIBUTE_FROM) in vec2 a_from;    // texture coordinates from the piece's origin
+layout(location = ATTRIBUTE_FROM) in vec2 a_from;    // texture coordinates relative to the piece's origin
 layout(location = ATTRIBUTE_WEIGHT) in vec3 a_weight;  // barycentric coordinates in the face
-layout(location = ATTRIBUTE_CORNER) in uvec3 a_corner; // vertices of the face
-layout(location = ATTRIBUTE_ORIGIN_U) in uvec4 a_origin_u; // fixed point with 64.64 bits, lowest word first
+layout(location = ATTRIBUTE_CORNER) in uvec3 a_corner; // indices of the face's vertices
+layout(location = ATTRIBUTE_ORIGIN_U) in uvec4 a_origin_u; // fixed-point, 64.64 bits, lowest word first
 layout(location = ATTRIBUTE_ORIGIN_V) in uvec4 a_origin_v;
 layout(location = UNIFORM_CLIP_FROM_CAMERA) uniform mat4 clip_from_camera;
-layout(location = UNIFORM_PIECES) uniform vec4 has; // x, y: 1 with spans, repeats; zw: repeat without them
+layout(location = UNIFORM_PIECES) uniform vec4 has; // 1: spans; 1: repeats; zw: repeat of all vertices without them
 layout(binding = UNIT_PIECES) uniform samplerBuffer corner_vertices; // 10 floats each: struct scene_vertex
-layout(binding = UNIT_PIECES + 1) uniform samplerBuffer corner_spans;    // 6 floats each: derivatives along u and v
-layout(binding = UNIT_PIECES + 2) uniform samplerBuffer corner_repeats;  // 2 floats each
+layout(binding = UNIT_PIECES + 1) uniform samplerBuffer corner_spans; // 6 floats each: derivatives along u and v
+layout(binding = UNIT_PIECES + 2) uniform samplerBuffer corner_repeats; // 2 floats each
 
 vec3 a_position, a_normal, a_along_u, a_along_v;
 vec2 a_texcoord, a_base_texcoord, a_repeat;

@@ -1,5 +1,5 @@
-// Passes faces on unchanged. Drivers may compute depth differently with a geometry stage, and the depth here must equal
-// that of techniques that have one.
+// Passes on faces unchanged. Drivers may compute depth differently with a geometry stage, and the depth of surfaces
+// must equal that of techniques that have such a stage.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,4 +1,4 @@
-// Position only, for depth and bare paper.
+// Passes on the position only, for drawing depth and bare paper.
 #include "frame/vertex.glsl"
 
 void main()

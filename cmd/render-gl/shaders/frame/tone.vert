@@ -1,4 +1,4 @@
-// Passes on the tone, and with STROKES the texture coordinates of strokes.
+// Passes on the tone and, with STROKES, the texture coordinates that strokes follow.
 #include "frame/vertex.glsl"
 
 #ifdef STROKES

@@ -50,7 +50,7 @@ void place_unlit()
 }
 #endif
 
-// Sets gl_Position; returns the light at the vertex, times the lightness of the material.
+// Sets gl_Position; returns the light at the vertex times the lightness of the material.
 float place()
 {
     vec3 point = place_point();
@@ -60,7 +60,7 @@ float place()
     return light_at(point, normal, normal) * base.x;
 }
 
-// Place of the vertex in the map, in tiles, turned and scaled by --hatch-turn and --hatch-scale.
+// Returns the place of the vertex in the map, in tiles, rotated by --hatch-turn and scaled by --hatch-scale.
 vec2 hatch_texcoord()
 {
     vec2 tiles = a_texcoord * a_repeat;

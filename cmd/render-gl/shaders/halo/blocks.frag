@@ -1,4 +1,4 @@
-// Depth of the nearest edge in a block of cells.
+// Finds the depth of the edge nearest to the eye in a block of cells.
 #include "halo/halo.glsl"
 
 out float o_depth;

@@ -1,9 +1,10 @@
-// Nearest edge in a cell: a sample beside which depth jumps back by much more than the slope of the surfaces explains.
+// Finds the edge nearest to the eye in a cell. An edge is a sample with a neighbour that lies behind it by much more
+// than the slope of the surfaces explains.
 #include "halo/halo.glsl"
 
 out vec4 o_edge;
 
-// Whether depth may jump anywhere in a range of samples or next to it, with four depths per read.
+// Returns whether depth may jump anywhere in a range of samples or next to it. Each read returns four depths.
 bool jumps(ivec2 corner, ivec2 after)
 {
     vec2 size = vec2(textureSize(halo_depths, 0));

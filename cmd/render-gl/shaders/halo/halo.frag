@@ -1,4 +1,4 @@
-// Draws paper where a nearer edge has its halo.
+// Draws paper where the halo of a nearer edge lies.
 #include "halo/halo.glsl"
 
 layout(location = UNIFORM_A) uniform vec3 paper;

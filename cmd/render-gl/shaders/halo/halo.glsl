@@ -1,5 +1,5 @@
-// Computes how much the haloes of nearer edges cover a place. Places are in samples of the depth buffer, from its lower
-// left corner.
+// Computes how much of a place is covered by the haloes of nearer edges. Places are measured in samples from the lower
+// left corner of the depth buffer.
 #ifdef HALOES
 layout(std140, binding = BLOCK_HALOES) uniform Halo {
     vec4 halo_sizes; // width of haloes, a cell's side, a pixel's side
@@ -10,22 +10,23 @@ layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 1 near .. 0
 layout(binding = UNIT_HALO_CELLS) uniform sampler2D halo_cells;  // x, y, depth of the nearest edge; depth 0: none
 
 const int BLOCK = 8;         // cells along a block's side
-const float BESIDE_PX = 1.5; // an edge this near to a line belongs to the line's own surface
+const float BESIDE_PX = 1.5; // edges nearer than this to a feature line are those that the line itself runs along
 
 float depth_of(ivec2 at)
 {
     return texelFetch(halo_depths, clamp(at, ivec2(0), textureSize(halo_depths, 0) - 1), 0).r;
 }
 
-// Distance between two depths, in half heights of the picture at that distance.
+// Returns the distance between the points at two depths, in half heights of the picture at the nearer one.
 float jump_between(float nearer, float farther)
 {
     return halo_depth.x * (nearer - farther) + halo_depth.y * (nearer / max(farther, max(1e-3 * nearer, 1e-30)) - 1.0);
 }
 
-const float STEEP = 3.0; // smallest ratio of a jump to the change by slope; at the rim of a ball the ratio is 2.4
+const float STEEP = 3.0; // least ratio of a jump to the change by slope; at the rim of a ball the ratio is only 2.4
 
-// Whether depth jumps back from a sample to its neighbour in direction `way`, by much more than by slope.
+// Returns whether the neighbour of a sample in direction `way` lies behind it by much more than the slope
+// explains.
 bool is_edge(ivec2 at, float depth, ivec2 way)
 {
     ivec2 last = textureSize(halo_depths, 0) - 1;
@@ -36,8 +37,9 @@ bool is_edge(ivec2 at, float depth, ivec2 way)
 
 const float NO_DEPTH = 2.0; // nearer than any edge
 
-// Depth of the nearest sample around a place that lies on the same surface: samples on a rim lie far behind the rest.
-// NO_DEPTH if not asked for: software renderers continue after `discard`, and this keeps their later loops empty.
+// Returns the depth of the nearest sample that is on the surface at a place and beside that place, because at a rim the
+// sample itself lies far behind the others. Returns NO_DEPTH if not asked: software renderers continue after `discard`,
+// and this keeps their later loops empty.
 float depth_around(ivec2 at, bool asked)
 {
     float nearest = asked ? depth_of(at) : NO_DEPTH;
@@ -50,7 +52,7 @@ float depth_around(ivec2 at, bool asked)
     return nearest;
 }
 
-// Slope of depth along x or y: the smaller of the two differences, since the other may cross an edge.
+// Returns the slope of depth along x or y: the smaller of the two differences, since the other may cross an edge.
 float slope_along(ivec2 at, ivec2 way)
 {
     float depth = depth_of(at), after = depth_of(at + way) - depth, before = depth - depth_of(at - way);
@@ -62,9 +64,9 @@ vec2 slope_of(ivec2 at)
     return vec2(slope_along(at, ivec2(1, 0)), slope_along(at, ivec2(0, 1)));
 }
 
-// Share, 0 .. 1, by which haloes cover a place, whose surface has this depth and slope. An edge counts by its
-// distance in front of the continued surface. along: unit direction of a line, whose own edges do not count; 0: no
-// line.
+// Returns the share, 0 .. 1, of a place that haloes cover. depth, slope: those of the surface there. The surface is
+// continued by its slope to each edge; the edge has a halo if it lies far enough in front of it. along: unit direction
+// of a feature line through the place, where edges that the line itself runs along do not count; 0: no line.
 float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
 {
     float share = 0.0, reach = halo_sizes.x, cell = halo_sizes.y;
@@ -91,7 +93,8 @@ float halo_over(vec2 at, float depth, vec2 slope, vec2 along)
     return share;
 }
 
-// Does the same for a point of a line, given in pixels. The line's surface is the one around it of most similar depth.
+// Does the same for a point of a feature line, given in pixels. Of the samples around the point, the one with the most
+// similar depth is taken for the line's surface.
 float halo_over_line(vec2 at_px, float depth, vec2 along)
 {
     vec2 at = at_px * halo_sizes.z;

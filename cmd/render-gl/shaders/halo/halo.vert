@@ -1,7 +1,7 @@
-// Draws a square for each block of cells that the halo of an edge may reach; other squares are clipped.
+// Places a square for each block of cells that the halo of an edge may reach; other squares are clipped.
 #include "halo/halo.glsl"
 
-flat out float v_nearest; // the nearest edge that may reach the block
+flat out float v_nearest; // depth of the nearest edge whose halo may reach the block
 
 void main()
 {

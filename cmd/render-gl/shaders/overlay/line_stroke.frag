@@ -1,5 +1,6 @@
-// Share of a pixel that a line covers, from the distance between pixel centre and centre line. It falls off over the
-// width of the pixel's square across the line. A line narrower than a pixel is drawn one pixel wide, and paler.
+// Computes the share of a pixel that a line covers, from the distance between the pixel's centre and the line's middle.
+// The share falls off over the extent of the pixel's square across the line. A line narrower than a pixel is drawn one
+// pixel wide and paler.
 #include "halo/halo.glsl"
 
 layout(location = UNIFORM_B) uniform float width_px;

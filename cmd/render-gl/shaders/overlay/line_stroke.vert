@@ -2,8 +2,8 @@
 layout(location = UNIFORM_A) uniform vec2 size_px;
 layout(location = UNIFORM_B) uniform float width_px;
 
-layout(location = ATTRIBUTE_LINE_ENDS) in vec4 a_ends; // pixels
-layout(location = ATTRIBUTE_LINE_DEPTH) in vec3 a_depth; // depth at both ends; z: 1 if a halo may cover it
+layout(location = ATTRIBUTE_LINE_ENDS) in vec4 a_ends; // both ends, in pixels
+layout(location = ATTRIBUTE_LINE_DEPTH) in vec3 a_depth; // depth at both ends; z: 1: a halo may cover the segment
 
 flat out vec4 v_ends;
 flat out vec3 v_depth;

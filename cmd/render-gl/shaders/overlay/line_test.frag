@@ -1,12 +1,12 @@
-// Tests a sample of a line: whether surfaces hide it, and whether a halo covers it. It is visible if any depth around
-// it lets it be seen, because a silhouette's own surface may be nearer on one side of it, but never on both.
+// Tests whether surfaces hide a sample of a line, and whether a halo covers it. The sample is visible if any of the
+// depths around it is not nearer: the surface of a silhouette may be nearer on one side of it, but never on both.
 #include "halo/halo.glsl"
 
 layout(binding = UNIT_TONES) uniform sampler2D depths;
 layout(binding = UNIT_SOURCE) uniform sampler2D points; // x, y in pixels; depth limit; angle of the line
 layout(location = UNIFORM_A) uniform float samples_per_pixel;
 
-out uint o_seen; // enum hatch_line_seen: 1: visible, 2: a halo covers it, 4: by more than half
+out uint o_seen; // bits of enum hatch_line_seen: 1: visible; 2: a halo covers a part of it; 4: more than half of it
 
 const float REACH_PX = 1.25;
 

@@ -1,4 +1,4 @@
-// The more confident the direction, the darker its mark.
+// Draws a mark. It is the darker, the greater the confidence of its direction.
 #include "frame/frame.glsl"
 #include "frame/inks.glsl"
 

@@ -1,10 +1,10 @@
-// A short line on a surface, of fixed width on the screen and slightly in front of the surface.
+// Places a mark: a short line of fixed width on the screen, slightly in front of a surface.
 #include "frame/frame.glsl"
 
 layout(location = UNIFORM_MARK_WIDTH) uniform vec2 half_width; // in normalised device coordinates
 
 layout(location = ATTRIBUTE_MARK_MIDDLE) in vec3 a_middle;
-layout(location = ATTRIBUTE_MARK_HALF) in vec3 a_half; // from the middle to an end
+layout(location = ATTRIBUTE_MARK_HALF) in vec3 a_half; // vector from the middle to an end
 layout(location = ATTRIBUTE_MARK_CONFIDENCE) in float a_confidence;
 
 flat out float v_confidence;

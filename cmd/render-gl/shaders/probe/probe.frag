@@ -1,4 +1,4 @@
-// Writes the amounts of both inks, the mip level, and 1 where the scene is drawn.
+// For --probe: writes the amounts of both inks and the mip level as a colour, with alpha 1.
 #include "tones/tones.glsl"
 #include "frame/base.glsl"
 

@@ -1,4 +1,4 @@
-// Vertex stage of --probe: passes on the amounts of ink.
+// Vertex stage of --probe: passes on texture coordinates and the amounts of both inks.
 #include "frame/vertex.glsl"
 
 out vec2 v_texcoord;

@@ -1,9 +1,11 @@
-// Place of a fragment in the pattern of seed points, and the derivatives of the screen position along the surface.
-in vec2 v_texcoord; // PIECES: from the piece's origin
+// Computes the place of a fragment in the pattern of seed points, and derivatives of the position on the screen along u
+// and v of the surface.
+in vec2 v_texcoord; // in tiles; with PIECES, relative to the piece's origin
 in vec3 v_along_u, v_along_v;
 
-// The place at a nesting depth: texture coordinates over 2^depth, in tiles. Only the fraction and the two lowest
-// integer bits matter, so that pieces leave out multiples of 4, to keep precision.
+// place_at() returns the place at a nesting depth, in tiles: the texture coordinates divided by 2^depth. Only its
+// fraction and its two lowest integer bits matter. In pieces, multiples of 4 tiles are therefore left out of the
+// origin, which saves precision.
 #ifdef PIECES
 flat in uvec4 v_origin_u, v_origin_v;
 
@@ -14,7 +16,8 @@ uint word_of(uvec4 number, int word)
     return word < 4 ? number[word] : (number.w >> 31) * 0xffffffffu;
 }
 
-// 32 bits of a fixed-point number of 64.64 bits, divided by 2^depth: two integer bits and thirty of the fraction.
+// Returns a fixed-point number of 64.64 bits, divided by 2^depth and taken modulo 4: 32 of its bits, two of them before
+// the binary point.
 float bits_at(uvec4 number, int depth)
 {
     int low = depth + 34, word = low >> 5, shift = low & 31;
@@ -36,8 +39,8 @@ vec2 place_at(float depth)
 }
 #endif
 
-// Movement on the screen, in pixels, for a movement by `vector` in the scene. Uses the fragment's position on the
-// screen, because floats do not hold its position in the scene precisely enough.
+// Returns the movement on the screen, in pixels, for a movement by `vector` in the unit scene. It is computed from the
+// fragment's position on the screen, because floats do not hold the position in the scene precisely enough.
 vec2 pixels_along(vec3 vector)
 {
     vec2 at = gl_FragCoord.xy / (viewport.xy * sqrt(curve.w)) - 1.0;
@@ -45,7 +48,8 @@ vec2 pixels_along(vec3 vector)
     return viewport.xy * (move.xy - at * move.w) * gl_FragCoord.w;
 }
 
-// Movement on the screen for a unit of u and of v, from the differences between neighbouring fragments.
+// Returns the movement on the screen, in pixels, for one unit of u and one unit of v, as columns, from the differences
+// between neighbouring fragments.
 mat2 pixels_by_derivative()
 {
     vec2 x = dFdx(v_texcoord), y = dFdy(v_texcoord);
@@ -53,17 +57,18 @@ mat2 pixels_by_derivative()
     return mat2(y.y, -x.y, -y.x, x.x) / (area * sqrt(curve.w));
 }
 
-// Movement on the screen for a unit of u and of v; by the vertices' surface derivatives if they have any.
+// Returns the same as pixels_by_derivative(), but computes it from the derivatives of the surface at the vertices if
+// there are any.
 mat2 pixels_along_both()
 {
     mat2 derived = pixels_by_derivative();
-    if (v_along_u == vec3(0.0) || v_along_v == vec3(0.0)) // not by length: squares of small numbers are 0
+    if (v_along_u == vec3(0.0) || v_along_v == vec3(0.0)) // length() would square, which makes small numbers 0
         return derived;
     return mat2(pixels_along(v_along_u), pixels_along(v_along_v));
 }
 
-// Width on the screen, in pixels, of a strip that is one unit wide and runs along the strokes. On slanted surfaces this
-// differs from the length on the screen of the direction across the strokes.
+// Returns the width on the screen, in pixels, of a strip that runs along the strokes and is one unit wide. On slanted
+// surfaces this differs from the length on the screen of a unit vector across the strokes.
 float width_across(mat2 pixels, vec2 turn)
 {
     vec2 along = pixels * turn;

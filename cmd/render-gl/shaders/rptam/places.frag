@@ -1,5 +1,6 @@
-// For tests: writes the place of fragments in the first layer's pattern. u and v, modulo 4 tiles and divided by 4, are
-// two digits of base 1024 each, which half floats can hold. Discards fragments without a nesting depth.
+// For tests: writes the place of a fragment in the first layer's pattern. u and v are taken modulo 4 tiles, divided by
+// 4, and written as two digits of base 1024 each, which half floats can hold. Discards fragments without a nesting
+// depth.
 #include "frame/light.glsl"
 #include "frame/base.glsl"
 #include "rptam/seeds.glsl"

@@ -1,4 +1,4 @@
-// Passes on tone, texture coordinates, and the derivatives of the surface along both texture coordinates.
+// Passes on the tone, the texture coordinates, and the derivatives of the surface along u and v.
 #include "frame/vertex.glsl"
 
 #ifdef PIECES
@@ -41,7 +41,7 @@ void show_vertex()
 }
 
 #ifdef PIECES
-// Outputs of one corner of the face, times its weight.
+// The outputs for one corner of the face, times the corner's weight.
 struct Share {
     vec3 along_u, along_v, point, normal;
     vec2 tone, base_texcoord;

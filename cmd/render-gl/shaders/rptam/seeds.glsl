@@ -1,28 +1,34 @@
-// Recursive procedural tonal art maps: transmittance of a layer of strokes at seed points. The reference is
-// libhatch/seed/rptam.c; the arrays are those of seed/pack.h.
+// Recursive procedural tonal art maps (Szécsi & Szirányi 2014): computes the transmittance of a layer of strokes at
+// seed points. A `way` is the progress from paper, 0, to the darkest tone, 1. The life of a stroke says how late it
+// vanishes between two levels, 0 .. 254; 255: it stays. The reference is libhatch/seed/rptam.c; the arrays are those of
+// seed/pack.h.
 struct SeedLayer {
     vec4 turn;   // cosine, sine of the strokes' direction; square of the tile's side in pixels; ink of a stroke
-    vec4 tone;   // amount = x way + y; z: way at which the layer begins; w: number of further lists for smaller strokes
-    vec4 stroke; // texels per pixel of the stroke's image, along and across; its size in texels minus 1
-    ivec4 at;    // first coverage list; lists along a side of the tile; first texel of the image; if strokes differ:
-                 // number of images times 2^16 plus number of seeds
+    vec4 tone;   // amount = x * way + y; z: way at which the layer begins; w: number of grids of lists after the first,
+                 // for smaller strokes
+    vec4 stroke; // texels per pixel of the stroke's image, along and across; its width and height in texels, minus 1
+    ivec4 at;    // first coverage list; lists along a side of the tile; first texel of the image; number of images
+                 // times 2^16 plus number of seed points if strokes differ, else 0
     vec4 thin;   // x, y: smallest factors to which a stroke's length and width shrink
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
-    vec4 front;  // 2 p (1 - p), p: overlap; share at which the fading front becomes linear; its slope, its offset
-    vec4 fade;   // weight = x front + y + z life (+ w in the next level); life: 0 .. 255
-    vec4 law;    // x: 1: the front is m; y: 1: the share is 1 - m; z: 0; w: entries of `ways` per unit of ink
+    vec4 front;  // x: 2 p (1 - p) with the overlap p; between the shares y and 1 - y the front is share * z + w
+    vec4 fade;   // weight = x * front + y + z * life; plus w for a stroke that stays, with its life in the next level
+    vec4 law;    // x: 1: the front is m; y: 1: the share is 1 - m; z: unused; w: entries of `ways` per unit of ink
     ivec4 seed_layers; // x: number of layers
     SeedLayer layers[64];
 };
-layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels; // alpha here, right, below, right below
-layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds; // float bits of u, v; 4 lives; next level's
-layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists; // first seed, the one after the last
-layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers; // index of each seed in its set
-layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;   // per tone step: way, and difference to the next
+// stroke_texels: alpha of a texel, and of its neighbours right, below and below right. seeds: u, v as bits of floats, 4
+// lives, 4 lives in the next level. lists: first entry of a coverage list in seeds, one past its last. numbers: for an
+// entry of seeds, the seed point's index in its set. ways: for a step of tone, its way and the difference to the next.
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels;
+layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds;
+layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists;
+layout(binding = UNIT_TECHNIQUE + 4) uniform usamplerBuffer numbers;
+layout(binding = UNIT_TECHNIQUE + 3) uniform samplerBuffer ways;
 
-// Progress from paper, 0, to the darkest tone, 1, at an amount of ink.
+// Returns the way at which all layers together have an amount of ink.
 float way_to(float amount)
 {
     float at = clamp(amount * law.w, 0.0, 255.9999);
@@ -30,7 +36,8 @@ float way_to(float amount)
     return step.x + fract(at) * step.y;
 }
 
-// Position of the fading front between two levels. q = 4^-m; m: 0 at this level .. 1 at the next.
+// Returns the position of the fading front between two levels (hatch_fade_front in libhatch/seed/fade.h). q is 4^-m,
+// where m is 0 at this level and 1 at the next.
 float fade_front(float q)
 {
     float m = -0.5 * log2(q);
@@ -42,8 +49,8 @@ float fade_front(float q)
 }
 
 #ifdef STROKES_VARY
-// Variant 0 .. 15 of a seed's stroke: bit 3 mirrors it, the others choose the image. It depends on the level so that a
-// stroke keeps its variant at every distance.
+// Returns the variant of the stroke at a seed point, 0 .. 15: bit 3 mirrors it, the other bits choose the image. It
+// depends on the level, because a stroke is at another seed point of the set on each level and must not change.
 uint look_of(int seed, int level, SeedLayer layer)
 {
     int count = layer.at.w & 0xffff;
@@ -51,8 +58,8 @@ uint look_of(int seed, int level, SeedLayer layer)
 }
 #endif
 
-// Alpha of a stroke's image. place: in texels from its middle; row_first: first row of the image. The border of images
-// is transparent, so that clamping makes everything outside transparent.
+// Returns alpha in the image of a stroke. place: in texels from the image's middle; row_first: first row of the image.
+// The border of images is transparent, so that clamping makes everything outside transparent.
 float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
 {
     place = clamp(0.5 * layer.stroke.zw + place, vec2(0.0), layer.stroke.zw);
@@ -64,8 +71,8 @@ float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
     return mix(row.x, row.y, share.y);
 }
 
-// Transmittance of a layer, 0 .. 1. at: place in the pattern, in tiles, modulo 4; px: a tile's side in pixels;
-// q: 4^-m, m: 0 at this level .. 1 at the next; level: nesting level of the seeds.
+// Returns the transmittance of a layer, 0 .. 1. at: place in the pattern, in tiles; px: side of a tile in pixels; q:
+// as in fade_front(); level: nesting level of the seed points.
 float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
 {
     float paper = 1.0, base = fade.x * fade_front(q) + fade.y;

@@ -1,4 +1,4 @@
-// Draws depth only; holes let light through.
+// Draws depth only, and discards holes, which let light through.
 #include "frame/frame.glsl"
 #include "frame/base.glsl"
 

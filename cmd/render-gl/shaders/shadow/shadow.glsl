@@ -1,5 +1,5 @@
-// lit_share(): the share of a light that reaches a point. It is the mean of depth comparisons over a disk in the
-// plane of the surface, so that a plane casts no shadow on itself at any angle.
+// Defines lit_share(), which returns the share of a light that reaches a point. It is the mean of depth comparisons
+// over a disk in the plane of the surface, so that a plane casts no shadow on itself at any angle.
 #ifdef SHADOWS
 #include "shadow/block.glsl"
 
@@ -7,17 +7,18 @@ layout(binding = UNIT_SHADOWS) uniform sampler2DArrayShadow shadow_maps;
 
 layout(binding = UNIT_SHADOW_TEXELS) uniform sampler2DArrayShadow shadow_texels; // the same, unfiltered
 
-// Reads are in pairs on opposite sides of the middle, at golden angles and evenly over the unit disk, so that an edge
-// through the middle separates half of them. The outermost come first: usually they decide whether more are needed.
+// Depths are compared at pairs of opposite points, spread evenly over the unit disk at golden angles of the half
+// circle. An edge through the disk's middle therefore separates half of the points. The outermost pairs come first,
+// because usually they decide whether more are needed.
 const int PAIRS = 8, FIRST_PAIRS = 4;
-const mat2 TURN = mat2(-0.36237, 0.93203, -0.93203, -0.36237); // by 111.25 degrees
+const mat2 TURN = mat2(-0.36237, 0.93203, -0.93203, -0.36237); // rotation by 111.25 degrees
 
 vec2 tap(int i, vec2 way)
 {
     return sqrt(1.0 - (float(i) + 0.5) / float(PAIRS)) * way;
 }
 
-// Slope of the surface in a map: change of depth per unit of x and of y.
+// Returns the slope of the surface in a map: the change of depth per unit of x and of y. face: its geometric normal.
 #ifdef SUN
 vec2 depth_slope(mat4 map, vec4 at, vec3 face)
 {
@@ -46,11 +47,12 @@ int cube_face(vec3 away)
 
 vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer)
 {
-    return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // maps hold 1 where there is no surface
+    return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // empty parts of maps hold 1
 }
 
-// If the first pairs agree, they are the result; otherwise the place is at an edge, and all pairs are read, filtered.
-// Both are loops, because software renderers skip empty loops; offsets are computed, because they copy constant tables.
+// Returns the share of light around a place in a map. If the first pairs agree, they are the result. Otherwise an edge
+// is near, and all pairs are read with filtering. The second part is a loop rather than an `if`, because software
+// renderers skip empty loops; offsets are computed, because those renderers copy a constant table on every use.
 float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
 {
     float some = 0.0, sum = 0.0;
@@ -73,7 +75,8 @@ float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
     return is_edge ? sum / float(2 * PAIRS) : some / float(2 * FIRST_PAIRS);
 }
 
-// face: geometric normal of the surface; to_light: direction to the light; both unit.
+// Returns the share of a light, 0 .. 1, that reaches a point of the unit scene. face: geometric normal of the surface;
+// to_light: direction to the light; both of unit length.
 float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
 {
     vec4 how = maps[light];
@@ -89,7 +92,7 @@ float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
     float texel = shadow_edge.y * distance / min(how.z, how.w), radius = max(shadow_edge.x, texel);
     float facing = abs(dot(face, to_light));
     face = normalize((dot(face, to_light) < 0.0 ? -face : face) + max(0.02 - facing, 0.0) * to_light);
-    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth varies within a texel on slants
+    float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth varies within a texel
     vec4 at = map * vec4(point + lift * to_light, 1.0);
     vec2 slope = depth_slope(map, at, face), spread = radius * how.zw / at.w;
     return share_around(at.xyz / at.w, slope, spread, float(layer));

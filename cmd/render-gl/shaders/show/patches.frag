@@ -1,4 +1,4 @@
-// Draws patches in their tones.
+// Draws each patch in its own tone, shaded by the light.
 #include "frame/frame.glsl"
 #include "frame/inks.glsl"
 #include "frame/base.glsl"

@@ -1,4 +1,4 @@
-// Passes on light, and the tone of the patch (0 for surfaces without patches).
+// Passes on the light, and the tone of the patch (0 for surfaces without patches).
 #include "frame/vertex.glsl"
 
 #ifdef OUTLINE

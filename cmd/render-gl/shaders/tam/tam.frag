@@ -1,4 +1,4 @@
-// Blends up to six columns: one or two texture reads, and a dot product per read and ink. Texels hold ink, so that
+// Blends up to six columns with one or two texture reads, and a dot product per read and ink. Texels hold ink, so that
 // paper remains where no column has any.
 #include "tones/ramp.glsl"
 #include "frame/amounts.glsl"
@@ -23,9 +23,9 @@ float finish(float coverage)
 #endif
 }
 
-// Sums of ink for both inks. The first layer holds columns 1 to 4, the second 3 to 6, so that neighbouring columns
-// share a layer and nearly all samples need one layer only. A loop instead of an `if`: software renderers execute
-// both branches of an `if`, but leave a loop as soon as all samples have.
+// Returns the coverage by both inks. The first layer holds columns 1 to 4, the second 3 to 6, so that two neighbouring
+// columns share a layer and nearly all samples read only one. A loop replaces an `if`, because software renderers
+// execute both branches of an `if`, but leave a loop as soon as all samples have left it.
 vec2 blend(vec3 dark_first, vec3 dark_second, vec3 light_first, vec3 light_second)
 {
     vec2 pale = dark_first.xy + light_first.xy, deep = dark_second.yz + light_second.yz;

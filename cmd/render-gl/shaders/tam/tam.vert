@@ -1,4 +1,5 @@
-// Single-pass 6-way blend (Real-Time Hatching, section 5): computes the weights of six columns at each vertex.
+// Single-pass 6-way blend (Real-Time Hatching, section 5): computes the weights of six columns at each vertex, or
+// passes on the light if the tone is known only at fragments (tones/ramp.glsl).
 #include "frame/vertex.glsl"
 #include "tones/ramp.glsl"
 

@@ -9,7 +9,7 @@ out vec4 o_color;
 #ifdef EXACT
 #include "tones/exact.glsl"
 
-// Exact runs have no outline.
+// Returns the opacity, which is 1 for exact runs; exact_ink() reads their steps itself.
 float read_steps()
 {
     return 1.0;
@@ -20,11 +20,11 @@ float coverage(float amount)
     return exact_ink(amount);
 }
 #else
-// Tone and height of the texel's steps, read once for both inks.
+// The texel's steps: the tone of each and the ink that it adds. They are read once for both inks.
 vec4 step_at[2], step_height[2];
 
 #ifdef SOFT
-// Tone from which on the texel is more ink than paper.
+// Returns the tone from which on the texel is more ink than paper.
 float half_way()
 {
     float sum = 0.0, at = 2.0;

@@ -1,16 +1,17 @@
-// Exact runs: the complete step function of each texel over tone (tamthresh(5)). It is evaluated at the four texels
-// around a place, in two mip levels, and the results are blended; steps themselves are never interpolated.
+// Exact runs: the complete step function of each texel over tone (tamthresh(5)). The functions of the four texels
+// around a place, in two mip levels, are evaluated and the results blended; the steps themselves are never
+// interpolated.
 #include "tones/targets.glsl"
 #include "tones/tones.glsl"
 
-// Tone half-way between a column and the one before it.
+// Returns the tone half-way between a column and the one before it.
 float half_before(uint column)
 {
     return 0.5 * (target(int(column)) + (column > 0u ? target(int(column) - 1) : 0.0));
 }
 
-// Ink of the texel whose index entry is at word `entry`. runs: word at which the runs begin; place: the amount among
-// the columns (place_of).
+// Returns the ink of the texel whose index entry is at word `entry`. runs: word at which the runs begin; place: place
+// of the amount among the columns (place_of).
 float texel_ink(uint entry, uint runs, float amount, float place)
 {
     uint end = word(entry + 1u), above_column = uint(place);

@@ -1,4 +1,4 @@
-// Reads columns that are layers of a texture, in the fragment stage. Call aim() first.
+// Reads columns from the layers of an array texture, in the fragment stage. aim() must be called first.
 #include "tones/targets.glsl"
 #include "tones/tones.glsl"
 

@@ -1,12 +1,12 @@
 #include "frame/frame.glsl"
 
-// Weights of columns are computed at vertices if the tone is known there.
+// The weights of columns are computed at the vertices if the tone is known there.
 #if !defined(PIXEL_LIGHT) && !defined(BASE_TONE)
 #define WEIGHTS_AT_VERTICES 1
 #endif
 
-// Weights of six columns for an amount of ink. An amount between the tones of two columns blends these two, one below
-// the first column blends it with paper, and one above the last uses the last alone.
+// Computes the weights of six columns for an amount of ink. Between the tones of two columns, the two are blended.
+// Below the tone of the first column, that column is blended with paper; above the tone of the last, it is used alone.
 void column_weights(float amount, out vec3 first, out vec3 second)
 {
     vec3 a = clamp((amount - ramp_low[0].xyz) * ramp_scale[0].xyz, 0.0, 1.0);

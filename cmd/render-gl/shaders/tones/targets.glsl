@@ -1,5 +1,5 @@
-// Tones of the columns. A place among the columns is 0 for paper, 1 for the first column, n for the last; its fraction
-// blends two neighbours.
+// The tones of the columns. A place among the columns is 0 for paper, 1 for the first of n columns and n for the last;
+// a fraction stands for a blend of the two neighbours.
 #include "frame/frame.glsl"
 
 float target(int column)
@@ -7,7 +7,7 @@ float target(int column)
     return targets[column >> 2][column & 3];
 }
 
-// Place among the columns whose blend has a mean tone equal to the amount.
+// Returns the place among the columns at which their blend has the amount as its mean tone.
 float place_of(float amount)
 {
     int low = 0, high = counts.y;

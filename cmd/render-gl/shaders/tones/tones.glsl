@@ -1,8 +1,9 @@
-// Reads the columns of the tonal art map in the fragment stage: call aim() once, then read_columns().
+// Reads an asset (a map, a volume, a threshold texture or exact runs) in the fragment stage. aim() must be called once,
+// then read_columns() for each layer, or at each tone of a 3D texture.
 #include "frame/frame.glsl"
 
 #ifdef EXACT
-layout(binding = UNIT_TONES) uniform usampler2D columns; // tamthresh(5): words, 1024 a row
+layout(binding = UNIT_TONES) uniform usampler2D columns; // words of exact runs, 1024 per row (tamthresh(5))
 
 uint word(uint i)
 {
@@ -34,8 +35,8 @@ float column_level;
 #ifdef ANISOTROPIC
 vec2 column_x, column_y;
 
-// If a pixel covers more tiles than this in any direction, no stroke is visible, and the coarsest level is read. The
-// driver's anisotropic filter would read thousands of texels there.
+// Where a pixel covers more tiles than this in any direction, no stroke is visible, and derivatives are replaced so
+// that the coarsest level is read: with the true ones, the driver's anisotropic filter would read thousands of texels.
 const float TILES_MAX = 8.0;
 
 void aim(vec2 texcoord)
@@ -56,12 +57,12 @@ vec4 read_columns(float layer)
     return textureGrad(columns, vec3(column_place, layer), ALONG_SURFACE(column_x), ALONG_SURFACE(column_y));
 }
 #else
-// Chooses the mip level. It depends on the footprint of the pixel, not of the sample, so that strokes keep their
-// width in pixels for any number of samples. If a pixel has several samples, these resolve detail along the longer
-// axis of the footprint, which therefore counts half: anisotropic filtering with a ratio of 2 at no cost.
-// Neighbouring levels are mixed only in the middle half between them. Since strokes of a level nest in the next finer
-// one, nothing pops, more of the picture has strokes of full strength, and software renderers read one level more
-// often.
+// Chooses the mip level. It depends on the footprint of the pixel, not of the sample, so that strokes have the same
+// width in pixels for any number of samples. With four samples or more per pixel, the longer axis of the footprint
+// counts half, because the samples resolve the detail along it: this is anisotropic filtering with a ratio of 2 at no
+// cost. Neighbouring levels are mixed only in the middle half between them. Strokes of a level nest in the next finer
+// one, so nothing pops; more of the picture has strokes of full strength; and software renderers more often read only
+// one level.
 void aim(vec2 texcoord)
 {
     vec2 size = columns_size();

@@ -6,8 +6,8 @@
 in vec2 v_texcoord;
 out vec4 o_color;
 
-// Texture filters clamp half a slice before both ends of tone. There coverage fades to paper, and to full ink if the
-// volume reaches it.
+// Returns the coverage at a tone. Texture filters do not interpolate in the half slice at either end of the range of
+// tones. There, coverage fades to paper, and at the dark end to solid ink if the volume reaches it.
 vec3 coverage(float tone)
 {
     float slices = float(counts.y), half_slice = 0.5 / slices;
