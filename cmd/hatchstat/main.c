@@ -36,7 +36,7 @@ static const struct cmd_option options[] = {
 static const struct {
     const char *name;
     int files_min, files_max; /* max -1: any number */
-    const char *want;         /* both in words */
+    const char *want;         /* files_min and files_max in words, for messages */
     bool has_check;           /* supports --check */
     stat_measure measure;
 } subjects[] = {

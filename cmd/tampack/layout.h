@@ -15,14 +15,14 @@ struct pack_job {
 struct pack_layout {
     const char *name;
     const char *ending;  /* of file names, with the dot */
-    const char *warning; /* importers that read it wrongly; NULL: none is known */
+    const char *warning; /* message about importers that misread this layout; NULL: none is known */
     bool keeps_ids;
     bool takes_ink; /* allows --ink */
-    bool is_single; /* always one file */
+    bool is_single; /* always makes one file */
 
     /* Returns the number of files. */
     uint32_t (*count)(const struct hatch_tam *tam);
-    /* Writes the suffix of one of several file names, before the ending. */
+    /* Writes the suffix of the name of file index, such as ".003"; it stands before the ending. */
     void (*suffix)(const struct hatch_tam *tam, uint32_t index, char *suffix, size_t size);
 
     /* Encodes one file; called on several threads at once. scratch is freed afterwards. */
@@ -30,7 +30,7 @@ struct pack_layout {
                                 struct hatch_buffer *file, struct hatch_err *err);
 };
 
-/* In the order of the option's choices. */
+/* All layouts, in the order of the choices of --layout. */
 extern const struct pack_layout pack_layouts[];
 
 #endif

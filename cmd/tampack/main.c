@@ -71,8 +71,8 @@ static const char *input_stem(const char *input)
 }
 
 /* Makes the name of an output file, in args->keep.
- *   path    of --output: a name or an existing folder
- *   input   path of the map, which names the files in a folder; NULL or "-": standard input
+ *   path    value of --output: a name or an existing folder
+ *   input   path of the map, after which files in a folder are named; NULL or "-": standard input
  *   ending  with the dot */
 static const char *file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
                              const char *ending)

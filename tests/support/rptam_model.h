@@ -1,5 +1,5 @@
 /* Makes models of recursive procedural tonal art maps for tests: seed points, a style, and a stroke that is darker
- * along its middle and at one end. Include after run.h. */
+ * along its middle and at one end. */
 #ifndef HATCH_TEST_RPTAM_MODEL_H
 #define HATCH_TEST_RPTAM_MODEL_H
 

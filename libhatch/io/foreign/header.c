@@ -13,7 +13,7 @@ static bool has_magic(struct hatch_bytes file, const void *magic, size_t size)
     return file.size >= size && memcmp(file.data, magic, size) == 0;
 }
 
-/* Frame headers, which hold the size: C0 .. CF except C4, C8 and CC. */
+/* Returns whether a marker begins a frame header, which holds the image's size: C0 .. CF except C4, C8 and CC. */
 static bool is_frame(uint8_t marker)
 {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
@@ -27,7 +27,7 @@ static bool has_jpeg_end(struct hatch_bytes file, size_t from)
     return false;
 }
 
-/* ITU-T T.81, annex B: marker segments up to the first scan. */
+/* Reads the marker segments up to the first scan (ITU-T T.81, annex B). */
 static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     struct hatch_reader reader = hatch_reader_of(file);
@@ -57,7 +57,7 @@ static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *head
     return header->width > 0;
 }
 
-/* TIFF 6.0, section 2: the entries of the first directory. */
+/* Reads the entries of the first directory (TIFF 6.0, section 2). */
 static bool read_tiff(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     struct hatch_reader reader = hatch_reader_of(file);

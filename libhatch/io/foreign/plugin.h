@@ -12,11 +12,11 @@ extern "C" {
 
 #define HATCH_OIIO_PLUGIN_TABLE "hatch_oiio_plugin_table"
 #define HATCH_OIIO_VERSION 1u
-#define HATCH_OIIO_OUT_OF_MEMORY "out of memory while decoding" /* the message of that failure */
+#define HATCH_OIIO_OUT_OF_MEMORY "out of memory while decoding" /* message when memory ran out */
 
 struct hatch_oiio_info {
     uint32_t width, height, channels;
-    int is_encoded; /* sRGB, not linear light */
+    int is_encoded; /* 1: values are sRGB; 0: linear light */
 };
 
 /* On failure the functions write a sentence into message, an array of size bytes. */

@@ -20,18 +20,18 @@ struct hatch_mesh_file {
     enum hatch_mesh_format format;
 };
 
-/* Finds a file's format by its content, else by the name's extension.
+/* Recognises a file's format by its content, else by the extension of its name.
  *   name  may be NULL */
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name);
 
-/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. An OBJ's v is flipped, since
- * it points upwards and glTF's downwards.
- *   file    format: not HATCH_MESH_GLTF
- *   origin  out: subtracted from all positions before they become floats. The mesh's centre when the mesh
- *           is so far from the origin that floats are coarse for its size, else zeros. NULL: not subtracted
- *   notes   counted up
- * HATCH_BAD_INPUT, with line or byte, for a malformed or truncated file, wrong counts, indices out of
- * range, numbers that are not finite, and files without faces. */
+/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. v of an OBJ is flipped, since it points
+ * upwards, but downwards in glTF.
+ *   file    its format is not HATCH_MESH_GLTF
+ *   origin  out: subtracted from all positions before they become floats. On each axis it is the centre of the mesh if
+ *           this is so far from 0 that floats are coarse for the mesh's size, else 0. NULL: nothing is subtracted
+ *   notes   in, out: counts are added
+ * HATCH_BAD_INPUT, with line or byte, for a malformed or truncated file, wrong counts, indices out of range, numbers
+ * that are not finite, and files without faces. */
 enum hatch_status hatch_mesh_read(struct hatch_mesh_file file, struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
                                   struct hatch_err *err) HATCH_MUST_USE;

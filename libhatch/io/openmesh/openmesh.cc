@@ -3,7 +3,7 @@
 #include <new>
 #include <vector>
 
-/* OpenMesh resizes vectors with values that it sets later, of which gcc warns. */
+/* gcc warns of vectors that OpenMesh resizes before it sets their values. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -12,7 +12,8 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-/* In C a struct and a function may share a name (hatch_arena_mark); C++ warns of a hidden constructor. */
+/* This C header has a struct and a function of one name (hatch_arena_mark). In C++, -Wshadow warns that the function
+ * hides the struct's constructor. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 extern "C" {

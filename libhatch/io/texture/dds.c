@@ -55,7 +55,7 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
     return HATCH_OK;
 }
 
-/* Layer by layer, each with all its levels; a volume is a single layer. */
+/* Adds the texels layer by layer, each layer with all its levels; a volume is a single layer. */
 static enum hatch_status add_texels(const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)
 {
