@@ -1,11 +1,11 @@
-/* hatchstat frames A B ...: flicker in a sequence of pictures. */
+/* hatchstat frames A B ...: measures flicker in a sequence of pictures; the report has one row per picture. */
 #include <math.h>
 
 #include "filter/difference.h"
 #include "subject.h"
 
 #define POP_BOX_PX 8u
-#define HELD 3 /* pictures in memory at once */
+#define HELD 3 /* number of pictures in memory at once */
 
 static const char *const columns[] = {"frame", "mean", "drift", "change", "pop", "pop_box8", NULL};
 

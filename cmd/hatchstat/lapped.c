@@ -1,4 +1,4 @@
-/* hatchstat lapped [FILE]: coverage and distortion of lapped textures. */
+/* hatchstat lapped [FILE]: measures coverage and distortion of lapped textures. */
 #include "shared/scene.h"
 #include "io/png/png.h"
 #include "measure/lapped_figures.h"

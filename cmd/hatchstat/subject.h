@@ -11,7 +11,7 @@
 struct stat_options {
     double max_difference;                          /* diff: negative when not given */
     bool srgb;                                      /* diff, frames, ink: measure sRGB values, not linear light */
-    const char *strokes, *style, *settings, *brush; /* tam: these describe strokes; NULL when not given */
+    const char *strokes, *style, *settings, *brush; /* tam: options that describe the strokes; NULL when not given */
     int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
     bool check;            /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
     const char *reference; /* field, tones, ink: NULL when not given */

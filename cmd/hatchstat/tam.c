@@ -1,4 +1,5 @@
-/* hatchstat tam FILE: tone, nesting, seams and evenness of a tonal art map, one row per image. */
+/* hatchstat tam FILE: measures tone, nesting, seams and evenness of a tonal art map; the report has one row per
+ * image. */
 #include <math.h>
 
 #include "shared/map.h"
@@ -30,9 +31,9 @@ struct subject {
 
 /* Sums and maxima for the last row of the report. */
 struct summary {
-    uint32_t failed; /* images whose tone error exceeds the allowed one */
+    uint32_t failed; /* number of images whose error of tone exceeds the allowed one */
     uint64_t lighter, missing;
-    double hue_error; /* maximum; NaN in grey maps */
+    double hue_error; /* the largest; NaN in grey maps */
     double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
 };
 

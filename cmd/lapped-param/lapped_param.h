@@ -16,7 +16,7 @@ struct lapped_param_options {
 
 /* Sizes of the scene in its rest pose, in its units. */
 struct lapped_param_extent {
-    double diagonal; /* of the box around everything that nodes draw */
+    double diagonal; /* diagonal of the box around everything that nodes draw */
     double *scale;   /* per mesh: scene units per unit of the mesh, as its first node places it */
 };
 

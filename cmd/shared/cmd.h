@@ -45,20 +45,20 @@ struct cmd_option {
     const char *name; /* without dashes */
     enum cmd_type type;
     double minimum, maximum;  /* range of INT, REAL, SIZE and of each number of PAIR */
-    const char *metavariable; /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
+    const char *metavariable; /* such as "N", "PX", "DEGREES" or "FILE"; NULL for a flag */
     const char *help; /* one line, with the default; if it begins with '+', --help lists only the option's name, after
                          the other options, so that the help fits a screen */
     void *value;      /* in: the default, or a value that means "not given": NULL, a choice of -1, a number outside the
                          range; out: the value given; its type as in enum cmd_type */
-    const char *const *choices; /* of CHOICE: NULL-terminated */
+    const char *const *choices; /* names that a CHOICE accepts, NULL-terminated */
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };
 
 struct cmd_program {
-    const char *name;            /* "tamgen" */
-    const char *operands;        /* "[FILE]", "A B", ""; several forms are separated by newlines */
+    const char *name;            /* such as "tamgen" */
+    const char *operands;        /* such as "[FILE]" or "A B"; "": none; several forms are separated by newlines */
     const char *summary;         /* one line or several */
-    const char *const *examples; /* NULL-terminated shell commands, about two */
+    const char *const *examples; /* shell commands, NULL-terminated; about two */
     const struct cmd_option *options;
     int operands_min, operands_max; /* operands_max -1: any number */
     bool seeded;                    /* has -s --seed */
@@ -84,7 +84,7 @@ struct cmd_args {
  * Installs handlers that remove unfinished outputs when a signal ends the process. Call it first. */
 void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
 
-/* Sets the value of an option as if it were on the command line; dies on an invalid value. */
+/* Sets the value of an option as if it stood on the command line; dies on an invalid value. */
 void cmd_set_option(const struct cmd_option *option, const char *text);
 
 /* Returns the thread pool, made on the first call. */
@@ -153,7 +153,7 @@ int cmd_end(struct cmd_args *args, enum hatch_status status);
  *   file  may be NULL */
 noreturn void cmd_die(const char *file, const struct hatch_err *err);
 
-/* Dies if status is not HATCH_OK: cmd_check(f(..., &err), path, &err). */
+/* Dies if status is not HATCH_OK. Used as cmd_check(f(..., &err), path, &err). */
 void cmd_check(enum hatch_status status, const char *file, const struct hatch_err *err);
 
 /* Dies with HATCH_USAGE. */

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define FIRST_CAPACITY ((size_t)64 << 10) /* bytes */
+#define FIRST_CAPACITY ((size_t)64 << 10) /* first size of the memory for a file of unknown size, bytes */
 
 static bool is_standard_input(const char *path)
 {

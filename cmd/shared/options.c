@@ -25,7 +25,7 @@ struct table {
 static struct {
     bool help, version, options_table, verbose, quiet, json;
     const char *output;
-    int64_t threads; /* 0: as many as there are processors */
+    int64_t threads; /* 0: one for each processor */
     int64_t seed;
     uint64_t max_memory;
 } common;
@@ -353,7 +353,8 @@ static noreturn void print_version(const struct cmd_program *program)
     exit(HATCH_OK);
 }
 
-/* A leading '-' makes getopt_long return operands in order and ignore POSIXLY_CORRECT; ':' suppresses its messages. */
+/* Fills the tables of getopt_long. A leading '-' in letters makes it return operands in order and ignore
+ * POSIXLY_CORRECT; ':' suppresses its messages. */
 static void make_getopt_tables(const struct table *table, struct option *longs, char *letters)
 {
     *letters++ = '-';

@@ -19,7 +19,7 @@ struct cmd_output {
     char *name;   /* for messages */
     char *hidden; /* path of the hidden file; NULL: write to descriptor */
     char *target; /* path to which the hidden file is renamed */
-    bool filled;  /* the hidden file is written */
+    bool filled;  /* the content is already in the hidden file */
     int descriptor;
 };
 
@@ -30,7 +30,7 @@ static char *volatile unfinished[CMD_OUTPUTS_MAX];
 static struct location {
     dev_t device;
     ino_t folder;
-    const char *name; /* within the folder; empty: unknown */
+    const char *name; /* name in the folder; empty: unknown */
 } locations[CMD_OUTPUTS_MAX];
 
 static bool stdout_taken;
@@ -336,7 +336,7 @@ void cmd_close_stdout(void)
     stdout_closed = true;
     bool failed = fflush(stdout) != 0;
     int error_number = errno;
-    /* EBADF: the caller ran the command with a closed standard output and wrote nothing to it. */
+    /* EBADF: the command was started with its standard output closed, and has written nothing to it. */
     if (!failed && close(STDOUT_FILENO) < 0 && errno != EBADF) {
         failed = true;
         error_number = errno;

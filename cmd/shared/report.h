@@ -1,4 +1,4 @@
-/* Reports: tables of figures, written as TSV with a header line or as JSON, an array with one object per row. */
+/* Reports are tables of figures, written as TSV with a header line, or as JSON, an array with one object per row. */
 #ifndef SHARED_REPORT_H
 #define SHARED_REPORT_H
 

@@ -14,8 +14,9 @@ enum cmd_scene_cleaning {
 /* Crease angle of 60 degrees: edges with a larger angle stay sharp where a command computes normals. */
 #define CMD_CREASE_RAD 1.0471975511965976f
 
-/* Reads a scene: glTF with its companion files (except from standard input), or a mesh file as a scene of one node.
- * Normals are those of the file, or flat ones for glTF without normals. Dies on failure.
+/* Reads a scene: glTF with its companion files (which cannot be read when the glTF comes from standard input), or a
+ * mesh file as a scene of one node. Normals are those of the file; a glTF without normals gets flat ones. Dies on
+ * failure.
  *   path   NULL or "-": standard input
  *   scene  out, in args->keep */
 void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,

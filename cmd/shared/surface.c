@@ -11,7 +11,7 @@ static bool has_area(const struct hatch_mesh *mesh)
     return false;
 }
 
-/* Removes meshes without area from the scene and its nodes; returns their number. */
+/* Removes meshes without area from the scene and its nodes; returns how many were removed. */
 static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);

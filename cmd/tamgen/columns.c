@@ -81,7 +81,7 @@ enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_
         hatch_tam_sheet_add(columns->sheet, tone, column);
     cmd_progress("columns", (double)++columns->done / columns->tones);
     struct column_copy *copy = free_copy(columns);
-    if (!copy) /* all other threads are busy */
+    if (!copy) /* all copies are still being compressed */
         return hatch_exr_add_part(columns->writer, tone, column, err);
     if (copy->status != HATCH_OK) {
         *err = copy->err;

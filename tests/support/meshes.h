@@ -18,7 +18,7 @@ static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertice
     return mesh;
 }
 
-/* A built-in shape with all its attributes. */
+/* Makes a built-in shape with all its attributes. */
 static inline struct hatch_mesh shape_with(enum hatch_shape kind, struct hatch_shape_options options)
 {
     struct hatch_mesh mesh;
@@ -100,7 +100,7 @@ static inline struct hatch_mesh soup(const struct hatch_mesh *from)
     return mesh;
 }
 
-/* A cube with eight vertices. */
+/* Makes a cube with eight vertices. */
 static inline struct hatch_mesh cube(float low, float high)
 {
     static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},

@@ -26,8 +26,8 @@ struct test_frame {
     struct gpu_context context;
     struct hatch_scene scene;
     struct scene on_gpu;
-    struct asset asset;              /* map or tone texture of the techniques */
-    const struct hatch_rptam *model; /* model of the technique rptam */
+    struct asset asset;              /* map or tone texture that the techniques draw with */
+    const struct hatch_rptam *model; /* model that the technique rptam draws */
     struct assets assets;
     struct frame shown;
     struct technique_context technique_context;
@@ -121,7 +121,7 @@ static inline void frame_arenas(struct test_frame *frame)
     hatch_arena_init(&frame->technique_args.scratch, (size_t)1 << 30);
 }
 
-/* A built-in shape with all its attributes, in args.keep. */
+/* Makes a built-in shape with all its attributes, in args.keep. */
 static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch_shape shape, uint32_t faces)
 {
     struct hatch_shape_options how = {.faces = faces, .seed = 1};
@@ -131,7 +131,7 @@ static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch
     return mesh;
 }
 
-/* A square of 2 x 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
+/* Makes a square with sides of 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
 static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t faces)
 {
     struct hatch_mesh mesh = frame_shape(frame, HATCH_SHAPE_PLANE, faces);

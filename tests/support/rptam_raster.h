@@ -151,7 +151,7 @@ static inline void raster_draw(struct raster *raster, struct hatch_arena *arena)
     }
 }
 
-/* Computes the displacement in the picture, in pixels, of a displacement on the surface. */
+/* Computes the displacement in the picture, in pixels, that belongs to a displacement on the surface. */
 static inline void raster_move(const struct raster *raster, const struct raster_pixel *pixel, const double vector[3],
                                double move[2])
 {
@@ -163,7 +163,7 @@ static inline void raster_move(const struct raster *raster, const struct raster_
 }
 
 /* Returns the ink at a pixel by Algorithm 2.
- *   low, high  tones of full light and of no light */
+ *   low, high  tones in full light and without light */
 static inline double raster_ink(const struct raster *raster, const struct raster_pixel *pixel,
                                 const struct hatch_rptam *rptam, double low, double high)
 {

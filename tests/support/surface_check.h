@@ -1,4 +1,4 @@
-/* Checks that every surface must pass. */
+/* Checks for all surfaces: surface_check fails unless a surface has the properties that every surface must have. */
 #ifndef HATCH_TEST_SURFACE_CHECK_H
 #define HATCH_TEST_SURFACE_CHECK_H
 

@@ -41,7 +41,7 @@ static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float 
     return tam;
 }
 
-/* A ramp of greys instead of strokes: the reflectance of every pixel is 1 - tone. */
+/* A made_pixel for a map of plain greys instead of strokes: the reflectance of every pixel is 1 - tone. */
 static inline float made_ramp(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)u, (void)v, (void)level, (void)channel;

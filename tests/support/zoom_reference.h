@@ -12,7 +12,7 @@
 
 struct zoom_error {
     double largest_px, mean_px; /* errors of positions in the pattern of seed points, as displacements in the picture */
-    uint32_t pixels;            /* compared pixels */
+    uint32_t pixels;            /* number of compared pixels */
     uint32_t wrong;             /* pixels drawn where there is no surface, or not drawn where there is one */
 };
 
@@ -42,7 +42,7 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
     HATCH_TEST_OK(
         hatch_view_make(&choice, &frame->on_gpu.unit.pose, &framing, &frame->args.scratch, &view, &frame->err),
         &frame->err);
-    if (distance < 0x1p-50) /* the eye rounds to the point, which leaves no direction */
+    if (distance < 0x1p-50) /* the eye may round to the point, and then they give no direction */
         hatch_view_set_back(&view, back);
     return view;
 }
@@ -202,7 +202,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct ha
         along[k] = layer->cosine * pixels[0][k] + layer->sine * pixels[1][k];
     double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
     double depth = log2(layer->style.tile_px * hypot(along[0], along[1]) / area);
-    if (fabs(depth - round(depth)) < 1e-3) /* rounding decides the depth */
+    if (fabs(depth - round(depth)) < 1e-3) /* rounding decides which nesting depth is drawn */
         return;
     for (int k = 0; k < 2; k++) {
         double drawn = (double)rgba[2 * k] + ((double)rgba[2 * k + 1] + 0.5 / 1024) / 1024;

@@ -10,13 +10,13 @@
 struct hatch_exr_chunks {
     const struct hatch_exr_stream *stream;
     exr_context_t context;         /* opened on stream */
-    int part;                      /* index in the file */
+    int part;                      /* index of the part in the file */
     size_t raw_max;                /* at least the unpacked size of the part's largest chunk, bytes */
     const uint32_t *image_channel; /* [n]: index in the image of the n-th channel in the file */
 
     uint8_t *raw, *filtered; /* raw_max bytes each */
     struct libdeflate_decompressor *decompressor;
-    exr_decode_pipeline_t pipeline; /* OpenEXR's; used for RLE and PIZ */
+    exr_decode_pipeline_t pipeline; /* of OpenEXR's core, which decodes RLE and PIZ */
 };
 
 /* A rectangle of texels. */
@@ -36,7 +36,7 @@ enum hatch_status hatch_exr_chunk_read(struct hatch_exr_chunks *chunks, const ex
                                        const struct hatch_exr_area *area, struct hatch_image *image,
                                        struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees the memory outside the arena. */
+/* Frees the memory that the decoder has outside the arena. */
 void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks);
 
 #endif

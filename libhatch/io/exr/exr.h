@@ -57,7 +57,7 @@ enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch
  * hatch_exr_end. NULL is allowed. */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
-/* Writes a file of one part, as hatch_exr_begin, _add_part and _end do. */
+/* Writes a file of one part, by hatch_exr_begin, hatch_exr_add_part and hatch_exr_end. */
 enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,
                                   struct hatch_buffer *file, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -16,7 +16,7 @@ struct reading {
     struct hatch_err *err;
 };
 
-/* A part's size and format, from its header; validated. */
+/* Size and format of a part, read from its header and checked. */
 struct layout {
     const char *name;
     bool tiled;
@@ -25,7 +25,7 @@ struct layout {
     uint32_t chunk_width, chunk_height; /* of a tile, or of the rows that are compressed together */
     int32_t top;                        /* y of the data window's first scanline */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in image order */
-    uint32_t image_channel[HATCH_IMAGE_CHANNELS_MAX];        /* [n]: image index of the file's n-th channel */
+    uint32_t image_channel[HATCH_IMAGE_CHANNELS_MAX];        /* [n]: index in an image of the file's n-th channel */
 };
 
 struct part {
@@ -46,8 +46,8 @@ static enum hatch_status bad(const struct reading *r, exr_result_t result)
             return bad((r), try_result_);                                                                              \
     } while (0)
 
-/* Files store channels sorted by name (B, G, R). Images list R, G, B, Y, A first, then the others in
- * file order. */
+/* Finds the order of channels in an image. Files store them sorted by name (B, G, R); images list R, G, B, Y, A first,
+ * then the others in file order. */
 static void order_channels(const exr_attr_chlist_t *list, struct layout *layout)
 {
     static const char *const colors[] = {"R", "G", "B", "Y", "A"};
@@ -198,7 +198,7 @@ static enum hatch_status check_size(const struct reading *r, int part, const str
     return HATCH_OK;
 }
 
-/* Excludes the attributes that the format itself requires. */
+/* Returns whether an attribute is kept; those that the format itself requires are not. */
 static bool is_wanted(const exr_attribute_t *attribute)
 {
     static const char *const required[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",

@@ -8,7 +8,7 @@
 #include "io/exr/stream.h"
 #include "io/exr/zip.h"
 
-/* Measured on tonal art maps: larger tiles compress hardly better, smaller tiles take longer. */
+/* Chosen by measurements on tonal art maps: larger tiles hardly compress better, smaller tiles take longer. */
 #define TILE_SIDE 256u
 #define SCANLINES_PER_CHUNK 16u /* fixed by the format for ZIP */
 #define ZIP_LEVEL 1
@@ -24,7 +24,7 @@ struct workspace {
 #define IDLE_MAX 16u
 
 struct part {
-    struct hatch_arena arena;  /* of the members below; one per part, since threads add parts in parallel */
+    struct hatch_arena arena;  /* holds the members below; one per part, since threads add parts in parallel */
     struct hatch_mipmap label; /* name and attributes; levels is NULL */
     uint32_t *chunk_sizes;     /* in bytes, headers included */
     struct hatch_bytes packed; /* the chunks with their headers, as in the file */

@@ -1,5 +1,5 @@
-/* Interface of the OpenImageIO plugin, a C++ shared object that is loaded on demand: C functions and plain
- * types. No exception leaves it. */
+/* Interface of the OpenImageIO plugin, a C++ shared object that is loaded on demand. It consists of C functions and
+ * plain types, and no exception leaves the plugin. */
 #ifndef HATCH_IO_FOREIGN_PLUGIN_H
 #define HATCH_IO_FOREIGN_PLUGIN_H
 
@@ -24,7 +24,7 @@ struct hatch_oiio_plugin {
     uint32_t version; /* HATCH_OIIO_VERSION */
 
     /* Reads the header of an image and returns its handle, or NULL on failure.
-     *   data  must live until close
+     *   data  must stay valid until close
      *   name  its extension selects the format; no file is opened */
     void *(*open)(const uint8_t *data, size_t data_size, const char *name, struct hatch_oiio_info *info, char *message,
                   size_t size);

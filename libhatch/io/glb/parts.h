@@ -9,11 +9,11 @@ enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_G
 
 /* A buffer view and, except for images, its only accessor. */
 struct hatch_glb_view {
-    enum hatch_glb_component component; /* type in the file */
+    enum hatch_glb_component component; /* type of the numbers in the file */
     enum hatch_glb_target target;
-    const void *data;    /* floats; uint32_t for indices; bytes for images */
-    size_t count;        /* elements; bytes for images */
-    uint32_t components; /* per element: 1 .. 4, or 16 for a matrix */
+    const void *data;    /* array of floats; of uint32_t for indices; of bytes for images */
+    size_t count;        /* number of elements; of bytes for images */
+    uint32_t components; /* numbers per element: 1 .. 4, or 16 for a matrix */
     bool bounds;         /* whether the format requires min and max */
     size_t offset, size; /* bytes in the buffer */
 };
@@ -22,13 +22,13 @@ struct hatch_glb_view {
  * come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
-    const char *name; /* of the first node and mesh; may be NULL */
+    const char *name; /* name of the first node and mesh; may be NULL */
     struct hatch_arena *scratch;
     struct hatch_err *err;
     struct hatch_buffer json;
     struct hatch_glb_view *views;
     uint32_t view_count, accessor_count;
-    size_t size;            /* bytes of the buffer */
+    size_t size;            /* size of the buffer in bytes */
     uint32_t *group_size;   /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
     uint32_t *group;        /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
     uint32_t *mesh_first;   /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */

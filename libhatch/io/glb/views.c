@@ -1,5 +1,5 @@
-/* The binary chunk of a GLB: one buffer with a view for each vertex attribute, index list, morph target,
- * skin, animation input and output, and image. */
+/* Writes the binary chunk of a GLB: one buffer with a view for each vertex attribute, index list, morph target, skin,
+ * animation input and output, and image. */
 #include <assert.h>
 #include <string.h>
 

@@ -128,7 +128,7 @@ void replace_zero_normals(struct hatch_mesh *mesh)
         if (n[0] != 0 || n[1] != 0 || n[2] != 0)
             continue;
         double p[3][3];
-        n[2] = 1; /* kept when the face has no area */
+        n[2] = 1; /* stays if the face has no area */
         if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
             continue;
         double length = 0, cross[3];

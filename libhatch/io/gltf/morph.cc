@@ -1,4 +1,4 @@
-/* Morph targets: applied with their weights at rest, and kept where a node or an animation changes these. */
+/* Morph targets are applied with their weights at rest, and kept if a node or an animation changes the weights. */
 #include "io/gltf/reader.h"
 
 #include <cmath>

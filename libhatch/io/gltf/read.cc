@@ -49,7 +49,7 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
 {
     uint64_t length;
     if (files.next + sizeof length > files.lengths.bytes.size)
-        return HATCH_OK; /* an image */
+        return HATCH_OK; /* the file is an image */
     std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
     files.next += sizeof length;
     if (bytes->size < length)

@@ -37,7 +37,7 @@ std::string place(const char *what, size_t index, const char *part, size_t part_
 /* Returns HATCH_BAD_INPUT with the message "where: what". */
 enum hatch_status bad(Reader &r, const std::string &where, const std::string &what);
 
-/* Fails unless index is -1 (none) or 0 .. count - 1. */
+/* Fails unless index is -1 (no reference) or 0 .. count - 1. */
 enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where, const char *what);
 
 /* Reads an accessor as floats; normalised integers are divided by the largest value of their type. Fails for values

@@ -44,7 +44,7 @@ enum hatch_status find_parents(Reader &r, uint32_t *parent)
     return HATCH_OK;
 }
 
-/* Lists the roots of the default scene, or of all nodes when there is no scene. */
+/* Lists the root nodes of the default scene; of all nodes when the file has no scene. */
 enum hatch_status list_roots(Reader &r, const uint32_t *parent, uint32_t *order, uint32_t *count)
 {
     const tinygltf::Model &model = r.model;

@@ -1,5 +1,5 @@
-/* Reads mesh files without a scene: PLY (ascii, both binary orders), OBJ, OFF, STL (ascii, binary). Polygons
- * are triangulated: fans where these cover the polygon, else ear clipping. */
+/* Reads files that hold a mesh and no scene: PLY (ascii, both binary orders), OBJ, OFF, STL (ascii, binary). Polygons
+ * are triangulated as fans where a fan covers the polygon, else by ear clipping. */
 #ifndef HATCH_IO_MESH_FILE_H
 #define HATCH_IO_MESH_FILE_H
 
@@ -8,7 +8,7 @@
 
 enum hatch_mesh_format {
     HATCH_MESH_UNKNOWN,
-    HATCH_MESH_GLTF, /* JSON or GLB: read by io/gltf/gltf.h */
+    HATCH_MESH_GLTF, /* JSON or GLB, which io/gltf/gltf.h reads */
     HATCH_MESH_PLY,
     HATCH_MESH_OBJ,
     HATCH_MESH_OFF,

@@ -1,6 +1,6 @@
-/* Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
- * becomes a vertex of the mesh, in order of first use. Where faces have position indices only, the mesh has
- * the file's vertices. */
+/* Reads Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
+ * becomes a vertex of the mesh, in order of first use. If all faces have position indices only, the vertices of the
+ * mesh are those of the file. */
 #include <string.h>
 
 #include "base/random.h"

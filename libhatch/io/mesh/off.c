@@ -1,5 +1,5 @@
-/* OFF (Geomview's object file format) as text, with optional texture coordinates (ST), colours (C) and
- * normals (N). The rest of a line after a position or a face's corners is skipped. */
+/* Reads OFF (Geomview's object file format) in its text form, with optional texture coordinates (ST), colours (C) and
+ * normals (N). They are skipped, as is the rest of any line after a position or a face's corners. */
 #include <string.h>
 
 #include "io/mesh/polygon.h"

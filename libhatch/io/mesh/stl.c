@@ -1,4 +1,4 @@
-/* STL, binary and text. Each triangle has three vertices of its own. Normals are not read: many are wrong or
+/* Reads STL, binary and text. Each triangle has three vertices of its own. Normals are not read: many are wrong or
  * zero, and they follow from the corners. */
 #include <math.h>
 #include <string.h>
@@ -84,13 +84,13 @@ static enum hatch_status read_binary(struct hatch_bytes file, const double origi
     return HATCH_OK;
 }
 
-/* State of reading text. */
+/* State of reading an STL as text. */
 struct solids {
     const double *origin;
     struct hatch_mesh_text text;
     struct hatch_buffer positions;
     uint32_t corners; /* corners so far in the facet being read */
-    bool first;       /* the next word begins a line */
+    bool first;       /* the next word is the first of its line */
     bool in_name;     /* words belong to the name of a solid, which ends with the line or at a facet */
     bool ended;       /* the last solid has an endsolid */
 };

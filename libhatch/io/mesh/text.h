@@ -5,7 +5,7 @@
 #include "base/text.h"
 
 struct hatch_mesh_text {
-    const char *at, *end; /* at: the next character */
+    const char *at, *end; /* at: the next character; end: after the last one */
     uint32_t line;        /* line that at is in, counted from 1 */
     bool continues;       /* a backslash at a line's end joins it with the next line (OBJ) */
     char comment;         /* begins a comment that runs to the line's end; 0: none */
@@ -29,7 +29,7 @@ size_t hatch_mesh_text_remaining(const struct hatch_mesh_text *text);
 /* Returns how much of a word a message quotes, for "%.*s". */
 int hatch_mesh_text_shown(struct hatch_text word);
 
-/* Parses an integer: digits with an optional sign, below 2^62 in magnitude. */
+/* Parses an integer: digits with an optional sign, of a magnitude up to about 2^61. */
 bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 
 /* Reads the next word of the line as a finite float.

@@ -56,7 +56,7 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
     uint32_t added = 0;
     for (uint32_t v = 0; v < mesh->vertex_count && added < count; v++) {
         if (point[v] != added)
-            continue; /* not the first vertex of its point */
+            continue; /* only the first vertex at a position becomes a point */
         double p[3];
         for (size_t k = 0; k < 3; k++)
             p[k] = (static_cast<double>(positions[v * size_t{3} + k]) - frame.centre[k]) / frame.size;
@@ -68,7 +68,7 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
 uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *to)
 {
     uint32_t left_out = 0;
-    omerr().disable(); /* a library does not print */
+    omerr().disable(); /* OpenMesh prints each refused face, but a library must not print */
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         Mesh::VertexHandle corner[3];
         for (size_t c = 0; c < 3; c++)

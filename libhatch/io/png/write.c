@@ -71,7 +71,7 @@ static void fill_codes(struct codes *codes)
 
 static uint32_t code_of(const struct writing *w, float value, bool is_alpha)
 {
-    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* not a number: 0 */
+    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* NaN becomes 0 */
     uint32_t top = w->depth == 16 ? 65535u : 255u;
     if (w->encoding == HATCH_PNG_RAW || is_alpha)
         return (uint32_t)(clamped * (float)top + 0.5f);

@@ -36,7 +36,7 @@ static enum hatch_status read_pattern(struct cutter *cutter, double page, double
             return hatch_fail(err, HATCH_BAD_INPUT, "stroke-dasharray: %g is negative", cutter->lengths[i]);
         *sum += cutter->lengths[i] *= scale;
     }
-    if (cutter->count % 2) { /* a pattern of odd length is repeated */
+    if (cutter->count % 2) { /* a pattern with an odd number of entries is repeated */
         memcpy(cutter->lengths + cutter->count, cutter->lengths, cutter->count * sizeof *cutter->lengths);
         cutter->count *= 2;
         *sum *= 2;

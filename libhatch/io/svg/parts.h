@@ -71,10 +71,10 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
 enum hatch_status hatch_svg_declarations(struct hatch_text declarations, double page, struct hatch_svg_style *style,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Receives a finished line, in tiles. */
+/* A callback that receives a finished line, in tiles. */
 typedef enum hatch_status (*hatch_svg_finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);
 
-#define HATCH_SVG_DASHES_MAX 1000000u /* per drawing */
+#define HATCH_SVG_DASHES_MAX 1000000u /* limit per drawing */
 
 /* Cuts the lines of a drawing into dashes. */
 struct hatch_svg_dasher {

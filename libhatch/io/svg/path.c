@@ -1,4 +1,4 @@
-/* The pen, and path data (SVG 2, section 9.3). */
+/* Draws with the pen, and reads path data (SVG 2, section 9.3). */
 #include <assert.h>
 #include <string.h>
 
@@ -252,7 +252,7 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
             make_absolute(pen, upper, count, v);
         HATCH_TRY(draw(&r, upper, v, err));
         r.last = upper;
-        if (upper == 'M') /* further coordinates are lines */
+        if (upper == 'M') /* coordinates that follow are those of lines */
             letter = letter == 'M' ? 'L' : 'l';
     }
     return hatch_svg_end(pen, err);

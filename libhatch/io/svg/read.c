@@ -8,7 +8,7 @@
 #define TOLERANCE_PX 0.05
 #define WIDTH_MAX 0.25 /* tiles */
 
-/* State of drawing a tree. */
+/* State of drawing the elements of a tree. */
 struct drawing {
     uint32_t size_px;
     struct hatch_arena *arena;
@@ -16,7 +16,7 @@ struct drawing {
     struct hatch_svg_sheet sheet;
     struct hatch_svg_style *styles; /* by depth: of the current element and those around it; [0]: the initial style */
     uint32_t depth;
-    double page; /* side, user units */
+    double page; /* side of the page, user units */
     struct hatch_svg_pen pen;
     struct hatch_svg_dasher dasher;
     struct hatch_stroke_list strokes;

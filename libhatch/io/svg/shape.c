@@ -11,7 +11,7 @@ struct hatch_text hatch_svg_attribute(const char *const *attributes, const char 
     return (struct hatch_text){"", 0};
 }
 
-/* Reads lengths by attribute name; 0 when absent. */
+/* Reads the lengths that some attributes have; 0 for absent ones. */
 static enum hatch_status read_lengths(const char *const *attributes, const char *const *names, uint32_t count,
                                       double page, double *lengths, struct hatch_err *err)
 {

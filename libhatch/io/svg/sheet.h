@@ -10,7 +10,7 @@
 /* A selector with its declarations. */
 struct hatch_svg_rule {
     struct hatch_text selector, declarations;
-    uint32_t specificity; /* CSS 2.1, section 6.4.3, in one number */
+    uint32_t specificity; /* specificity of CSS 2.1, section 6.4.3, as one number */
 };
 
 struct hatch_svg_sheet {

@@ -9,7 +9,7 @@
 
 /* Counts of the contents of a drawing; everything but the strokes is ignored. */
 struct hatch_svg_notes {
-    uint32_t strokes;   /* read */
+    uint32_t strokes;   /* strokes that were read */
     uint32_t outside;   /* strokes entirely outside the page */
     uint32_t fills;     /* filled shapes, stroked or not */
     uint32_t texts;     /* text elements */

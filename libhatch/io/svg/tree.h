@@ -8,14 +8,14 @@
 #include "base/text.h"
 
 #define HATCH_SVG_DEPTH_MAX 256u
-#define HATCH_SVG_CLONED_MAX 1000000u /* elements drawn by clones */
+#define HATCH_SVG_CLONED_MAX 1000000u /* limit of the elements drawn by clones */
 
 struct hatch_svg_node {
     const char *name;              /* without the prefix "svg:" */
     const char *const *attributes; /* names and values alternating, NULL-terminated */
     struct hatch_svg_node *parent, *first, *last, *next;
-    uint32_t line;   /* in the file */
-    uint32_t number; /* in document order */
+    uint32_t line;   /* line in the file */
+    uint32_t number; /* position in document order */
     bool visiting; /* set while the elements inside are counted; one that is reached again contains a clone of itself */
     uint32_t height;   /* levels of elements from this one down, with clones expanded; 0: not yet counted */
     uint64_t elements; /* number of elements: this one and those inside, with clones expanded */
@@ -26,7 +26,7 @@ struct hatch_svg_tree {
     struct hatch_svg_node **named; /* elements with an id, sorted by id, then by document order */
     uint32_t count, named_count;
     struct hatch_buffer sheet; /* text of all <style> elements */
-    uint32_t others;           /* external style sheets */
+    uint32_t others;           /* number of external style sheets, which are ignored */
 };
 
 /* Reads the tree and checks its clones. HATCH_BAD_INPUT with the line for malformed XML, a root other than <svg>,

@@ -20,7 +20,7 @@ enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture, const cha
 enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_texels *texture,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* Reads the key and value pairs of a KTX2 file whose values are text; other pairs are left out.
+/* Reads the pairs of key and value of a KTX2 file; pairs whose value is not text are left out.
  *   key_values  out: keys and values alternating, NULL-terminated, in arena
  * HATCH_BAD_INPUT for a truncated or damaged file. */
 enum hatch_status hatch_ktx2_read_keys(struct hatch_bytes file, struct hatch_arena *arena,

@@ -1,5 +1,5 @@
-/* KTX File Format Specification 2.0 (Khronos), sections 3 to 5, and the Khronos Data Format
- * Specification 1.3, section 5, for the data format descriptor. */
+/* Writes KTX2: KTX File Format Specification 2.0 (Khronos), sections 3 to 5, and, for the data format descriptor, the
+ * Khronos Data Format Specification 1.3, section 5. */
 #include <assert.h>
 
 #include "io/texture/container.h"
@@ -85,7 +85,7 @@ static enum hatch_status add_descriptor(const struct hatch_texels *texture, stru
         2 | block << 16, /* version 1.3 */
         code->model | primaries_bt709 << 8 | transfer_linear << 16,
         (side - 1) | (side - 1) << 8,
-        hatch_texels_block_bytes(texture->code, texture->channels), /* of plane 0 */
+        hatch_texels_block_bytes(texture->code, texture->channels), /* bytes of plane 0 */
         0,
     };
     HATCH_TRY(add_u32s(file, head, sizeof head / sizeof *head, err));
@@ -128,7 +128,7 @@ static enum hatch_status add_level_index(const struct hatch_texels *texture, con
         uint64_t size = hatch_texels_level_size(texture, level);
         HATCH_TRY(hatch_buffer_add_u64le(file, offsets[level], err));
         HATCH_TRY(hatch_buffer_add_u64le(file, size, err));
-        HATCH_TRY(hatch_buffer_add_u64le(file, size, err)); /* not compressed */
+        HATCH_TRY(hatch_buffer_add_u64le(file, size, err)); /* the uncompressed size, which is the same */
     }
     return HATCH_OK;
 }
