@@ -45,7 +45,7 @@ static const struct cmd_program program = {
 };
 
 /* Parses --bins and returns the number of bins.
- *   border  out: if tones are listed, bins + 1 tones from 0 to 1
+ *   border  out: if tones are listed, bins + 1 tones from 0 to 1; else undefined
  *   listed  out: whether tones are listed */
 static uint32_t parse_bins(float *border, bool *listed)
 {

@@ -49,7 +49,8 @@ static void check_options(const struct cmd_args *args)
     cmd_check_ending(args->output, "ktx2 exr");
 }
 
-/* BC1 and BC4, with half a byte per texel, exist only in 2D; BC7, for volumes, needs twice as much memory. */
+/* Returns the layout of the volume. Compression prefers an array: in OpenGL, BC1 and BC4, with half a byte per texel,
+ * exist only for 2D textures, and BC7, which 3D textures can have, takes twice as much memory. */
 static enum hatch_volume_layout choose_layout(const struct hatch_tam *tam)
 {
     if (compress && !tam->color && layout_given && layout == HATCH_VOLUME_3D)

@@ -1,4 +1,4 @@
-/* hatchstat diff A B: difference of two pictures. */
+/* hatchstat diff A B: measures the difference of two pictures. */
 #include "filter/difference.h"
 #include "subject.h"
 

@@ -1,4 +1,4 @@
-/* hatchstat field FILE ...: figures of direction fields, one row per file. */
+/* hatchstat field FILE ...: measures direction fields; the report has one row per file. */
 #include "shared/scene.h"
 #include "measure/field_figures.h"
 #include "subject.h"

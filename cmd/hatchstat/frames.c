@@ -1,15 +1,17 @@
-/* hatchstat frames A B ...: flicker in a sequence of pictures. */
+/* hatchstat frames A B ...: measures flicker in a sequence of pictures; the report has one row per picture. */
 #include <math.h>
 
 #include "filter/difference.h"
 #include "subject.h"
 
 #define POP_BOX_PX 8u
-#define HELD 3 /* pictures in memory at once */
+#define HELD 3 /* number of pictures in memory at once */
 
 static const char *const columns[] = {"frame", "mean", "drift", "change", "pop", "pop_box8", NULL};
 
-/* change: from the previous frame; pop: from both neighbours. NaN without these. */
+/* Measurements of a frame. change is the mean difference from the previous frame. pop and pop_low measure the second
+ * difference with both neighbours: its mean absolute value, and its largest mean over a box. They are NaN where a frame
+ * that they need is missing. */
 struct figures {
     double mean, change, pop, pop_low;
 };
@@ -52,7 +54,7 @@ static void measure(struct cmd_args *args, bool srgb, int count, struct figures 
             hatch_image_difference(previous, image, &difference);
             figures[i].change = difference.mean;
         }
-        if (i >= 2) { /* the second difference overwrites the oldest frame, which is not needed again */
+        if (i >= 2) { /* the second difference is written over the oldest frame, which is not needed again */
             struct hatch_image *oldest = &ring.images[(i + HELD - 2) % HELD];
             struct figures *middle = &figures[i - 1];
             middle->pop = hatch_image_second_difference(oldest, previous, image, oldest);
@@ -72,7 +74,7 @@ static void put_row(struct cmd_report *report, const char *name, const struct fi
     cmd_report_numbers(report, numbers, sizeof numbers / sizeof *numbers);
 }
 
-/* Means over the frames that have the figure; maxima of drift and pop_box8. */
+/* Adds the last row: means over the frames that have a value, but maxima for drift and pop_box8. */
 static void put_summary(struct cmd_report *report, const struct figures *figures, int count)
 {
     struct figures all = {0, 0, 0, 0};

@@ -1,4 +1,5 @@
-/* hatchstat ink FILE ...: grey strokes, tone and edges in pictures, one row per file. */
+/* hatchstat ink FILE ...: measures grey strokes, errors of tone and errors of edges in pictures; the report has one row
+ * per file. */
 #include "measure/ink_figures.h"
 #include "subject.h"
 

@@ -1,10 +1,10 @@
-/* hatchstat lapped [FILE]: coverage and distortion of lapped textures. */
+/* hatchstat lapped [FILE]: measures coverage and distortion of lapped textures. */
 #include "shared/scene.h"
 #include "io/png/png.h"
 #include "measure/lapped_figures.h"
 #include "subject.h"
 
-#define SEED 1 /* of the samples; fixed, so that a file always has the same figures */
+#define SEED 1 /* random seed of the samples; fixed, so that measuring a file again gives the same figures */
 
 static const char *const columns[] = {
     "patches",        "hidden",         "faces",          "patch_faces", "overlap",     "samples",     "covered",
@@ -12,7 +12,8 @@ static const char *const columns[] = {
     "area_p95",       "area_p99",       "area_max",       "angle_p50",   "angle_p95",   "angle_p99",   "angle_max",
     "angle_area_p50", "angle_area_p95", "angle_area_p99", NULL};
 
-/* Reads the outlines of the patches. */
+/* Reads the outline images of the patches. Returns one image per texture of the scene, with pixels NULL where the
+ * texture is not an outline. */
 static struct hatch_image *read_masks(struct cmd_args *args, const char *name, const struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -48,7 +49,7 @@ static void put(struct cmd_report *report, const struct hatch_lapped_figures *f)
     cmd_report_numbers(report, f->angle_area_deg, HATCH_LAPPED_MAX);
 }
 
-/* Warns of each limit that is exceeded; NaN exceeds every limit. */
+/* Warns of each limit that is exceeded; NaN exceeds every limit. Returns whether all limits are met. */
 static bool check_limits(const char *name, const struct hatch_lapped_figures *f)
 {
     const struct {

@@ -35,8 +35,8 @@ static const struct cmd_option options[] = {
 
 static const struct {
     const char *name;
-    int files_min, files_max; /* max -1: any number */
-    const char *want;         /* both in words */
+    int files_min, files_max; /* files_max -1: any number */
+    const char *want;         /* files_min and files_max in words, for messages */
     bool has_check;           /* supports --check */
     stat_measure measure;
 } subjects[] = {
@@ -87,7 +87,7 @@ int main(int argc, char **argv)
         if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
             cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_plural((uint64_t)files, "file", "files"),
                       subjects[i].want);
-        /* Options that decide the exit status must not be ignored. */
+        /* An option that decides the exit status must not be ignored silently. */
         if (values.check && !subjects[i].has_check)
             cmd_usage("%s: --check is for tam, lapped and seeds", subjects[i].name);
         if (values.max_difference >= 0 && subjects[i].measure != stat_diff)

@@ -1,4 +1,4 @@
-/* hatchstat mesh FILE ...: figures of meshes and scenes, one row per file. */
+/* hatchstat mesh FILE ...: measures meshes and scenes; the report has one row per file. */
 #include "shared/scene.h"
 #include "measure/mesh_figures.h"
 #include "subject.h"
@@ -16,8 +16,10 @@ static const char *const columns[] = {
     "texels_p95",     NULL};
 /* clang-format on */
 
-/* Measures a mesh of a single node without its translation, into which hatch_mesh_read moves the position of
- * meshes far from the origin. */
+/* Removes the translation of a scene's only node and returns it in origin. A mesh file far from the origin is read as a
+ * mesh around the origin whose node has a translation; measured without the translation, the mesh keeps the precision
+ * of floats.
+ *   origin  in, out: unchanged if the scene has several nodes, or its node a matrix or a skin */
 static void remove_origin(struct hatch_scene *scene, double origin[3])
 {
     struct hatch_node *node = scene->nodes;
@@ -78,7 +80,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
             added += part->mesh.vertex_count - part->file_vertices;
         }
     report_row(report, name, figures.vertices - added, origin, &figures);
-    /* Warns of the faults that commands which clean their input would repair. */
+    /* Warns of the faults that a command that cleans its input would repair. */
     cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
     cmd_warn_mesh(name, &notes);
 }

@@ -1,4 +1,4 @@
-/* hatchstat seeds FILE: figures of seed sets, one row per layer. */
+/* hatchstat seeds FILE: measures seed sets; the report has one row per layer. */
 #include <math.h>
 
 #include "measure/seed_figures.h"

@@ -1,4 +1,5 @@
-/* Subjects of hatchstat: each has its own file and a line in main.c's table. */
+/* The subjects of hatchstat, that is, the kinds of things that it measures. Each has its own file and a line in
+ * main.c's table. */
 #ifndef HATCHSTAT_SUBJECT_H
 #define HATCHSTAT_SUBJECT_H
 
@@ -6,20 +7,20 @@
 #include "shared/report.h"
 #include "image/image.h"
 
-/* Options of all subjects; the subjects that use each are named. */
+/* Options. Each comment begins with the subjects that use the option. */
 struct stat_options {
     double max_difference;                          /* diff: negative when not given */
     bool srgb;                                      /* diff, frames, ink: measure sRGB values, not linear light */
-    const char *strokes, *style, *settings, *brush; /* tam: of its strokes; NULL when not given */
+    const char *strokes, *style, *settings, *brush; /* tam: options that describe the strokes; NULL when not given */
     int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
-    bool check;                                     /* tam, lapped, seeds: a missed limit is the exit status */
-    const char *reference;                          /* field, tones, ink: NULL when not given */
-    double share;                                   /* field: of the compared points, the most confident ones */
-    int64_t samples;                                /* lapped: for coverage; tones: per level of detail */
+    bool check;            /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
+    const char *reference; /* field, tones, ink: NULL when not given */
+    double share;          /* field: share of the compared points that counts, the most confident first */
+    int64_t samples;       /* lapped: number of samples; tones: number per level of detail */
 };
 
-/* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or HATCH_DIFFERS
- * when a limit is missed. */
+/* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or HATCH_DIFFERS when a limit
+ * is exceeded. */
 typedef enum hatch_status (*stat_measure)(struct cmd_args *args, const struct stat_options *options,
                                           struct cmd_output *output);
 
@@ -33,15 +34,15 @@ enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *o
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 
-/* Reads a picture of any format. Ends the process on failure; warns of pixels that are not finite.
- *   srgb   encodes the colours as sRGB
- *   arena  of the pixels; NULL: args->keep */
+/* Reads a picture of any format. Warns of pixels that are not finite. Ends the process on failure.
+ *   srgb   true: encode the colours as sRGB; false: keep linear light
+ *   arena  for the pixels; NULL: args->keep */
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
                        struct hatch_image *image);
 
-/* Converts both images to RGBA when their channels differ: grey to equal red, green and blue, missing alpha
- * to 1. Ends the process when their sizes differ.
- *   path  of image, for messages */
+/* Converts both images to RGBA when their channels differ: grey becomes equal red, green and blue, and a missing alpha
+ * becomes 1. Ends the process when their sizes differ.
+ *   path  path of image, for messages */
 void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first, struct hatch_image *image);
 
 #endif

@@ -1,4 +1,5 @@
-/* hatchstat tam FILE: tone, nesting, seams and evenness of a tonal art map, one row per image. */
+/* hatchstat tam FILE: measures tone, nesting, seams and evenness of a tonal art map; the report has one row per
+ * image. */
 #include <math.h>
 
 #include "shared/map.h"
@@ -7,7 +8,7 @@
 #include "stroke/script.h"
 #include "subject.h"
 
-/* Allowed errors of tone, at the finest level and at others. */
+/* Allowed errors of tone, at the finest level and at the others. */
 #define FINEST_ERROR_MAX 0.003
 #define ERROR_MAX 0.02
 
@@ -16,7 +17,7 @@ static const char *const columns[] = {"tone",    "level",      "size",     "targ
                                       "seam_y",  "spread32",   "spread16", "spread8", "spread4",   "even32",
                                       "even16",  "even8",      "even4",    "chroma",  "hue_error", NULL};
 
-/* A map and, if given, its strokes. */
+/* A map and, if they are given, its strokes. */
 struct subject {
     struct hatch_tam tam;
     bool has_strokes;
@@ -28,11 +29,11 @@ struct subject {
     double *evenness;                             /* per tone and box; NULL without strokes */
 };
 
-/* The last row. */
+/* Sums and maxima for the last row of the report. */
 struct summary {
-    uint32_t failed; /* images whose tone error exceeds the allowed one */
+    uint32_t failed; /* number of images whose error of tone exceeds the allowed one */
     uint64_t lighter, missing;
-    double hue_error; /* maximum; NaN in grey maps */
+    double hue_error; /* the largest; NaN in grey maps */
     double error, seam[2], spread[HATCH_EVENNESS_BOXES], even[HATCH_EVENNESS_BOXES], images;
 };
 
@@ -42,7 +43,7 @@ static double growth_of(const struct hatch_tam *tam)
     return growth && growth->number > 0 && growth->number < 1 ? growth->number : 0;
 }
 
-/* The option, else the name in the map, else "ink". */
+/* Returns the style of the strokes: that of the option, else the one that the map names, else "ink". */
 static const char *style_of(struct cmd_args *args, const struct stat_options *options, const struct hatch_tam *tam)
 {
     const struct hatch_attribute *named = hatch_mipmap_attribute(&tam->columns[0], HATCH_TAM_ATTR_STYLE);
@@ -86,8 +87,8 @@ static void measure_strokes(struct cmd_args *args, const struct stat_options *op
               name, &err);
 }
 
-/* The allowed error of an image; NaN without strokes of its own.
- *   by  out: column allowed_by */
+/* Returns the allowed error of tone of an image; NaN for a level without strokes of its own.
+ *   by  out: text of the column allowed_by: the limit that applies */
 static double allowed_error(const struct subject *subject, uint32_t level, const char **by)
 {
     double stroke = subject->stroke_darkness[level], limit = level ? ERROR_MAX : FINEST_ERROR_MAX;

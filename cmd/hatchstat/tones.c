@@ -1,4 +1,5 @@
-/* hatchstat tones FILE: errors of tone of a volume, a threshold texture, exact runs or a map of few columns. */
+/* hatchstat tones FILE: measures errors of tone of a volume, a threshold texture, exact runs or a map with few
+ * columns. */
 #include <string.h>
 
 #include "shared/map.h"
@@ -14,9 +15,9 @@ static const char *const columns[] = {"lod",       "bytes", "tone_error", "tone_
                                       "error_max", "grey",  "grey_all",   NULL};
 
 struct subject {
-    size_t bytes; /* of texels */
+    size_t bytes; /* size of all texels */
     hatch_tone_sample sample;
-    const void *sampled; /* argument of sample: one of the members below */
+    const void *sampled; /* first argument of sample: one of the members below */
     struct hatch_tam map;
     struct hatch_volume volume;
     struct hatch_thresholds thresholds;
@@ -49,7 +50,7 @@ static size_t texel_bytes(const struct hatch_texels *texels)
     return bytes;
 }
 
-/* Format and keys tell which kind a texture is. */
+/* Opens a KTX2 file as exact runs, as a threshold texture or as a volume, according to its format and keys. */
 static void open_texture(struct cmd_args *args, const char *name, struct hatch_bytes file, struct subject *subject)
 {
     struct hatch_err err;

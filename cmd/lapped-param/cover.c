@@ -4,7 +4,7 @@
 #include "lapped_param.h"
 #include "mesh/splits.h"
 
-#define ATLAS_MARGIN (1.0 / 256) /* between charts: two texels of a texture of 512 */
+#define ATLAS_MARGIN (1.0 / 256) /* distance between charts as a share of the atlas: 2 of 512 texels */
 
 /* Data needed only while a mesh is covered. */
 struct work {
@@ -15,8 +15,8 @@ struct work {
     struct hatch_lapped lapped;
 };
 
-/* Replaces the mesh by its cleaned surface with a field and normals, as dirfield would write it: the result is the same
- * with dirfield before lapped-param or without. */
+/* Replaces the mesh by its cleaned surface with a direction field and normals, as dirfield writes it by default, so
+ * that running dirfield first makes no difference. */
 static void prepare(struct cmd_args *args, struct lapped_param_part *part)
 {
     struct hatch_err err;
@@ -82,10 +82,11 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
     return HATCH_OK;
 }
 
-/* Finds for each corner the first one of the same vertex with the same texture coordinates.
- *   last      zero per vertex; overwritten: 1 + the last first corner there
- *   before    zero per corner; overwritten: 1 + the first corner of the same vertex before it
- *   class_of  out: per corner */
+/* Gives each corner a class: the first corner that has the same vertex and the same texture coordinates.
+ *   texcoords  2 per corner
+ *   last       scratch, zero per vertex; becomes 1 + the newest class at the vertex, the head of a list
+ *   before     scratch, zero per corner; becomes, for a class, 1 + the class after it in this list, 0 at the end
+ *   class_of   out: per corner */
 static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last, uint32_t *before,
                          uint32_t *class_of)
 {

@@ -4,7 +4,8 @@
 #include "math/box.h"
 #include "math/vector.h"
 
-/* Adds the transformed box of a mesh; matrix: column-major. */
+/* Extends a box by the transformed bounding box of a mesh.
+ *   matrix  column-major */
 static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const float *matrix)
 {
     float ends[2][3];
@@ -21,7 +22,7 @@ static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const
     }
 }
 
-/* Mean scale of a matrix: the cube root of its determinant. */
+/* Returns the mean scale of a matrix: the cube root of the absolute value of its determinant. */
 static double scale_of(const float *matrix)
 {
     double columns[3][3], cross[3];
@@ -31,8 +32,8 @@ static double scale_of(const float *matrix)
     return cbrt(fabs(hatch_vec_dot(cross, columns[2])));
 }
 
-/* Returns the matrix that places a node's meshes: that of the skin's first joint where the node has a skin, which its
- * own transform then does not move.
+/* Returns the matrix that places a node's meshes in the scene. For a node with a skin, whose own transform does not
+ * move its meshes, this is the matrix of the skin's first joint.
  *   joints  room for the matrices of the largest skin */
 static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const float *world, float *joints)
 {

@@ -7,40 +7,41 @@
 #include "scene/scene.h"
 
 struct lapped_param_options {
-    struct hatch_lapped_options lapped; /* size: as a share of the scene's diagonal, or 0 */
-    double tile;                        /* side of a tile in the scene's units; 0: a share of its diagonal */
-    double roughness, feather;          /* as in hatch_outline_make */
-    uint32_t mask_px;                   /* width and height of the outline's image */
-    bool atlas;                         /* make one atlas per mesh in place of patches */
+    struct hatch_lapped_options lapped; /* its size is a share of the scene's diagonal, or 0 */
+    double tile;               /* side of a tile in the scene's units; 0: the default share of the scene's diagonal */
+    double roughness, feather; /* as in hatch_outline_make */
+    uint32_t mask_px;          /* width and height of the outline's image */
+    bool atlas;                /* make one atlas per mesh in place of patches */
 };
 
-/* Sizes of the scene at rest, in its units. */
+/* Sizes of the scene in its rest pose, in its units. */
 struct lapped_param_extent {
-    double diagonal; /* of the box around everything that nodes draw */
-    double *scale;   /* per mesh: scene units per mesh unit, where its first node places it */
+    double diagonal; /* diagonal of the box around everything that nodes draw */
+    double *scale;   /* per mesh: scene units per unit of the mesh, as its first node places it */
 };
 
 /* A mesh of the scene and the meshes made from it. */
 struct lapped_param_part {
-    const char *name; /* of the input, for messages */
+    const char *name; /* name of the input, for messages */
     struct hatch_scene_mesh *mesh;
     const struct hatch_surface *surface;
-    double size, tile;             /* relative to the mesh's own diagonal; in its units */
-    struct hatch_scene_mesh *made; /* a mesh per patch, or one with an atlas */
+    double size, tile; /* patch diameter as a share of the mesh's diagonal; side of a tile in the mesh's units */
+    struct hatch_scene_mesh *made; /* one mesh per patch, or a single mesh with an atlas */
     uint32_t made_count;
     uint32_t patches, faces, patch_faces, cut, enlarged; /* counts for --verbose */
     uint64_t solved_faces;
     double atlas_side; /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
 };
 
-/* Measures the scene. */
+/* Measures the scene in its rest pose. */
 void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent);
 
-/* Removes what depends on the scene's old texture coordinates: those, tangents, and textures, of which it warns. Normal
- * maps stay, with their coordinates as TEXCOORD_2. Refuses a scene that lapped-param has made. */
+/* Removes the old texture coordinates of the scene, and the tangents and textures that depend on them; warns of the
+ * textures. Normal maps stay, and so do their tangents; their texture coordinates become TEXCOORD_2. A scene that
+ * lapped-param has made is an error. */
 void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene);
 
-/* Covers a mesh; fills the part's made and counts. */
+/* Covers a mesh with patches; fills the members of part from made on. */
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part);
 

@@ -6,7 +6,7 @@
 #include "io/glb/glb.h"
 #include "lapped_param.h"
 
-#define TILES_ON_DIAGONAL 4 /* default: the diagonal of the scene over the side of a tile */
+#define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
 static int64_t mask_size = 1024;
@@ -70,7 +70,7 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
     };
 }
 
-/* Converts sizes to the units of a mesh, which its node may scale. */
+/* Sets the sizes of a part: converts lengths in the scene to the units of its mesh, which a node may scale. */
 static void set_sizes(const struct lapped_param_options *settings, const struct lapped_param_extent *extent,
                       uint32_t index, struct lapped_param_part *part)
 {

@@ -3,16 +3,17 @@
 #include "io/png/png.h"
 #include "lapped_param.h"
 
-/* Returns whether the hatching's texture coordinates replace an attribute: others, tangents, and a _HATCH_DIR of the
- * wrong size. */
+/* Returns whether an attribute is to be removed: texture coordinates, tangents, and a _HATCH_DIR that does not have
+ * four components. */
 static bool is_replaced(const struct hatch_mesh_attribute *attribute)
 {
     return strncmp(attribute->name, "TEXCOORD_", 9) == 0 || strcmp(attribute->name, "TANGENT") == 0 ||
            (strcmp(attribute->name, "_HATCH_DIR") == 0 && attribute->components != 4);
 }
 
-/* Removes replaced attributes. The coordinates that a normal map uses become TEXCOORD_2, after the hatching's and the
- * outline's. */
+/* Removes the attributes that is_replaced names. If the mesh has a normal map, keeps its tangents, and the texture
+ * coordinates of the map as TEXCOORD_2: hatching uses TEXCOORD_0, the outline TEXCOORD_1.
+ *   normals  NULL: the mesh has no normal map */
 static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals)
 {
     char name[] = "TEXCOORD_n";
@@ -31,7 +32,7 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
     mesh->attribute_count = kept;
 }
 
-/* Keeps the textures of normal maps only. */
+/* Removes all textures except normal maps, and renumbers these. */
 static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -44,7 +45,7 @@ static void keep_normals(struct cmd_args *args, const char *name, struct hatch_s
         struct hatch_normal_map *normals = &scene->materials[m].normals;
         if (!normals->used)
             continue;
-        uint32_t *to = &number[normals->at.texture]; /* one more than its new number */
+        uint32_t *to = &number[normals->at.texture]; /* new index plus 1; 0: none yet */
         if (*to == 0) {
             textures[count] = scene->textures[normals->at.texture];
             *to = ++count;
@@ -76,7 +77,8 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
         struct hatch_material *material = &scene->materials[m];
         count += textured[m];
         material->base.texture = HATCH_NONE;
-        /* Patches need alpha for blending: a material under its alpha cutoff becomes invisible, others opaque. */
+        /* Patches need alpha for blending, so a material whose alpha is below its cutoff becomes invisible, and all
+         * others become opaque. */
         material->base_color[3] = material->base_color[3] < material->alpha_cutoff ? 0 : 1;
         material->alpha_cutoff = 0;
     }
@@ -111,7 +113,8 @@ void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, cons
     scene->mesh_count = (uint32_t)total;
 }
 
-/* Encodes the mask as the alpha of a white PNG: a viewer that knows nothing of hatching shows the plain surface. */
+/* Encodes the mask as the alpha of a white PNG, so that a viewer that knows nothing of hatching shows the plain
+ * surface. */
 static void encode_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,
                         struct hatch_texture *texture)
 {
@@ -138,11 +141,11 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
     cmd_check(materials && textures ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t m = 0; m < plain; m++)
         materials[m] = scene->materials[m];
-    /* For meshes without a material, whose faces are visible from both sides. */
+    /* The material for meshes that have none; both sides of their faces are visible. */
     materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}, .double_sided = true};
     for (uint32_t m = 0; m <= plain; m++) {
         materials[m].base = (struct hatch_texture_use){.texcoord = 1, .wrap = {HATCH_WRAP_CLAMP, HATCH_WRAP_CLAMP}};
-        materials[m].normals.at.texture++; /* after the mask */
+        materials[m].normals.at.texture++; /* the mask becomes texture 0 */
         materials[m].blend = false;
         materials[m].outline = true;
     }

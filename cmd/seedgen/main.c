@@ -42,7 +42,7 @@ static const struct cmd_program program = {
     .seeded = true,
 };
 
-#define SIDE 400.0 /* of a panel, pixels */
+#define SIDE 400.0 /* side of a panel, pixels */
 #define GAP 40.0
 #define ACROSS 4u
 
@@ -88,8 +88,8 @@ static void panel(struct hatch_buffer *svg, const struct hatch_seed_set *set, ui
     cmd_check(hatch_buffer_add(svg, "</g>\n", 5, &err), NULL, &err);
 }
 
-/* Returns an SVG, in args->keep: one panel per layer with its seed points as large circles and, as small circles, the
- * same pattern at half its size repeated 2 by 2. Every seed point coincides with one of these. */
+/* Returns an SVG, in args->keep, with one panel per layer. Large circles are the layer's seed points; small circles are
+ * the same pattern at half its size, repeated 2 by 2. Each large circle has the centre of a small one. */
 static struct hatch_bytes plot_seeds(struct cmd_args *args, const struct hatch_seeds *seeds)
 {
     struct hatch_buffer svg = {.arena = &args->keep};

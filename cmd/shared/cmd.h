@@ -1,12 +1,11 @@
-/* Shared by all commands: option table, help, messages, input, output, exit. Only this code prints or exits. A command
- * proceeds in the order: options, read, check, compute, write.
+/* Code that all commands share: options, help, messages, input, output and exit. No other code prints or exits. A
+ * command works in this order: it parses its options, reads, checks, computes and writes.
  *
- * Every command has -h --help, -V --version, -v --verbose, -q --quiet, -o --output, -j --threads and --max-memory;
- * -s --seed and --json if its struct cmd_program says so. One table per command feeds the parser, --help, the check of
- * the manual and the completions (--options-table prints it as TSV).
+ * Every command has -h --help, -V --version, -v --verbose, -q --quiet, -o --output, -j --threads and --max-memory; it
+ * has -s --seed and --json if its struct cmd_program says so. One table per command feeds the parser, --help, the check
+ * of the manual and the completions (--options-table prints it as TSV).
  *
- * Functions that die print a message and exit with the status of the error.
- */
+ * A function that dies prints a message and exits with the status of the error. */
 #ifndef SHARED_CMD_H
 #define SHARED_CMD_H
 
@@ -45,21 +44,21 @@ struct cmd_option {
     char letter;      /* 0: long form only */
     const char *name; /* without dashes */
     enum cmd_type type;
-    double minimum, maximum;    /* of INT, REAL, SIZE and both numbers of PAIR */
-    const char *metavariable;   /* "N", "PX", "DEGREES", "FILE"; NULL for a flag */
-    const char *help;           /* one line, with the default; if it begins with '+', --help lists only the option's
-                                   name, after the others, to fit a screen */
-    void *value;                /* in: default, or a value that means "not given": NULL, a choice of -1, a number
-                                   outside the range; out; its type as in enum cmd_type */
-    const char *const *choices; /* of CHOICE: NULL-terminated */
+    double minimum, maximum;  /* range of INT, REAL, SIZE and of each number of PAIR */
+    const char *metavariable; /* such as "N", "PX", "DEGREES" or "FILE"; NULL for a flag */
+    const char *help; /* one line, with the default; if it begins with '+', --help lists only the option's name, after
+                         the other options, so that the help fits a screen */
+    void *value;      /* in: the default, or a value that means "not given": NULL, a choice of -1, a number outside the
+                         range; out: the value given; its type as in enum cmd_type */
+    const char *const *choices; /* names that a CHOICE accepts, NULL-terminated */
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };
 
 struct cmd_program {
-    const char *name;            /* "tamgen" */
-    const char *operands;        /* "[FILE]", "A B", ""; several forms are separated by newlines */
+    const char *name;            /* such as "tamgen" */
+    const char *operands;        /* such as "[FILE]" or "A B"; "": none; several forms are separated by newlines */
     const char *summary;         /* one line or several */
-    const char *const *examples; /* NULL-terminated shell commands, about two */
+    const char *const *examples; /* shell commands, NULL-terminated; about two */
     const struct cmd_option *options;
     int operands_min, operands_max; /* operands_max -1: any number */
     bool seeded;                    /* has -s --seed */
@@ -76,16 +75,16 @@ struct cmd_args {
     bool json, verbose, quiet;
     int operand_count;
     char **operands;
-    struct hatch_arena keep;    /* arena until cmd_end; its limit is max_memory */
-    struct hatch_arena scratch; /* scratch arena; likewise */
+    struct hatch_arena keep;    /* arena that lives until cmd_end; its limit is max_memory */
+    struct hatch_arena scratch; /* scratch arena with the same lifetime and limit */
     struct hatch_pool *pool;    /* private: see cmd_pool */
 };
 
 /* Parses the command line. Prints help or version and exits with 0; prints two lines and exits with 2 on wrong usage.
- * Installs handlers that remove unfinished outputs when a signal ends the process. To be called first. */
+ * Installs handlers that remove unfinished outputs when a signal ends the process. Call it first. */
 void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
 
-/* Sets the value of an option as if it were on the command line; dies on an invalid value. */
+/* Sets the value of an option as if it stood on the command line; dies on an invalid value. */
 void cmd_set_option(const struct cmd_option *option, const char *text);
 
 /* Returns the thread pool, made on the first call. */
@@ -96,13 +95,14 @@ struct hatch_pool *cmd_pool(struct cmd_args *args);
  *   path  NULL or "-": standard input, at most once */
 struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
 
-/* Reads a whole file like cmd_read, but returns the status. For files that belong to another one, such as a glTF's
- * .bin. */
+/* Reads a whole file like cmd_read, but returns the status instead of dying. For companion files, such as the .bin file
+ * of a glTF. */
 enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path, struct hatch_bytes *bytes,
                                struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the path of a file that is installed with the commands, in args->keep. It is relative to the parent of the
- * folder that holds the executable, in the build tree as in an installation. The file may not exist.
+/* Returns, in args->keep, the path of a file that is installed with the commands: the relative path, taken from the
+ * parent of the folder that holds the executable. The build tree has the same layout as an installation. The file may
+ * not exist.
  *   relative  such as "share/hatch/styles/ink.style" or "lib/hatch/hatch-oiio.so" */
 const char *cmd_installed_path(struct cmd_args *args, const char *relative);
 
@@ -113,15 +113,15 @@ const char *cmd_input_name(const char *path);
 
 struct cmd_output;
 
-/* Opens an output, before the work is done, so that a missing or read-only folder fails at once. Makes a hidden file
- * beside path; opens path itself if it exists and is not a regular file. Dies on failure, for binary data to a
- * terminal, and for a second output to the same file.
+/* Opens an output before the work is done, so that a missing or read-only folder fails at once. Makes a hidden file
+ * beside path; if path exists and is not a regular file, opens it instead. Dies on failure, when binary data would go
+ * to a terminal, and for a second output to the same file.
  *   path  NULL or "-": standard output */
 struct cmd_output *cmd_open_output(const char *path, bool binary);
 
-/* Dies, as wrong usage, for a file name whose ending is that of another known format.
+/* Dies with HATCH_USAGE if a file name has the ending of a known format that is not among the allowed ones.
  *   path     may be NULL
- *   endings  allowed ones, without dots, separated by spaces, such as "png exr" */
+ *   endings  allowed endings, without dots, separated by spaces, such as "png exr" */
 void cmd_check_ending(const char *path, const char *endings);
 
 /* An output and its content: size bytes of data, followed by the pieces. */
@@ -133,8 +133,8 @@ struct cmd_file {
     size_t piece_count;
 };
 
-/* Writes and closes all files; when all of them are on disk, renames the hidden files to their targets. Dies on
- * failure, and then every old file is unchanged. Frees the outputs. */
+/* Writes and closes all files, then renames the hidden files to their targets and frees the outputs. Dies on failure;
+ * if writing failed, no old file has changed. */
 void cmd_write_all(const struct cmd_file *files, size_t count);
 
 /* Writes the content of one file early, so that it need not be kept in memory. A later cmd_write_all, without data for
@@ -145,15 +145,15 @@ bool cmd_write_ahead(const struct cmd_file *file);
 /* Writes a single output like cmd_write_all. */
 void cmd_write(struct cmd_output *output, const void *data, size_t size);
 
-/* Ends the command: frees everything, checks that standard output was written, returns status for main. */
+/* Ends the command: frees everything, checks that standard output was written, and returns status for main. */
 int cmd_end(struct cmd_args *args, enum hatch_status status);
 
-/* Prints "tamgen: FILE: sentence" to standard error, for HATCH_USAGE also "try 'tamgen --help'", removes unfinished
- * outputs and exits with the status of err.
+/* Prints "tamgen: FILE: sentence" to standard error, followed by "try 'tamgen --help'" for HATCH_USAGE; removes
+ * unfinished outputs and exits with the status of err.
  *   file  may be NULL */
 noreturn void cmd_die(const char *file, const struct hatch_err *err);
 
-/* Dies if status is not HATCH_OK: cmd_check(f(..., &err), path, &err). */
+/* Dies if status is not HATCH_OK. Used as cmd_check(f(..., &err), path, &err). */
 void cmd_check(enum hatch_status status, const char *file, const struct hatch_err *err);
 
 /* Dies with HATCH_USAGE. */
@@ -166,10 +166,10 @@ void cmd_warn(const char *file, const char *format, ...) HATCH_PRINTF(2, 3);
 /* Prints "tamgen: sentence" to standard error with --verbose. */
 void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);
 
-/* Prints "tamgen: sentence" to standard error. */
+/* Prints "tamgen: sentence" to standard error, even with --quiet. */
 void cmd_say(const char *format, ...) HATCH_PRINTF(1, 2);
 
-/* Returns the noun for a count: "1 patch", "2 patches". */
+/* Returns the form of a noun that fits a count: "1 patch", "2 patches". */
 static inline const char *cmd_plural(uint64_t count, const char *one, const char *many)
 {
     return count == 1 ? one : many;
@@ -178,7 +178,8 @@ static inline const char *cmd_plural(uint64_t count, const char *one, const char
 /* Returns the milliseconds since cmd_begin, by a monotonic clock. */
 double cmd_elapsed_ms(void);
 
-/* Prints a progress line to standard error, only to a terminal and only after a second.
+/* Prints a progress line to standard error, but only if that is a terminal, and only after a second.
+ *   what   things that are counted, such as "patches"
  *   share  0 .. 1 */
 void cmd_progress(const char *what, double share);
 

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* Rounding steps, coarser than the differences of libm between processors, finer than is visible (0.00005 degrees). */
+/* Rounding steps: coarser than the differences between the libm of different processors, and too fine to be visible
+ * (2^-20 is 0.00005 degrees). */
 #define DIRECTION_STEP 0x1p-20
 #define CONFIDENCE_STEP 0x1p-12
 

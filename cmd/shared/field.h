@@ -7,19 +7,19 @@
 #include "curvature/curvature.h"
 #include "field/field.h"
 
-/* Defaults of dirfield; the support of curvature follows the noise. */
+/* Defaults of dirfield, which estimates curvature with adaptive support (struct hatch_curvature_options). */
 #define CMD_FIELD_SMOOTH 0.5
 #define CMD_FIELD_TOLERANCE 3e-5
-#define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: a prism of five sides still counts as round */
+#define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: edges of a five-sided prism still count as round */
 #define CMD_FIELD_ITERATIONS 10000
 
-/* Replaces a mesh by that of its surface with the attribute _HATCH_DIR, and NORMAL if the file had none. Directions and
- * confidences are rounded, so that the result does not depend on libm; the first component of each direction that is
- * not 0 is positive. Dies on failure.
- *   name        of the input, for messages
- *   direction   three numbers per point of the surface
- *   confidence  one per point
- *   mesh        out: its arrays are in args->keep */
+/* Replaces a mesh by the mesh of its surface; sets the attribute _HATCH_DIR, and adds NORMAL if the file had none.
+ * Directions and confidences are rounded, so that the result does not depend on libm. Each direction gets the sign with
+ * which its first component other than 0 is positive. Dies on failure.
+ *   name        name of the input, for messages
+ *   direction   3 per point of the surface
+ *   confidence  1 per point of the surface
+ *   mesh        in, out: the new arrays are in args->keep */
 void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                       const double *direction, const double *confidence, struct hatch_scene_mesh *mesh);
 

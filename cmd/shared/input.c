@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define FIRST_CAPACITY ((size_t)64 << 10) /* bytes */
+#define FIRST_CAPACITY ((size_t)64 << 10) /* first size of the memory for a file of unknown size, bytes */
 
 static bool is_standard_input(const char *path)
 {
@@ -22,7 +22,7 @@ const char *cmd_input_name(const char *path)
 }
 
 /* Reads to the end of a file.
- *   guess  its size, as far as known: regular files may grow, and the size of files in /proc is 0 */
+ *   guess  expected size, 0 if unknown; it may be wrong, since regular files may grow and files in /proc have size 0 */
 static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                      struct hatch_err *err)
 {

@@ -1,4 +1,4 @@
-/* Tonal art maps as input of a command. */
+/* Reads tonal art maps that are the input of a command. */
 #ifndef SHARED_MAP_H
 #define SHARED_MAP_H
 

@@ -13,19 +13,19 @@
 #define OPTIONS_MAX 96
 #define THREADS_MAX 256
 
-/* Value of getopt_long for entry i of the table; larger than every letter. */
+/* Code that getopt_long returns for entry i of the table; larger than every letter. */
 #define CODE_OF(i) (1000 + (int)(i))
 
 struct table {
     struct cmd_option options[OPTIONS_MAX];
-    size_t own, count; /* the options of the command come first, own of them, then the common ones */
+    size_t own, count; /* the first own entries are the command's options, the others are the common options */
 };
 
 /* Values of the common options, copied to struct cmd_args after parsing. */
 static struct {
     bool help, version, options_table, verbose, quiet, json;
     const char *output;
-    int64_t threads; /* 0: as many as there are processors */
+    int64_t threads; /* 0: one for each processor */
     int64_t seed;
     uint64_t max_memory;
 } common;
@@ -63,7 +63,7 @@ static void make_table(const struct cmd_program *program, struct table *table)
         (struct cmd_option){'h', "help", CMD_FLAG, 0, 0, NULL, "print the help and exit", &common.help, NULL, NULL});
     add(table, (struct cmd_option){'V', "version", CMD_FLAG, 0, 0, NULL, "print the version and exit", &common.version,
                                    NULL, NULL});
-    /* For scripts: not in --help, which is for people. */
+    /* This option is for scripts; --help, which is for people, does not list it. */
     add(table,
         (struct cmd_option){0, "options-table", CMD_FLAG, 0, 0, NULL,
                             "print all options as tab-separated values and exit", &common.options_table, NULL, NULL});
@@ -74,7 +74,7 @@ static noreturn void refuse(const struct cmd_option *option, const char *text, c
     cmd_usage("--%s: '%s' is not %s", option->name, text, want);
 }
 
-/* Writes "a whole number from 1 to 256". */
+/* Describes the values that an option takes, such as "a whole number from 1 to 256". */
 static void describe_range(const struct cmd_option *option, char *text, size_t size)
 {
     const char *kind = option->type == CMD_INT    ? "a whole number"
@@ -203,7 +203,7 @@ void cmd_set_option(const struct cmd_option *option, const char *text)
         *option->given = true;
 }
 
-/* Writes "-o, --output FILE". */
+/* Writes the names of an option, such as "-o, --output FILE". */
 static void print_names(const struct cmd_option *option, char *text, size_t size)
 {
     char letter[8] = "    ";
@@ -256,7 +256,9 @@ static void print_secondary(const struct table *table)
         printf("\n");
 }
 
-/* Lists the common options other than -o and -s, without help, to fit a screen; hatch(7) describes them. */
+/* Lists the common options other than -o and -s, without their help, so that the whole help fits a screen; hatch(7)
+ * describes them.
+ *   flags  true: those that take no value; false: those that take one */
 static void print_shared(const struct table *table, bool flags)
 {
     struct names_line line = {0};
@@ -297,8 +299,8 @@ static noreturn void print_help(const struct cmd_program *program, const struct 
     exit(HATCH_OK);
 }
 
-/* The value of an option that nobody gives; nothing for flags and for values that mean "not given": NULL, a choice
- * below 0, or a number outside the range. */
+/* Prints the default of an option. Prints nothing for flags, for repeatable options, and for values that mean "not
+ * given": NULL, a choice below 0, or a number outside the range. */
 static void print_default(const struct cmd_option *option)
 {
     const double *pair = option->value;
@@ -356,7 +358,8 @@ static noreturn void print_version(const struct cmd_program *program)
     exit(HATCH_OK);
 }
 
-/* A leading '-' makes getopt_long return operands in order and ignore POSIXLY_CORRECT; ':' suppresses its messages. */
+/* Fills the tables of getopt_long. A leading '-' in letters makes it return operands in order and ignore
+ * POSIXLY_CORRECT; ':' suppresses its messages. */
 static void make_getopt_tables(const struct table *table, struct option *longs, char *letters)
 {
     *letters++ = '-';

@@ -19,18 +19,18 @@ struct cmd_output {
     char *name;   /* for messages */
     char *hidden; /* path of the hidden file; NULL: write to descriptor */
     char *target; /* path to which the hidden file is renamed */
-    bool filled;  /* the hidden file is written */
+    bool filled;  /* the content is already in the hidden file */
     int descriptor;
 };
 
-/* The hidden files that exist; read by a signal handler. */
+/* Paths of the hidden files that exist, or NULL; read by a signal handler. */
 static char *volatile unfinished[CMD_OUTPUTS_MAX];
 
-/* Target of each hidden file, in a form that is the same for all spellings of its path. */
+/* Location of the target of each hidden file; the same for all spellings of its path. */
 static struct location {
     dev_t device;
     ino_t folder;
-    const char *name; /* within the folder; empty: unknown */
+    const char *name; /* name in the folder; empty: unknown */
 } locations[CMD_OUTPUTS_MAX];
 
 static bool stdout_taken;
@@ -38,7 +38,8 @@ static bool stdout_taken;
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 #define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
 
-/* A graphics driver without memory may crash. These signals cannot be blocked. */
+/* Signals of crashes: a graphics driver that runs out of memory may crash, and hidden files are removed even then.
+ * cmd_block_signals leaves these signals alone. */
 static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 static bool stdout_closed;
@@ -59,7 +60,7 @@ static void remove_unfinished(void)
             unlink(unfinished[i]);
 }
 
-/* Signal handler: the signal, raised again with its default action, ends the process when this returns. */
+/* Signal handler. Raises the signal again with its default action, which ends the process when the handler returns. */
 static void clean_up_and_end(int signal_number)
 {
     remove_unfinished();
@@ -122,7 +123,8 @@ static void refuse_terminal(int descriptor, bool binary)
         cmd_usage("binary data is not written to a terminal: use -o FILE or a pipe");
 }
 
-/* Resolves symbolic links, so that the rename replaces the file and not the link. */
+/* Returns the path of the file to replace, with symbolic links resolved, so that the rename replaces the file and not
+ * the link. */
 static char *final_path(const char *path, bool exists)
 {
     char *resolved = NULL;
@@ -143,7 +145,7 @@ static mode_t mode_for(const struct stat *existing)
     return 0666 & ~mask;
 }
 
-/* The location of a path; in a folder that does not exist it differs from all others. */
+/* Returns the location of a path. If the folder does not exist, the location has no name and equals no other. */
 static struct location locate(const char *target)
 {
     const char *slash = strrchr(target, '/');
@@ -156,7 +158,7 @@ static struct location locate(const char *target)
     return (struct location){info.st_dev, info.st_ino, slash ? slash + 1 : target};
 }
 
-/* Dies for a second output to one location, which would overwrite the first. */
+/* Dies for a second output to the same location, which would overwrite the first. */
 static void refuse_second(const struct location *location, const char *name)
 {
     for (size_t i = 0; i < CMD_OUTPUTS_MAX && *location->name; i++)
@@ -303,7 +305,8 @@ static void free_output(struct cmd_output *output)
     free(output);
 }
 
-/* Steps that may fail come before an old file is replaced; pipes, which cannot be undone, come after the files. */
+/* Writing, which may fail, comes before any old file is replaced. Pipes are written after the files, since output to a
+ * pipe cannot be undone. */
 void cmd_write_all(const struct cmd_file *files, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -333,7 +336,7 @@ void cmd_close_stdout(void)
     stdout_closed = true;
     bool failed = fflush(stdout) != 0;
     int error_number = errno;
-    /* EBADF: the caller ran the command with a closed standard output and wrote nothing to it. */
+    /* EBADF: the command was started with its standard output closed, and has written nothing to it. */
     if (!failed && close(STDOUT_FILENO) < 0 && errno != EBADF) {
         failed = true;
         error_number = errno;

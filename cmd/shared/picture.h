@@ -5,10 +5,10 @@
 #include "shared/cmd.h"
 #include "image/image.h"
 
-/* Reads a picture. Numbers that are not finite are replaced, by 0 in the alpha channel, with a warning. Dies on
+/* Reads a picture. Replaces numbers that are not finite, colours by fallback and alpha by 0, and warns of them. Dies on
  * failure.
  *   path      NULL or "-": standard input
- *   fallback  replaces colours that are not finite
+ *   fallback  value for colours that are not finite
  *   arena     receives the pixels and the file */
 void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, struct hatch_arena *arena,
                       struct hatch_image *image);

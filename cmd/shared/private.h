@@ -18,7 +18,7 @@ void cmd_install_signal_handlers(void);
 /* Removes unfinished outputs. */
 void cmd_discard_outputs(void);
 
-/* Blocks (true) or unblocks (false) the signals that end the process, crashes excepted. */
+/* Blocks (true) or unblocks (false) the signals that end the process, except those of crashes. */
 void cmd_block_signals(bool block);
 
 /* Flushes and closes standard output; dies on failure. */

@@ -19,8 +19,9 @@ bool cmd_is_quiet, cmd_is_verbose;
 static struct timespec begun, last_progress;
 static bool progress_shown;
 
-/* Opens closed standard descriptors. Otherwise the next file opened would get one of them, and the output of the stream
- * with it. They are opened in the wrong direction, so that their use fails. */
+/* Opens those of the descriptors 0, 1 and 2 that are closed. Otherwise the next file opened would get such a
+ * descriptor, and with it the output meant for the standard stream. They are opened in the wrong direction, so that
+ * their use fails. */
 static void keep_standard_descriptors(void)
 {
     for (int descriptor = 0; descriptor <= 2; descriptor++)
@@ -46,7 +47,7 @@ struct hatch_pool *cmd_pool(struct cmd_args *args)
 {
     if (!args->pool) {
         struct hatch_err err;
-        /* Blocked signals stay blocked in new threads, so only the first thread runs the handlers. */
+        /* New threads inherit blocked signals, so only the first thread runs the handlers. */
         cmd_block_signals(true);
         enum hatch_status status = hatch_pool_make(args->threads, &args->keep, &args->pool, &err);
         cmd_block_signals(false);

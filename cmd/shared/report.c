@@ -9,7 +9,7 @@ static void add_text(struct cmd_report *report, const char *text)
     cmd_check(hatch_buffer_print(&report->text, &err, "%s", text), NULL, &err);
 }
 
-/* Adds a text between the quotes of JSON or between tabs. */
+/* Adds the text of a cell: escapes quotes and backslashes for JSON, and replaces control characters by '?'. */
 static void add_escaped(struct cmd_report *report, const char *text)
 {
     for (; *text; text++) {

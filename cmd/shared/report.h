@@ -1,4 +1,4 @@
-/* Reports: tables of figures, written as TSV with a header line or as JSON, an array with one object per row. */
+/* Reports are tables of figures, written as TSV with a header line, or as JSON, an array with one object per row. */
 #ifndef SHARED_REPORT_H
 #define SHARED_REPORT_H
 
@@ -18,11 +18,11 @@ struct cmd_report {
  *   columns  names, NULL-terminated; kept by reference */
 void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns);
 
-/* Add the next cell, row by row. Control characters of texts become '?'. Numbers have nine digits; those that are not
- * finite are nan, inf or -inf in TSV and null in JSON. */
+/* Each function adds the next cell, row by row. Control characters in texts become '?'. Numbers have nine significant
+ * digits; those that are not finite are nan, inf or -inf in TSV and null in JSON. */
 void cmd_report_text(struct cmd_report *report, const char *text);
 void cmd_report_number(struct cmd_report *report, double number);
-void cmd_report_numbers(struct cmd_report *report, const double *numbers, uint32_t count); /* NULL: nan in all */
+void cmd_report_numbers(struct cmd_report *report, const double *numbers, uint32_t count); /* NULL: all are nan */
 void cmd_report_integer(struct cmd_report *report, uint64_t number);
 
 /* Ends the table after a full row and returns it, for a command with other outputs. */

@@ -7,8 +7,9 @@
 #include "io/gltf/gltf.h"
 #include "io/mesh/file.h"
 
-/* Reads a companion file of a glTF, relative to it.
- *   context  path of the glTF */
+/* Reads a companion file of a glTF.
+ *   context  path of the glTF
+ *   uri      relative to the folder of the glTF */
 static enum hatch_status read_companion(void *context, const char *uri, struct hatch_arena *arena,
                                         struct hatch_bytes *bytes, struct hatch_err *err)
 {
@@ -17,7 +18,7 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, uri);
     if (length < 0 || (size_t)length >= sizeof joined)
         return hatch_fail(err, HATCH_BAD_INPUT, "%.100s: the path is too long", uri);
-    /* Opening a pipe would wait for a writer, reading a device might never end. */
+    /* Opening a pipe would wait for a writer, and reading a device might never end. */
     struct stat info;
     if (stat(joined, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: is a pipe or a device, not a file", uri);

@@ -1,4 +1,5 @@
-/* Scenes and meshes as input of a command, in any format. For commands that link gltf. */
+/* Scenes and meshes as input of a command, in all formats that hatch reads. A command that uses this links the package
+ * gltf. */
 #ifndef SHARED_SCENE_H
 #define SHARED_SCENE_H
 
@@ -6,25 +7,27 @@
 #include "scene/scene.h"
 
 enum cmd_scene_cleaning {
-    CMD_SCENE_AS_IS,  /* the content of the file; warnings only for what was skipped */
+    CMD_SCENE_AS_IS,  /* as in the file; warns only of what was skipped */
     CMD_SCENE_CLEANED /* PLY, OBJ, OFF and STL are cleaned (hatch_mesh_clean), with warnings */
 };
 
-/* Edges with a larger angle stay sharp when normals are computed for a file without them; 60 degrees. */
+/* Crease angle of 60 degrees: edges with a larger angle stay sharp where a command computes normals. */
 #define CMD_CREASE_RAD 1.0471975511965976f
 
-/* Reads a scene: glTF with its companion files (except from standard input), or a mesh file as a scene of one node.
- * Normals are those of the file, or flat ones for glTF without normals. Dies on failure.
+/* Reads a scene: glTF with its companion files (which cannot be read when the glTF comes from standard input), or a
+ * mesh file as a scene of one node. Normals are those of the file; a glTF without normals gets flat ones. Dies on
+ * failure.
  *   path   NULL or "-": standard input
  *   scene  out, in args->keep */
 void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
                     struct hatch_scene *scene);
 
-/* Reads a scene like cmd_read_scene, but adds to notes what there is to warn of, for commands that may still fail. */
+/* Reads a scene like cmd_read_scene, but counts defects in notes instead of warning of them. For commands that warn
+ * later, since they may still fail. */
 void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
                              struct hatch_scene *scene, struct hatch_mesh_notes *notes);
 
-/* Warns of each kind of defect, repaired or not. */
+/* Prints one warning for each kind of defect in notes, repaired or not. */
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes);
 
 #endif

@@ -27,8 +27,8 @@ bool cmd_has_style(struct cmd_args *args, const char *name)
     return !is_path(name) && installed_file(args, name, "style");
 }
 
-/* Installed styles come before files of the same name, so that the content of a folder cannot change the meaning of
- * "ink". */
+/* Returns the path of a style or palette. Installed ones take precedence over files of the same name, so that the
+ * content of a folder cannot change the meaning of "ink". */
 static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
 {
     if (is_path(name))

@@ -8,8 +8,8 @@
 
 /* Reads a style and its brush. A style without a name line is named after its file. Dies on failure; an unknown style
  * and wrong settings are wrong usage.
- *   name        an installed style ("pencil"), else a file; always a file with a slash or a dot in it; "-" is
- *               standard input
+ *   name        an installed style, such as "pencil", or the path of a file; a name with a slash or a dot is always a
+ *               path; "-" is standard input
  *   settings    style lines that follow those of the file, separated by ';'; NULL: none
  *   brush_path  an image that replaces the brush of the style; NULL: none
  *   brush       out, in args->keep */
@@ -20,15 +20,16 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
  *   name  as for cmd_read_style */
 void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style);
 
-/* Returns the path, in args->keep, of a file named in another one: relative to that file unless absolute.
- *   path  of the other file */
+/* Returns the path of a file that another file names: an absolute name is returned as it is, a relative one is taken
+ * from the folder of the other file. The path may be in args->keep.
+ *   path  path of the other file */
 const char *cmd_path_beside(struct cmd_args *args, const char *path, const char *name);
 
 /* Reads a brush from a picture into args->keep. Dies on failure. */
 void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush *brush);
 
-/* Returns whether a style of that name is installed. False for paths, so that the name of a style in a file cannot make
- * a command open other files. */
+/* Returns whether a style of that name is installed; false for paths. A style name stored in a file therefore cannot
+ * make a command open other files. */
 bool cmd_has_style(struct cmd_args *args, const char *name);
 
 #endif

@@ -11,7 +11,7 @@ static bool has_area(const struct hatch_mesh *mesh)
     return false;
 }
 
-/* Removes meshes without area from the scene and its nodes; returns their number. */
+/* Removes meshes without area from the scene and its nodes; returns how many were removed. */
 static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -88,7 +88,8 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct hatch_scene_mesh *from = &scene->meshes[i];
         cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);
-        /* Vertices at one position are no defect if their attributes may differ. */
+        /* Several vertices at one position are no defect in a triangle soup, or where other attributes may differ
+         * between them. */
         if (from->is_soup || from->mesh.attribute_count > 1)
             notes.welded = 0;
         if (hatch_mesh_find(&from->mesh, "_HATCH_DIR", 4)) /* dirfield has already reported these */

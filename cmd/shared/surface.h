@@ -1,4 +1,4 @@
-/* Surfaces as input of a command: shared by dirfield and lapped-param. For commands that link gltf. */
+/* Surfaces as input of a command: shared by dirfield and lapped-param, which link the package gltf. */
 #ifndef SHARED_SURFACE_H
 #define SHARED_SURFACE_H
 

@@ -5,7 +5,7 @@
 #include "io/texture/container.h"
 #include "io/exr/exr.h"
 
-/* The parts of an EXR. */
+/* State of making the parts of an EXR in parallel. */
 struct parts {
     const struct cmd_texture *texture;
     struct hatch_exr_writer *writer;

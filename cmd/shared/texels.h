@@ -16,9 +16,9 @@ struct cmd_texture {
 bool cmd_is_exr_path(const char *path);
 
 /* Encodes a texture as KTX2, or as OpenEXR if path ends in .exr. An EXR has one part per layer, or per slice of the
- * finest level; level l of the part for slice k of a 3D texture is slice k >> l; only one level of 1x1 texels is
- * written. Its numbers are half floats, 0 .. 1, its attributes the keys. Dies on failure.
- *   texture  HATCH_TEXELS_PLAIN for EXR
+ * finest level of a 3D texture; level l of the part for slice k is slice k >> l of that level. The chain of a part ends
+ * with its first level of 1x1 texels. Pixels are half floats, 0 .. 1; the keys become attributes. Dies on failure.
+ *   texture  for EXR: of code HATCH_TEXELS_PLAIN
  *   file     empty; receives the result */
 void cmd_encode_texture(struct cmd_args *args, const struct cmd_texture *texture, const char *path,
                         struct hatch_buffer *file);

@@ -5,13 +5,14 @@
 
 #include "shared/cmd.h"
 
-/* At most a third of the columns are copied at a time. Copies are floats, twice the size of a column in the file, so
- * with many threads they would need more memory than the map; and filling is too slow to need more. */
+/* At most 1 / COPIES_DIVISOR of the columns are copied at a time. A copy holds floats, at least twice the size of the
+ * column in the file, so that many threads could need more memory for copies than for the map. More copies would not
+ * help, since columns are filled slowly. */
 #define COPIES_DIVISOR 3u
-/* With one copy per thread, the other threads idle while this one compresses a column itself. */
+/* With only one copy per thread, the other threads would idle while the main thread compresses a column itself. */
 #define COPIES_PER_THREAD 2u
 
-/* A copy of a column to be compressed: the canvas changes meanwhile. */
+/* A copy of a column, to be compressed while the canvas already changes. */
 struct column_copy {
     struct hatch_exr_writer *writer;
     uint32_t tone;
@@ -80,7 +81,7 @@ enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_
         hatch_tam_sheet_add(columns->sheet, tone, column);
     cmd_progress("columns", (double)++columns->done / columns->tones);
     struct column_copy *copy = free_copy(columns);
-    if (!copy) /* all other threads are busy */
+    if (!copy) /* all copies are still being compressed */
         return hatch_exr_add_part(columns->writer, tone, column, err);
     if (copy->status != HATCH_OK) {
         *err = copy->err;

@@ -19,14 +19,14 @@ struct columns {
     uint32_t done; /* number of columns received */
 };
 
-/* Takes one column; struct hatch_tam_sink's take.
+/* Takes one column; has the type of take in struct hatch_tam_sink.
  *   context  struct columns */
 enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                struct hatch_err *err) HATCH_MUST_USE;
 
 /* Waits for the other threads and returns the file.
  *   head    out: first bytes of the file
- *   pieces  out: the others, one per column, valid until hatch_exr_abandon(columns->writer) */
+ *   pieces  out: the rest of the file, one piece per column, valid until hatch_exr_abandon(columns->writer) */
 enum hatch_status columns_finish(struct columns *columns, struct hatch_buffer *head, struct hatch_bytes *pieces,
                                  struct hatch_err *err) HATCH_MUST_USE;
 

@@ -26,7 +26,7 @@ struct outputs {
 /* Opens all outputs, before the work begins. */
 struct outputs open_outputs(const struct job *job);
 
-/* Prepares columns, and the sheet if there is one. job->color must be set. */
+/* Prepares job->columns, and job->sheet if it is written. job->color must be set. */
 void begin_columns(struct job *job);
 
 /* Encodes all outputs, then writes them. */
@@ -35,16 +35,16 @@ void write_outputs(struct job *job, const struct outputs *outputs);
 /* Options of --replay. */
 struct replay_job {
     const char *path;
-    bool is_svg; /* else a script */
+    bool is_svg; /* true: an SVG drawing; false: a script */
     struct hatch_bytes file;
     double keep; /* as in struct hatch_replay_options */
     bool fit;    /* likewise */
 };
 
-/* Reads the strokes of a script or an SVG drawing into job->strokes and reports what is not replayed. */
+/* Reads the strokes of a script or an SVG drawing into job->strokes and warns of parts that are not replayed. */
 void read_drawing(struct job *job, const struct replay_job *replay);
 
-/* Makes a map of these strokes; columns receive it. */
+/* Makes a map of job->strokes and passes its columns to job->columns. */
 void replay_drawing(struct job *job, const struct replay_job *replay);
 
 #endif

@@ -104,7 +104,7 @@ static void read_style(struct job *job)
     }
 }
 
-/* Fills the map; columns receive it. */
+/* Fills the map with strokes of the style and passes its columns to job->columns. */
 static void fill_map(struct job *job)
 {
     struct hatch_err err;

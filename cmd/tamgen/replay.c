@@ -3,7 +3,7 @@
 #include "job.h"
 #include "stroke/script.h"
 
-/* Warns of the parts of a drawing that are not replayed; dies if nothing else is left. */
+/* Warns of the parts of a drawing that are not replayed; dies if there is no stroke to replay. */
 static void warn_of_skipped(const struct job *job, const char *file, const struct hatch_svg_notes *notes)
 {
     struct hatch_err err;
@@ -55,7 +55,7 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
                  (double)result->tone_error);
 }
 
-/* Reports the errors: always with --fit, else with --verbose. */
+/* Reports the errors: with --fit unless --quiet, else only with --verbose. */
 static void report_errors(const struct job *job, const struct replay_job *replay,
                           const struct hatch_replay_result *result)
 {

@@ -8,7 +8,7 @@
 #include "io/png/png.h"
 #include "tam/pack.h"
 
-#define NUMBER_BYTES 16 /* of " 0.123456789" and a terminating zero */
+#define NUMBER_BYTES 16 /* room for " 0.123456789" and a terminating zero */
 
 static uint32_t count_one(const struct hatch_tam *tam)
 {
@@ -44,8 +44,8 @@ static void suffix_picture(const struct hatch_tam *tam, uint32_t index, char *su
     snprintf(suffix, size, ".%03u.%02u", index / levels, index % levels);
 }
 
-/* Writes a texture with the metadata that a shader needs: the tones of the channels or layers, which number is ink, and
- * the number of drawn levels. */
+/* Writes a texture with the metadata that a shader needs: the tones of the channels or layers, the number that stands
+ * for ink, and the number of drawn levels. */
 static enum hatch_status write_ktx2(const struct pack_job *job, uint32_t first, uint32_t count,
                                     const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)

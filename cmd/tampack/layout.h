@@ -1,4 +1,4 @@
-/* The layouts of tampack. */
+/* The layouts of tampack: the ways to pack a map into files. */
 #ifndef TAMPACK_LAYOUT_H
 #define TAMPACK_LAYOUT_H
 
@@ -9,20 +9,20 @@ struct pack_job {
     struct cmd_args *args;
     struct hatch_tam tam;
     bool ink_is_one;
-    const char *comment; /* "seed 1", for PNG */
+    const char *comment; /* such as "seed 1", for PNG; NULL: none */
 };
 
 struct pack_layout {
     const char *name;
-    const char *ending;  /* of file names, with the dot */
-    const char *warning; /* importers that read it wrongly; NULL: none is known */
+    const char *ending;  /* ending of file names, with the dot */
+    const char *warning; /* message about importers that misread this layout; NULL: none is known */
     bool keeps_ids;
     bool takes_ink; /* allows --ink */
-    bool is_single; /* always one file */
+    bool is_single; /* always makes one file */
 
-    /* Returns the number of files. */
+    /* Returns the number of files that a map is packed into. */
     uint32_t (*count)(const struct hatch_tam *tam);
-    /* Writes the suffix of one of several file names, before the ending. */
+    /* Writes the suffix of the name of file index, such as ".003"; it stands before the ending. */
     void (*suffix)(const struct hatch_tam *tam, uint32_t index, char *suffix, size_t size);
 
     /* Encodes one file; called on several threads at once. scratch is freed afterwards. */
@@ -30,7 +30,7 @@ struct pack_layout {
                                 struct hatch_buffer *file, struct hatch_err *err);
 };
 
-/* In the order of the option's choices. */
+/* All layouts, in the order of the choices of --layout. */
 extern const struct pack_layout pack_layouts[];
 
 #endif

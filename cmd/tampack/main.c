@@ -57,7 +57,7 @@ static const char *after_last_slash(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* The length of a name without its ending; a leading dot does not begin an ending. */
+/* Returns the length of a name without its ending; a leading dot does not begin an ending. */
 static size_t stem_length(const char *name)
 {
     const char *dot = strrchr(name, '.');
@@ -71,8 +71,8 @@ static const char *input_stem(const char *input)
 }
 
 /* Makes the name of an output file, in args->keep.
- *   path    of --output: a name or an existing folder
- *   input   path of the map, which names the files in a folder; NULL or "-": standard input
+ *   path    value of --output: a name or an existing folder
+ *   input   path of the map, after which files in a folder are named; NULL or "-": standard input
  *   ending  with the dot */
 static const char *file_name(struct cmd_args *args, const char *path, const char *input, const char *suffix,
                              const char *ending)
@@ -97,7 +97,7 @@ struct file {
     const struct pack_job *job;
     const struct pack_layout *how;
     struct cmd_output *output;
-    struct hatch_arena arena; /* of bytes */
+    struct hatch_arena arena; /* arena of bytes */
     struct hatch_buffer bytes;
     enum hatch_status status;
     struct hatch_err err;

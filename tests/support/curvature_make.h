@@ -1,4 +1,4 @@
-/* Shapes with known principal directions, and the angles between these and the estimated ones. */
+/* Shapes with known principal directions, and the angles between these and estimated ones. */
 #ifndef HATCH_TEST_CURVATURE_MAKE_H
 #define HATCH_TEST_CURVATURE_MAKE_H
 
@@ -49,8 +49,8 @@ static inline int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Adds the angles between a field and the known one, where that is defined.
- *   border  only at border points */
+/* Adds the angles between a field and the known directions at all points that have one.
+ *   border  true: only at border points */
 static inline void add_angles(struct angles *angles, const struct field_case *of, const double *direction, bool border)
 {
     double *more = HATCH_NEW(&keep, double, (size_t)angles->count + of->surface.point_count, &err);

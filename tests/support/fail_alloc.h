@@ -1,4 +1,4 @@
-/* Runs a function with its n-th allocation failing, for n = 1, 2, .. until it succeeds.
+/* Runs a function again and again, with its n-th allocation failing, for n = 1, 2, .. until it succeeds.
  *
  *     static enum hatch_status make(void *context, struct hatch_arena *keep,
  *                                   struct hatch_arena *scratch, struct hatch_err *err)
@@ -11,9 +11,9 @@
  *         hatch_test_fail_alloc(make, &thing, &thing, sizeof thing);
  *     } END_TEST
  *
- * Each run gets new arenas; first the allocations of keep fail, then those of scratch. Checks that every failure is
- * HATCH_LIMIT with a message and leaves the outputs (may be NULL) unchanged, that every return leaves scratch empty,
- * and that there was a failure. Returns the number of failures.
+ * Each run gets new arenas. First the allocations of keep fail, then those of scratch. Every failure must be
+ * HATCH_LIMIT with a message and leave the outputs unchanged (outputs may be NULL); scratch must be empty after every
+ * return; and at least one run must fail. Returns the number of failures.
  */
 #ifndef HATCH_TEST_FAIL_ALLOC_H
 #define HATCH_TEST_FAIL_ALLOC_H

@@ -16,7 +16,7 @@ struct field_case {
     struct hatch_mesh mesh;
     struct hatch_surface surface;
     struct hatch_frames frames;
-    double *direction, *confidence; /* per point: data for a field to follow */
+    double *direction, *confidence; /* per point: given directions, to which a field is fitted */
 };
 
 static inline struct field_case case_of(struct hatch_mesh mesh)
@@ -39,8 +39,9 @@ static inline struct field_case case_of_shape(enum hatch_shape shape, uint32_t f
     return case_of(mesh);
 }
 
-/* Sets the data to the known principal directions of a shape, with noise.
- *   noise_rad  standard deviation of the normally distributed angle */
+/* Sets direction and confidence to the known principal directions of a shape, with noise.
+ *   noise_rad   standard deviation of the normally distributed angle
+ *   confidence  at points where a direction is known; 0 elsewhere */
 static inline void follow_truth(struct field_case *of, enum hatch_shape shape, double noise_rad, double confidence)
 {
     for (size_t i = 0; i < 3 * (size_t)of->surface.face_count; i++) {
@@ -72,7 +73,7 @@ static inline struct hatch_singularities singularities_of(const struct field_cas
     return found;
 }
 
-/* Returns the angle between two directions at a point, in its plane, 0 .. π/2. */
+/* Returns the angle between two directions at a point, in its tangent plane, 0 .. π/2. */
 static inline double line_angle(const struct field_case *of, uint32_t p, const double *a, const double *b)
 {
     return fabs(remainder(hatch_frames_angle(&of->frames, p, a) - hatch_frames_angle(&of->frames, p, b), PI));

@@ -57,7 +57,9 @@ static inline struct lapped_case make_lapped(struct field_case field, const stru
     return made;
 }
 
-/* Mask coordinates at a point of a patch's face, given in barycentric coordinates. entry: index in lapped->faces. */
+/* Computes the mask coordinates at a point of a patch's face.
+ *   entry  index of the face in lapped->faces
+ *   bary   barycentric coordinates of the point */
 static inline void mask_at(const struct hatch_lapped *lapped, uint32_t patch, uint32_t entry, const double bary[3],
                            double mask[2])
 {
@@ -69,7 +71,7 @@ static inline void mask_at(const struct hatch_lapped *lapped, uint32_t patch, ui
     }
 }
 
-/* The largest opacity at a point of a face, of the patches from index `first` on. */
+/* Returns the largest opacity that the patches from index first on have at a point of a face. */
 static inline double largest_opacity(const struct lapped_case *made, uint32_t face, const double bary[3],
                                      uint32_t first)
 {
@@ -87,7 +89,7 @@ static inline double largest_opacity(const struct lapped_case *made, uint32_t fa
     return most;
 }
 
-/* Checks that opacity is 1 at random points, up to the rounding of floats. */
+/* Checks that at random points some patch has opacity 1, up to the rounding of floats. */
 static inline void check_covered(const struct lapped_case *made, uint32_t samples)
 {
     for (uint32_t i = 0; i < samples; i++) {
@@ -103,7 +105,7 @@ static inline void check_covered(const struct lapped_case *made, uint32_t sample
     }
 }
 
-/* Signed area of a face in hatch coordinates (v rises downwards) over its area on the surface. */
+/* Returns the signed area of a face in hatch coordinates (v rises downwards) divided by its area on the surface. */
 static inline double area_ratio(const struct lapped_case *made, uint32_t patch, uint32_t entry)
 {
     const struct hatch_lapped *lapped = &made->lapped;

@@ -1,4 +1,4 @@
-/* Lapped scenes for tests: a surface cut into patches by a rule. */
+/* Lapped scenes for tests: a surface is cut into patches by a rule. */
 #ifndef HATCH_TEST_LAPPED_SCENE_H
 #define HATCH_TEST_LAPPED_SCENE_H
 
@@ -14,8 +14,8 @@ enum { LAPPED_SIZE = 64 }; /* side of the map and of the outline in texels */
 struct cut {
     uint32_t count;
     uint32_t materials; /* patch i has material i % materials */
-    bool (*holds)(uint32_t patch,
-                  const double point[3]); /* whether a patch has the face with this centroid; NULL: all */
+    /* Returns whether a patch has the face with this centroid; NULL: it has all. */
+    bool (*holds)(uint32_t patch, const double point[3]);
     /* Sets the hatch and outline coordinates of a vertex. */
     void (*place)(uint32_t patch, const float *position, float hatch[2], float outline[2]);
 };
@@ -29,7 +29,8 @@ static inline void middle_of(const struct hatch_mesh *mesh, size_t face, double 
     }
 }
 
-/* A patch with all attributes of the surface; each patch starts its faces at another corner. */
+/* Makes a patch with the attributes of the surface, but with texture coordinates from cut->place. Patches differ in the
+ * corner at which their faces start. */
 static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const struct cut *cut, uint32_t patch,
                                          struct hatch_arena *arena, struct hatch_err *err)
 {
@@ -72,7 +73,7 @@ static inline struct hatch_mesh patch_of(const struct hatch_mesh *surface, const
     return made;
 }
 
-/* A scene of one node whose meshes are the patches, before hatch_patches_join. */
+/* Makes a scene of one node whose meshes are the patches, as before hatch_patches_join. */
 static inline void lapped_scene(const struct hatch_mesh *surface, const struct cut *cut, struct hatch_arena *arena,
                                 struct hatch_scene *scene)
 {
@@ -92,7 +93,7 @@ static inline void lapped_scene(const struct hatch_mesh *surface, const struct c
             .mesh = patch_of(surface, cut, i, arena, err), .material = i % cut->materials, .had_normals = true};
 }
 
-/* Offsets of each patch in texels: u and v of the map, u and v of the outline. */
+/* Offsets of the texture coordinates of each patch, in texels: u and v of the map, u and v of the outline. */
 static const int shifts[4][4] = {{0, 0, 0, 0}, {5, 40, 11, -7}, {23, 9, -20, 3}, {50, 31, 2, 17}};
 
 static inline void place_shifted(uint32_t patch, const float *position, float hatch[2], float outline[2])
@@ -104,7 +105,8 @@ static inline void place_shifted(uint32_t patch, const float *position, float ha
     }
 }
 
-/* Caps of a sphere around points of a spiral, projected onto the tangent planes there. */
+/* Patches that are caps of a sphere around the points of a spiral. Each is projected onto the tangent plane at its
+ * point. */
 enum { CAPS = 40 };
 static const double CAP_COS = 0.86;
 

@@ -9,7 +9,7 @@
 #include "meshes.h"
 #include "line/trace.h"
 
-/* A copy with separate vertices for all corners. */
+/* Returns a copy in which every face corner has a vertex of its own. */
 static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
 {
     struct hatch_mesh apart;
@@ -38,7 +38,7 @@ static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uin
     return lines;
 }
 
-/* A view of the origin from (x, y, z); pictures are 400 pixels high. */
+/* Returns a view of the origin from (x, y, z). */
 static inline struct hatch_view view_from(double x, double y, double z, bool orthographic)
 {
     struct hatch_view view = {.eye = {x, y, z}, .orthographic = orthographic, .aspect = 1};

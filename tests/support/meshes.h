@@ -18,7 +18,7 @@ static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertice
     return mesh;
 }
 
-/* A built-in shape with all its attributes. */
+/* Makes a built-in shape with all its attributes. */
 static inline struct hatch_mesh shape_with(enum hatch_shape kind, struct hatch_shape_options options)
 {
     struct hatch_mesh mesh;
@@ -38,7 +38,8 @@ static inline struct hatch_mesh bare_shape(enum hatch_shape kind, uint32_t faces
     return mesh;
 }
 
-/* A band of n by width squares, closed into a ring; twisted: a Möbius strip. */
+/* Makes a band of n by width squares, closed into a ring.
+ *   twisted  true: a Möbius strip */
 static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
 {
     struct hatch_mesh mesh;
@@ -62,8 +63,8 @@ static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
     return mesh;
 }
 
-/* The figure-8 immersion of a Klein bottle, m by n squares, n even. No two vertices coincide where it intersects
- * itself. */
+/* Makes the figure-8 immersion of a Klein bottle, of m by n squares, n even. It intersects itself, but no two vertices
+ * coincide there. */
 static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
 {
     struct hatch_mesh mesh;
@@ -85,7 +86,7 @@ static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
     return mesh;
 }
 
-/* A copy with separate vertices for all corners and the faces in reverse order. */
+/* Returns a copy in which every face corner has a vertex of its own and the faces are in reverse order. */
 static inline struct hatch_mesh soup(const struct hatch_mesh *from)
 {
     struct hatch_mesh mesh;
@@ -99,7 +100,7 @@ static inline struct hatch_mesh soup(const struct hatch_mesh *from)
     return mesh;
 }
 
-/* A cube with eight vertices. */
+/* Makes a cube with eight vertices. */
 static inline struct hatch_mesh cube(float low, float high)
 {
     static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},

@@ -1,5 +1,5 @@
-/* Draws meshes and maps with render-gl's techniques, without files. Include after run.h; call frame_arenas, frame_open
- * and frame_draw, and frame_finish last. */
+/* Draws meshes and maps with render-gl's techniques, without files. Call frame_arenas, then frame_open and frame_draw,
+ * and frame_finish last. */
 #ifndef HATCH_TEST_RENDER_FRAME_H
 #define HATCH_TEST_RENDER_FRAME_H
 
@@ -20,14 +20,14 @@
 #define FRAME_TECHNIQUES_MAX 8
 
 struct test_frame {
-    struct cmd_args args;           /* arenas of the test, which it may rewind */
+    struct cmd_args args;           /* arenas of the test, which may rewind them */
     struct cmd_args technique_args; /* arenas of the techniques */
     struct hatch_err err;
     struct gpu_context context;
     struct hatch_scene scene;
     struct scene on_gpu;
-    struct asset asset;              /* map or tone texture of the techniques */
-    const struct hatch_rptam *model; /* model of the technique rptam */
+    struct asset asset;              /* map or tone texture that the techniques draw with */
+    const struct hatch_rptam *model; /* model that the technique rptam draws */
     struct assets assets;
     struct frame shown;
     struct technique_context technique_context;
@@ -35,7 +35,7 @@ struct test_frame {
     struct line_overlay *lines; /* drawn over every technique; NULL: none */
 };
 
-/* Bounds under which the unit scene equals the scene. */
+/* Bounds for which the unit scene equals the scene. */
 static const struct hatch_bounds frame_unit = {.radius = 1.0};
 
 static inline const struct technique *frame_technique(const char *name)
@@ -52,7 +52,7 @@ static inline const struct technique *frame_technique(const char *name)
     return NULL;
 }
 
-/* Opens and prepares a technique, once; returns the arguments of picture_draw. */
+/* Opens and prepares a technique if that is not yet done; returns the picture to pass to picture_draw. */
 static inline struct picture frame_picture(struct test_frame *frame, const char *name)
 {
     const struct technique *technique = frame_technique(name);
@@ -121,7 +121,7 @@ static inline void frame_arenas(struct test_frame *frame)
     hatch_arena_init(&frame->technique_args.scratch, (size_t)1 << 30);
 }
 
-/* A built-in shape with all its attributes, in args.keep. */
+/* Makes a built-in shape with all its attributes, in args.keep. */
 static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch_shape shape, uint32_t faces)
 {
     struct hatch_shape_options how = {.faces = faces, .seed = 1};
@@ -131,7 +131,7 @@ static inline struct hatch_mesh frame_shape(struct test_frame *frame, enum hatch
     return mesh;
 }
 
-/* A square of 2 x 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
+/* Makes a square with sides of 2 whose texture coordinates run from 0 to 1, u to the right and v downwards. */
 static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t faces)
 {
     struct hatch_mesh mesh = frame_shape(frame, HATCH_SHAPE_PLANE, faces);
@@ -144,7 +144,7 @@ static inline struct hatch_mesh frame_plane(struct test_frame *frame, uint32_t f
     return mesh;
 }
 
-/* Makes a scene of a mesh skinned to two joints, nodes 1 and 2, with weights that differ between vertices. The test
+/* Makes a scene of a mesh with a skin of two joints, nodes 1 and 2, whose weights differ between vertices. The test
  * must give both joints the same transform. */
 static inline void frame_skin(struct hatch_mesh *mesh, struct test_frame *frame)
 {
@@ -177,7 +177,7 @@ static inline void frame_skin(struct hatch_mesh *mesh, struct test_frame *frame)
     scene->meshes[0].joints_used = 2;
 }
 
-/* A view that frames the scene, from a little above and to the side. */
+/* Returns a view that frames the scene, from a little above and to the side. */
 static inline struct hatch_view frame_view(struct test_frame *frame, double aspect)
 {
     static const struct hatch_view_choice choice = {
@@ -205,7 +205,7 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
     canvas_free(&canvas);
 }
 
-/* Draws with a technique that writes numbers, one sample per pixel; the background is -1.
+/* Draws with a technique that writes numbers instead of colours, one sample per pixel; the background is -1.
  *   rgba  out: 4 floats per pixel, rows from the bottom up */
 static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
                                       uint32_t width, uint32_t height, float *rgba)
@@ -221,7 +221,7 @@ static inline void frame_draw_numbers(struct test_frame *frame, const char *tech
     canvas_free(&canvas);
 }
 
-/* The largest difference of a channel of two pictures of the same size. */
+/* Returns the largest difference between two pictures of the same size in any channel of a pixel. */
 static inline double frame_difference(const struct hatch_image *a, const struct hatch_image *b)
 {
     double worst = 0;
@@ -230,7 +230,7 @@ static inline double frame_difference(const struct hatch_image *a, const struct 
     return worst;
 }
 
-/* The mean darkness of all channels. */
+/* Returns the mean darkness over all pixels and channels. */
 static inline double frame_ink(const struct hatch_image *image)
 {
     double sum = 0;
@@ -239,7 +239,7 @@ static inline double frame_ink(const struct hatch_image *image)
     return sum / (3.0 * image->width * image->height);
 }
 
-/* Closes all techniques and frees their programs. Needed after changing options that shaders are compiled for. */
+/* Closes all techniques and frees their programs. Needed after changing options that are compiled into shaders. */
 static inline void frame_reset(struct test_frame *frame)
 {
     for (int i = 0; i < FRAME_TECHNIQUES_MAX; i++)

@@ -1,5 +1,4 @@
-/* Draws lapped scenes with a map of random texels and an outline that the test fills. Include after run.h; call begin
- * first. */
+/* Draws lapped scenes with a map of random texels and with an outline that the test fills. Call begin first. */
 #ifndef HATCH_TEST_RENDER_LAPPED_H
 #define HATCH_TEST_RENDER_LAPPED_H
 
@@ -61,7 +60,7 @@ static inline void round_mask(void)
     }
 }
 
-/* Makes the map black. Call it before the first technique draws. */
+/* Makes the map black. Call this before the first technique draws. */
 static inline void black_map(void)
 {
     for (uint32_t t = 0; t < TONES; t++)

@@ -1,5 +1,5 @@
-/* A tonal art map of random texels. Drawn with one texel per pixel (view_facing), the picture of a technique can be
- * computed pixel by pixel. */
+/* A tonal art map of random texels. Where it is drawn with one texel per pixel (view_facing), a test can compute the
+ * picture of a technique pixel by pixel. */
 #ifndef HATCH_TEST_RENDER_MAP_H
 #define HATCH_TEST_RENDER_MAP_H
 

@@ -1,5 +1,5 @@
 /* Makes models of recursive procedural tonal art maps for tests: seed points, a style, and a stroke that is darker
- * along its middle and at one end. Include after run.h. */
+ * along its middle and at one end. */
 #ifndef HATCH_TEST_RPTAM_MODEL_H
 #define HATCH_TEST_RPTAM_MODEL_H
 
@@ -10,7 +10,7 @@
 #include "seed/rptam.h"
 #include "seed/seeds_make.h"
 
-/* Parameters of a model; 0 stands for the default given. */
+/* Parameters of a model. Where a comment has "0: default", 0 stands for that default. */
 struct model_how {
     uint32_t seeds;  /* 0: 64 */
     uint32_t layers; /* 0: 1 */
@@ -33,7 +33,7 @@ static inline void model_stroke(bool solid, struct hatch_arena *arena, struct ha
         stroke->pixels[i] = solid ? 1.0f : (float)sin(3.1416 * (i / 64 + 0.5) / 16) * fminf(1.0f, (float)(i % 64) / 20);
 }
 
-/* A grain texture of 11 x 7 random pixels. */
+/* Makes a grain texture of 11 x 7 random pixels. */
 static inline const struct hatch_image *model_grain(struct hatch_arena *arena)
 {
     struct hatch_err failed;

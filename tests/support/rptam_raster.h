@@ -1,7 +1,7 @@
-/* Reference for pictures of rptam: a small rasteriser that evaluates Algorithm 2 in doubles over a mesh in perspective.
- * It shares only the renderer's contract: light at vertices; derivatives of the surface with respect to texture
- * coordinates per vertex, as area-weighted means over the faces around it; perspective-correct interpolation. Include
- * after run.h. */
+/* Reference for pictures of rptam: a small rasteriser that evaluates Algorithm 2 (Szécsi & Szirányi 2014) in doubles
+ * over a mesh in perspective. It shares no code with the renderer's shaders, but follows the same rules: light is
+ * computed at vertices; derivatives of the surface with respect to texture coordinates are, per vertex, the
+ * area-weighted means over the faces around it; interpolation is perspective-correct. Include after run.h. */
 #ifndef HATCH_TEST_RPTAM_RASTER_H
 #define HATCH_TEST_RPTAM_RASTER_H
 
@@ -21,8 +21,8 @@ struct raster_point {
 };
 
 struct raster_vertex {
-    struct raster_point point[2]; /* light on the front, and on the back */
-    double x, y, w;               /* pixels, distance along the view */
+    struct raster_point point[2]; /* [0]: with the light on the front, [1]: on the back */
+    double x, y, w;               /* x, y: pixels; w: distance along the view */
 };
 
 struct raster_pixel {
@@ -100,7 +100,7 @@ static inline void raster_vertices(struct raster *raster, struct hatch_arena *ar
     }
 }
 
-/* Interpolates a face at a pixel inside it, unless the pixel already shows something nearer. */
+/* Draws a face at a pixel, unless the pixel is outside it or already shows something nearer. */
 static inline void raster_pixel(const struct raster_vertex *const corner[3], struct raster_pixel *pixel)
 {
     double weight[3], area = 0, sum = 0;
@@ -151,7 +151,7 @@ static inline void raster_draw(struct raster *raster, struct hatch_arena *arena)
     }
 }
 
-/* Computes the displacement in the picture, in pixels, of a displacement on the surface. */
+/* Computes the displacement in the picture, in pixels, that belongs to a displacement on the surface. */
 static inline void raster_move(const struct raster *raster, const struct raster_pixel *pixel, const double vector[3],
                                double move[2])
 {
@@ -163,7 +163,7 @@ static inline void raster_move(const struct raster *raster, const struct raster_
 }
 
 /* Returns the ink at a pixel by Algorithm 2.
- *   low, high  tones of full light and of no light */
+ *   low, high  tones in full light and without light */
 static inline double raster_ink(const struct raster *raster, const struct raster_pixel *pixel,
                                 const struct hatch_rptam *rptam, double low, double high)
 {
@@ -184,7 +184,8 @@ static inline double raster_ink(const struct raster *raster, const struct raster
     return 1 - paper;
 }
 
-/* Whether the neighbourhood of a pixel is one smooth surface. At borders rounding decides which face is drawn. */
+/* Returns whether the pixels around a pixel show one smooth surface. At the borders of surfaces rounding decides which
+ * face is drawn, so pictures cannot be compared there. */
 static inline bool raster_is_inside(const struct raster *raster, uint32_t x, uint32_t y)
 {
     const struct raster_pixel *pixel = &raster->pixels[(size_t)y * raster->size + x];

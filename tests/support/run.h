@@ -29,7 +29,8 @@
 
 static inline int hatch_test_main(Suite *(*suite)(void))
 {
-    setenv("CK_DEFAULT_TIMEOUT", "600", 0); /* seconds; only against hangs, even on a busy machine */
+    /* Seconds; long enough for a busy machine, so that only tests that hang are ended. */
+    setenv("CK_DEFAULT_TIMEOUT", "600", 0);
     SRunner *runner = srunner_create(suite());
     srunner_set_tap(runner, "-");
     srunner_run_all(runner, CK_SILENT);

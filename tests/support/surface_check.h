@@ -1,4 +1,4 @@
-/* Checks that every surface must pass. */
+/* Checks for all surfaces: surface_check fails unless a surface has the properties that every surface must have. */
 #ifndef HATCH_TEST_SURFACE_CHECK_H
 #define HATCH_TEST_SURFACE_CHECK_H
 
@@ -14,7 +14,8 @@ static inline uint32_t surface_side_end(uint32_t side)
     return side % 3 == 2 ? side - 2 : side + 1;
 }
 
-/* Opposite sides refer to each other, join the same points, and have opposite directions on orientable components. */
+/* Checks that opposite sides refer to each other, join the same points, and have opposite directions on orientable
+ * components. */
 static inline void surface_check_opposites(const struct hatch_surface *s)
 {
     for (uint32_t side = 0; side < 3 * s->face_count; side++) {
@@ -40,8 +41,9 @@ static inline uint32_t surface_corner_of(const struct hatch_surface *s, uint32_t
     return 0;
 }
 
-/* Every corner of a point occurs once in its ring; each face lies between its two neighbours, counter-clockwise from
- * the first to the second unless flipped; an open ring begins and ends on the border. */
+/* Checks that the ring of a point contains each of its corners once; that each face lies between its two neighbours,
+ * counter-clockwise from the first to the second unless flipped; and that an open ring begins and ends on the
+ * border. */
 static inline void surface_check_ring(const struct hatch_surface *s, uint32_t p, uint32_t corner_count)
 {
     uint32_t first = s->ring_first[p], count = s->ring_first[p + 1] - first, faces = 0;
@@ -65,7 +67,7 @@ static inline void surface_check_ring(const struct hatch_surface *s, uint32_t p,
     ck_assert(count == faces || s->ring_face[first + count - 1] == HATCH_NO_SIDE);
 }
 
-/* ring_turned is the same at both ends of an edge. */
+/* Checks that ring_turned is the same at both ends of an edge. */
 static inline void surface_check_turned(const struct hatch_surface *s, uint32_t p)
 {
     for (uint32_t i = s->ring_first[p]; i < s->ring_first[p + 1]; i++) {
@@ -80,7 +82,8 @@ static inline void surface_check_turned(const struct hatch_surface *s, uint32_t 
     }
 }
 
-/* The points and faces of components are consecutive; their scale and topology are those of their faces. */
+/* Checks that the points and faces of components are consecutive, and that their scale and topology are those of their
+ * faces. */
 static inline void surface_check_components(const struct hatch_surface *s)
 {
     uint32_t point = 0, face = 0;
@@ -120,7 +123,8 @@ static inline void surface_check_components(const struct hatch_surface *s)
     ck_assert_uint_eq(face, s->face_count);
 }
 
-/* Corners are those of the mesh, flipped or not; points have the positions of the vertices of the mesh. */
+/* Checks that corners are those of the mesh, flipped or not, and that points have the positions of the mesh's
+ * vertices. */
 static inline void surface_check_source(const struct hatch_mesh *mesh, const struct hatch_surface *s)
 {
     double place[3], want[3];

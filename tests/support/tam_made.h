@@ -1,4 +1,4 @@
-/* Tonal art maps whose pixels are a function, for results known in closed form. */
+/* Tonal art maps whose pixels are computed by a function, for tests whose results are known in closed form. */
 #ifndef HATCH_TEST_TAM_MADE_H
 #define HATCH_TEST_TAM_MADE_H
 
@@ -7,10 +7,10 @@
 #include "tam/tam.h"
 #include "tam_map.h"
 
-/* Returns the reflectance of a channel at (u, v), 0 .. 1, of a level at a tone. */
+/* Returns the reflectance, 0 .. 1, of a channel at (u, v) of a level and a tone. */
 typedef float (*made_pixel)(float u, float v, uint32_t level, float tone, uint32_t channel);
 
-/* Makes a map in map_arena with columns of the tones darkest / tones, 2 darkest / tones .. darkest.
+/* Makes a map in map_arena. The tones of its columns rise in even steps from darkest / tones to darkest.
  *   letters  channels: "Y" or "RGB" */
 static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float darkest, const char *letters,
                                         made_pixel pixel)
@@ -41,7 +41,7 @@ static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float 
     return tam;
 }
 
-/* A ramp of greys instead of strokes: the reflectance of every pixel is 1 - tone. */
+/* A made_pixel for a map of plain greys instead of strokes: the reflectance of every pixel is 1 - tone. */
 static inline float made_ramp(float u, float v, uint32_t level, float tone, uint32_t channel)
 {
     (void)u, (void)v, (void)level, (void)channel;

@@ -1,4 +1,4 @@
-/* Tonal art maps for tests, filled with strokes of a style; columns are rounded as in a file. Call map_begin first and
+/* Tonal art maps for tests, filled with strokes of a style. Pixels are rounded as in a file. Call map_begin first and
  * map_end last. */
 #ifndef HATCH_TEST_TAM_MAP_H
 #define HATCH_TEST_TAM_MAP_H
@@ -69,7 +69,7 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
                                                .color = map->style.color_count > 0};
 }
 
-/* Keeps a column with its pixels rounded as in a file; struct hatch_tam_sink's take.
+/* Keeps a column with its pixels rounded as in a file; has the type of take in struct hatch_tam_sink.
  *   context  struct test_map */
 static inline enum hatch_status map_keep(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                          struct hatch_err *err)

@@ -4,7 +4,7 @@
 
 #include "view/view.h"
 
-/* The square from -1 to 1 in x and y fills a square picture. */
+/* An orthographic view in which the square from -1 to 1 in x and y fills a square picture. */
 static const struct hatch_view view_facing = {.eye = {0, 0, 2},
                                               .right = {1, 0, 0},
                                               .up = {0, 1, 0},

@@ -1,5 +1,5 @@
-/* Compares pictures of close-ups with a ray tracer in pairs of doubles: the texture coordinates of each pixel relative
- * to the seed points, drawn with floats alone or with pieces of near faces. Include after run.h. */
+/* Checks close-ups against a ray tracer in double-double arithmetic. Compared are the positions of pixels in the
+ * pattern of seed points, which the technique "places" draws with floats alone or with pieces of near faces. */
 #ifndef HATCH_TEST_ZOOM_REFERENCE_H
 #define HATCH_TEST_ZOOM_REFERENCE_H
 
@@ -11,9 +11,9 @@
 #include "render_frame.h"
 
 struct zoom_error {
-    double largest_px, mean_px; /* errors of the positions of strokes */
-    uint32_t pixels;            /* compared pixels */
-    uint32_t wrong;             /* pixels drawn beside the surface, or left out on it */
+    double largest_px, mean_px; /* errors of positions in the pattern of seed points, as displacements in the picture */
+    uint32_t pixels;            /* number of compared pixels */
+    uint32_t wrong;             /* pixels drawn where there is no surface, or not drawn where there is one */
 };
 
 /* A vertex in camera coordinates. */
@@ -22,12 +22,12 @@ struct zoom_corner {
     double span[6]; /* derivatives of the position with respect to u and v, in the unit scene */
 };
 
-/* A ray in camera coordinates; begin: its origin in the plane of the eye. */
+/* A ray in camera coordinates. begin: its origin, in the plane z = 0 through the eye. */
 struct zoom_ray {
     double begin[2], along[3];
 };
 
-/* A view of a point of the surface from a distance.
+/* Returns a view of a point of the surface from a distance.
  *   back  unit vector from the point to the eye */
 static inline struct hatch_view zoomed_view(struct test_frame *frame, const double point[3], const double back[3],
                                             double distance, double aspect)
@@ -42,7 +42,7 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
     HATCH_TEST_OK(
         hatch_view_make(&choice, &frame->on_gpu.unit.pose, &framing, &frame->args.scratch, &view, &frame->err),
         &frame->err);
-    if (distance < 0x1p-50) /* the eye rounds to the point, which leaves no direction */
+    if (distance < 0x1p-50) /* the eye may round to the point, and then they give no direction */
         hatch_view_set_back(&view, back);
     return view;
 }
@@ -69,14 +69,16 @@ static inline void zoom_corners(struct test_frame *frame, const struct hatch_vie
             corners[v].at[k] = hatch_pair_dot(from, axes[k]);
         for (size_t k = 0; k < 2; k++)
             corners[v].uv[k] = hatch_pair_product((double)texcoord[2 * v + k], (double)item->repeat[k]);
-        for (size_t k = 0; k < 6; k++) /* in the mesh's units */
+        for (size_t k = 0; k < 6;
+             k++) /* the buffer holds derivatives in the mesh's units, per unit of unrepeated coordinates */
             corners[v].span[k] =
                 (double)spans[6 * v + k] / frame->on_gpu.unit.bounds.radius / (double)item->repeat[k / 3];
     }
     hatch_arena_rewind(&frame->args.scratch, mark);
 }
 
-/* Position of a corner relative to the origin of a ray. Rays of orthographic views start beside the eye. */
+/* Computes the position of a corner relative to the origin of a ray. Rays of orthographic views do not start at the
+ * eye. */
 static inline void zoom_relative(const struct zoom_corner *corner, const double begin[2], struct hatch_pair at[3])
 {
     for (int k = 0; k < 2; k++)
@@ -84,8 +86,8 @@ static inline void zoom_relative(const struct zoom_corner *corner, const double 
     at[2] = corner->at[2];
 }
 
-/* Computes barycentric coordinates of the intersection of a ray and a face, times their sum.
- * Returns false when the ray misses the face. */
+/* Computes the barycentric coordinates of the intersection of a ray with a face, not yet divided by their sum. Returns
+ * false when the ray misses the face. */
 static inline bool zoom_shares(const struct zoom_corner *const c[3], const struct zoom_ray *ray,
                                struct hatch_pair share[3], struct hatch_pair *sum)
 {
@@ -106,7 +108,7 @@ static inline bool zoom_shares(const struct zoom_corner *const c[3], const struc
     return true;
 }
 
-/* Whether a ray misses a face by far; a quick test in doubles. */
+/* Returns whether a ray clearly misses a face; a quick test in doubles. */
 static inline bool zoom_misses(const struct zoom_corner *const c[3], const struct zoom_ray *ray)
 {
     double at[3][3], cross[3], share[3], sum = 0;
@@ -121,8 +123,9 @@ static inline bool zoom_misses(const struct zoom_corner *const c[3], const struc
     return fmin(fmin(share[0] / sum, share[1] / sum), share[2] / sum) < -0.1;
 }
 
-/* Finds the first intersection of a ray and the corners of the face there.
- * Returns the distance along the view direction, negative when there is none. */
+/* Finds the first face that a ray meets, and the texture coordinates and derivatives there. Returns the distance along
+ * the view direction, negative when there is none.
+ *   face  out: corners of the face */
 static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_corner *corners,
                               const struct zoom_ray *ray, struct hatch_pair uv[2], double span[6],
                               const struct zoom_corner *face[3])
@@ -155,7 +158,7 @@ static inline double zoom_hit(const struct hatch_mesh *mesh, const struct zoom_c
     return nearest;
 }
 
-/* The ray through a position of the picture, 0 .. 1 from its lower left corner. */
+/* Returns the ray through a position in the picture, 0 .. 1 from its lower left corner. */
 static inline struct zoom_ray zoom_ray_of(const struct hatch_view *view, double x, double y)
 {
     struct zoom_ray ray = {{0, 0}, {0, 0, -1}};
@@ -178,14 +181,14 @@ static inline void zoom_pixels(const struct hatch_view *view, const struct zoom_
     }
 }
 
-/* The fractional part of a texture coordinate divided by 4 * 2^depth, as the technique "places" writes it. */
+/* Returns the fractional part of a texture coordinate divided by 4 * 2^depth, as the technique "places" writes it. */
 static inline double zoom_place(struct hatch_pair uv, int depth)
 {
     struct hatch_pair at = {ldexp(uv.high, -depth - 2), ldexp(uv.low, -depth - 2)};
     return hatch_pair_round(hatch_pair_sub(at, hatch_pair_floor(at)));
 }
 
-/* Compares a drawn pixel with the reference and adds to the error.
+/* Compares a drawn pixel with the reference and adds its error to *error.
  *   hit   distance of the surface along the view
  *   rgba  the drawn pixel */
 static inline void zoom_compare(const struct hatch_rptam *rptam, const struct hatch_view *view, uint32_t height,
@@ -199,7 +202,7 @@ static inline void zoom_compare(const struct hatch_rptam *rptam, const struct ha
         along[k] = layer->cosine * pixels[0][k] + layer->sine * pixels[1][k];
     double area = fabs(pixels[0][0] * pixels[1][1] - pixels[0][1] * pixels[1][0]);
     double depth = log2(layer->style.tile_px * hypot(along[0], along[1]) / area);
-    if (fabs(depth - round(depth)) < 1e-3) /* rounding decides the depth */
+    if (fabs(depth - round(depth)) < 1e-3) /* rounding decides which nesting depth is drawn */
         return;
     for (int k = 0; k < 2; k++) {
         double drawn = (double)rgba[2 * k] + ((double)rgba[2 * k + 1] + 0.5 / 1024) / 1024;

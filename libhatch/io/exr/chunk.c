@@ -23,7 +23,7 @@ void hatch_exr_chunks_end(struct hatch_exr_chunks *chunks)
         exr_decoding_destroy(chunks->context, &chunks->pipeline);
 }
 
-/* RLE and PIZ: OpenEXR's core reads and decompresses; *raw points into its own buffer. */
+/* Unpacks an RLE or PIZ chunk with OpenEXR's core; *raw then points into the core's buffer. */
 static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info,
                                         const uint8_t **raw, struct hatch_err *err)
 {
@@ -45,7 +45,9 @@ static enum hatch_status unpack_by_core(struct hatch_exr_chunks *chunks, const e
     return HATCH_OK;
 }
 
-/* Sets *raw to the chunk's size decompressed bytes, aligned for halves. */
+/* Reads and decompresses a chunk.
+ *   size  decompressed size in bytes
+ *   raw   out: decompressed bytes, aligned for halves */
 static enum hatch_status unpack(struct hatch_exr_chunks *chunks, const exr_chunk_info_t *info, size_t size,
                                 const uint8_t **raw, struct hatch_err *err)
 {

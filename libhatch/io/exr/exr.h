@@ -1,5 +1,5 @@
-/* OpenEXR files of several named parts, mip-mapped, by OpenEXR's C core. Files are read from and
- * written to memory. */
+/* Reads and writes OpenEXR files of one or more named parts, each mip-mapped or of one level, with OpenEXR's C core.
+ * Files are read from and written to memory. */
 #ifndef HATCH_IO_EXR_EXR_H
 #define HATCH_IO_EXR_EXR_H
 
@@ -7,27 +7,27 @@
 #include "base/parallel.h"
 #include "image/image.h"
 
-/* Reads every part: scanlines or tiles, one level or mip-mapped; uncompressed or compressed by RLE,
- * ZIPS, ZIP or PIZ; 1 to 8 channels of type HALF, FLOAT or UINT, ordered R, G, B, Y, A, then the others
- * in file order; the first 16 attributes of type float, int or string that the format itself does not require.
- * Values that are not finite are kept. The result is the same for any number of threads.
- *   pool        decodes parts in parallel; NULL: on the caller's thread
- *   scratch     may be arena
- *   parts       out: part_count images, in arena
- * HATCH_BAD_INPUT for deep data, rip-maps, sub-sampled channels, lossy compression, a truncated or damaged
- * file, and a header that claims more pixels than the file's bytes can hold; HATCH_LIMIT, before any allocation,
- * when the pixels exceed the arena's limit. */
+/* Reads every part. Supported are scanlines and tiles; a single level and mip-maps; no compression, RLE, ZIPS, ZIP and
+ * PIZ; and 1 to 8 channels of type HALF, FLOAT or UINT. Channels are ordered R, G, B, Y, A, then the others in file
+ * order. The first 16 attributes of type float, int or string that the format itself does not require are kept, and so
+ * are values that are not finite. The result is the same for any number of threads.
+ *   pool     decodes parts in parallel; NULL: on the caller's thread
+ *   scratch  may be arena
+ *   parts    out: part_count mip-mapped images, in arena
+ * HATCH_BAD_INPUT for deep data, rip-maps, sub-sampled channels, lossy compression, a truncated or damaged file, and a
+ * header that claims more pixels than the file's bytes can hold; HATCH_LIMIT, before any allocation, when the pixels
+ * exceed the arena's limit. */
 enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *pool, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts, uint32_t *part_count,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 struct hatch_exr_writer;
 
-/* Begins a file whose parts all have base's size, levels and channels. Several levels are written as
- * ZIP-compressed mip-mapped tiles, a single level as ZIP-compressed scanlines.
+/* Begins a file in which all parts have the size, the number of levels and the channels of base. Several levels are
+ * written as ZIP-compressed mip-mapped tiles, a single level as ZIP-compressed scanlines.
  *   base        its pixels are not read; one level, or the full chain down to 1x1
  *   part_count  at least 1
- *   arena       holds the writer; its remaining limit bounds the compressed parts */
+ *   arena       holds the writer; the memory left in it is also the limit of the compressed parts */
 enum hatch_status hatch_exr_begin(const struct hatch_mipmap *base, uint32_t part_count, struct hatch_arena *arena,
                                   struct hatch_exr_writer **writer, struct hatch_err *err) HATCH_MUST_USE;
 
@@ -45,19 +45,19 @@ enum hatch_status hatch_exr_add_part(struct hatch_exr_writer *writer, uint32_t p
 enum hatch_status hatch_exr_end(struct hatch_exr_writer *writer, struct hatch_buffer *file,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
-/* Gives the bytes of hatch_exr_end without joining them, for files too large to copy. The caller must
- * then call hatch_exr_abandon, even on failure; the pieces are valid until then.
- *   head    out: empty buffer; the file's first bytes
+/* Returns the bytes of hatch_exr_end without joining them, for files too large to copy. The caller must then call
+ * hatch_exr_abandon, even on failure; the pieces are valid until then.
+ *   head    out: empty buffer; receives the file's first bytes
  *   pieces  out: part_count byte strings that follow head, in this order
  * HATCH_IO when the header cannot be written. */
 enum hatch_status hatch_exr_pieces(struct hatch_exr_writer *writer, struct hatch_buffer *head,
                                    struct hatch_bytes *pieces, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Frees the writer's memory outside its arena: after hatch_exr_pieces, or instead of hatch_exr_end
- * after a failure. NULL is allowed. */
+/* Frees the memory that the writer has outside its arena. Call it after hatch_exr_pieces, or after a failure instead of
+ * hatch_exr_end. NULL is allowed. */
 void hatch_exr_abandon(struct hatch_exr_writer *writer);
 
-/* Writes a file of one part, as hatch_exr_begin, _add_part and _end do. */
+/* Writes a file of one part, by hatch_exr_begin, hatch_exr_add_part and hatch_exr_end. */
 enum hatch_status hatch_exr_write(const struct hatch_mipmap *part, struct hatch_arena *scratch,
                                   struct hatch_buffer *file, struct hatch_err *err) HATCH_MUST_USE;
 

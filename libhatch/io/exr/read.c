@@ -16,16 +16,16 @@ struct reading {
     struct hatch_err *err;
 };
 
-/* A part's size and format, from its header; validated. */
+/* Size and format of a part, read from its header and checked. */
 struct layout {
     const char *name;
     bool tiled;
     uint32_t width, height, level_count, channel_count;
-    uint32_t pack_ratio;                                     /* upper bound of unpacked / packed bytes */
-    uint32_t chunk_width, chunk_height;                      /* of a tile, or of the rows compressed together */
-    int32_t top;                                             /* y of the data window's first scanline */
+    uint32_t pack_ratio;                /* upper bound of unpacked bytes per packed byte */
+    uint32_t chunk_width, chunk_height; /* of a tile, or of the rows that are compressed together */
+    int32_t top;                        /* y of the data window's first scanline */
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX]; /* in image order */
-    uint32_t image_channel[HATCH_IMAGE_CHANNELS_MAX];        /* [n]: image index of the file's n-th channel */
+    uint32_t image_channel[HATCH_IMAGE_CHANNELS_MAX];        /* [n]: index in an image of the file's n-th channel */
 };
 
 struct part {
@@ -46,8 +46,8 @@ static enum hatch_status bad(const struct reading *r, exr_result_t result)
             return bad((r), try_result_);                                                                              \
     } while (0)
 
-/* Files store channels sorted by name (B, G, R). Images list R, G, B, Y, A first, then the others in
- * file order. */
+/* Finds the order of channels in an image. Files store them sorted by name (B, G, R); images list R, G, B, Y, A first,
+ * then the others in file order. */
 static void order_channels(const exr_attr_chlist_t *list, struct layout *layout)
 {
     static const char *const colors[] = {"R", "G", "B", "Y", "A"};
@@ -119,8 +119,8 @@ static enum hatch_status read_levels(const struct reading *r, int part, struct l
     return HATCH_OK;
 }
 
-/* The ratio bounds the pixels that a header may claim. RLE: a run packs 128 bytes into 2; deflate: a
- * match packs 258 bytes into 2 bits; PIZ stays below deflate. */
+/* Sets pack_ratio, which bounds the pixels that a header may claim. RLE packs a run of 128 bytes into 2, deflate a
+ * match of 258 bytes into 2 bits; PIZ stays below deflate. */
 static enum hatch_status read_compression(const struct reading *r, int part, struct layout *layout)
 {
     exr_compression_t compression = EXR_COMPRESSION_NONE;
@@ -143,7 +143,7 @@ static enum hatch_status read_compression(const struct reading *r, int part, str
     }
 }
 
-/* Allocates nothing: sizes are checked before the first allocation. */
+/* Reads and checks a part's header. Allocates nothing: sizes are checked before the first allocation. */
 static enum hatch_status read_layout(const struct reading *r, int part, struct layout *layout)
 {
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
@@ -174,8 +174,8 @@ static enum hatch_status read_layout(const struct reading *r, int part, struct l
     return HATCH_OK;
 }
 
-/* Adds the bytes of the part's floats to *total and checks them against the arena's limit and the
- * file's size. */
+/* Adds the bytes of the part's floats to *total. Fails when *total exceeds the arena's limit, or when the file is too
+ * small to hold the part. */
 static enum hatch_status check_size(const struct reading *r, int part, const struct layout *layout, uint64_t *total)
 {
     uint64_t texels = 0, texel_bytes = 0;
@@ -198,7 +198,7 @@ static enum hatch_status check_size(const struct reading *r, int part, const str
     return HATCH_OK;
 }
 
-/* Excludes the attributes that the format itself requires. */
+/* Returns whether an attribute is kept; those that the format itself requires are not. */
 static bool is_wanted(const exr_attribute_t *attribute)
 {
     static const char *const required[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",
@@ -289,7 +289,7 @@ static enum hatch_status read_scanlines(const struct reading *r, const struct la
     return HATCH_OK;
 }
 
-/* UINT channels are floats in memory. */
+/* Fails for integers above 2^24: UINT channels are floats in memory, which do not hold all larger integers. */
 static enum hatch_status check_integers(const struct reading *r, const struct hatch_mipmap *mipmap)
 {
     for (uint32_t l = 0; l < mipmap->level_count; l++) {
@@ -349,8 +349,8 @@ static enum hatch_status check_parts(const struct reading *r, int count)
     return HATCH_OK;
 }
 
-/* Parts shared out among threads. Each thread opens its own context, which stores the messages, and has
- * its own scratch arena. */
+/* State of decoding the parts on several threads. Each thread opens its own context, since a context stores messages,
+ * and has its own scratch arena. */
 struct decoding {
     const struct reading *r;
     const struct part *parts;
@@ -380,7 +380,8 @@ static void decode_on_thread(void *context, uint32_t thread)
     exr_finish(&own.context);
 }
 
-/* After a failure on any thread all parts are decoded again in order, so that the first error is reported. */
+/* Decodes all parts. After a failure on any thread they are decoded again in order, so that the first error is
+ * reported. */
 static enum hatch_status decode_parts(const struct reading *r, struct hatch_pool *pool, const struct part *parts,
                                       uint32_t count)
 {

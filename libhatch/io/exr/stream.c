@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Limit of hatch_image's width and height; 32-bit arithmetic on a side cannot overflow. */
+/* Largest width and height of an image; small enough that 32-bit arithmetic on a side cannot overflow. */
 #define SIDE_MAX (1 << 24)
 
 static void keep_message(exr_const_context_t context, exr_result_t result, const char *message)
@@ -72,7 +72,7 @@ exr_result_t hatch_exr_open_read(struct hatch_exr_stream *stream, exr_context_t 
     exr_result_t result = exr_start_read(context, "memory", &set);
     if (result != EXR_ERR_SUCCESS || stream->first.status == HATCH_OK)
         return result;
-    /* The core has reported an invalid attribute and replaced it by a default, e.g. unknown compression by ZIP. */
+    /* The core has reported an invalid attribute and replaced it by a default, such as unknown compression by ZIP. */
     exr_finish(context);
     return EXR_ERR_INVALID_ATTR;
 }

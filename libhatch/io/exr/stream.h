@@ -1,5 +1,5 @@
-/* Private to the EXR reader and writer: contexts of OpenEXR's C core on files in memory, with the core's
- * messages kept. */
+/* Private to the EXR reader and writer: contexts of OpenEXR's C core that read from and write to memory and keep the
+ * core's messages. */
 #ifndef HATCH_IO_EXR_STREAM_H
 #define HATCH_IO_EXR_STREAM_H
 
@@ -13,13 +13,13 @@ struct hatch_exr_stream {
     struct hatch_err first;      /* the core's first message, or why the buffer did not grow */
 };
 
-/* Open a context on the stream, which must outlive it. */
+/* Open a context on a stream. The stream must outlive the context. */
 exr_result_t hatch_exr_open_read(struct hatch_exr_stream *stream, exr_context_t *context);
 exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t *context);
 
-/* Fills err with the stream's first message, or the core's text for result.
+/* Fills err with the stream's first message, or with the core's text for result.
  *   result  not EXR_ERR_SUCCESS
- *   status  returned unless memory ran out: then HATCH_LIMIT */
+ *   status  status to return, unless memory ran out: then it is HATCH_LIMIT */
 enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_result_t result, enum hatch_status status,
                                  struct hatch_err *err);
 

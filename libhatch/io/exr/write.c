@@ -8,23 +8,23 @@
 #include "io/exr/stream.h"
 #include "io/exr/zip.h"
 
-/* Measured on tonal art maps: larger tiles compress hardly better, smaller tiles take longer. */
+/* Chosen by measurements on tonal art maps: larger tiles hardly compress better, smaller tiles take longer. */
 #define TILE_SIDE 256u
 #define SCANLINES_PER_CHUNK 16u /* fixed by the format for ZIP */
 #define ZIP_LEVEL 1
 #define SHORT_NAME_MAX 31u
 
-/* Buffers for compressing a part. Reused, since allocating them per part takes a tenth of the whole time. */
+/* Buffers for compressing a part. They are reused, since allocating them for each part takes a tenth of the time. */
 struct workspace {
     struct hatch_arena arena; /* holds the workspace itself, too */
     struct libdeflate_compressor *compressor;
-    uint8_t *raw; /* room for three chunks */
+    uint8_t *raw; /* room for three chunks: raw, filtered and compressed */
     struct hatch_buffer packed;
 };
 #define IDLE_MAX 16u
 
 struct part {
-    struct hatch_arena arena;  /* of the members below; one per part, since threads add parts in parallel */
+    struct hatch_arena arena;  /* holds the members below; one per part, since threads add parts in parallel */
     struct hatch_mipmap label; /* name and attributes; levels is NULL */
     uint32_t *chunk_sizes;     /* in bytes, headers included */
     struct hatch_bytes packed; /* the chunks with their headers, as in the file */
@@ -40,7 +40,7 @@ struct hatch_exr_writer {
     uint32_t width, height, level_count, channel_count, chunk_count, part_count;
     uint32_t chunk_width, chunk_height;
     struct hatch_channel channels[HATCH_IMAGE_CHANNELS_MAX];
-    uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* [n]: image index of the file's n-th channel; sorted by name */
+    uint32_t order[HATCH_IMAGE_CHANNELS_MAX]; /* [n]: index in an image of the file's n-th channel, sorted by name */
     struct part *parts;
     size_t limit_bytes;
     atomic_size_t packed_bytes;               /* of all parts together; at most limit_bytes */
@@ -126,7 +126,8 @@ static bool next_area(const struct hatch_exr_writer *writer, struct area *area)
     return true;
 }
 
-/* Files are little-endian; so must be the machine. */
+/* Converts a row of values to the file's little-endian numbers. It copies the machine's numbers, so the machine must be
+ * little-endian, too. */
 static void put_row(const float *values, size_t stride, enum hatch_channel_type type, uint32_t count, uint8_t *out)
 {
     if (type == HATCH_HALF) {
@@ -146,7 +147,7 @@ static void put_row(const float *values, size_t stride, enum hatch_channel_type 
     }
 }
 
-/* Writes an area in the format's order: row by row, within a row channel by channel. */
+/* Writes the texels of an area in the format's order: row by row, and within a row channel by channel. */
 static size_t lay_out(const struct hatch_exr_writer *writer, const struct hatch_image *image, const struct area *area,
                       uint8_t *raw)
 {
@@ -221,7 +222,7 @@ static void give_workspace_back(struct hatch_exr_writer *writer, struct workspac
     free_workspace(work);
 }
 
-/* "OpenEXR File Layout", Chunk Layout: part, coordinates and size in bytes come before the chunk's data. */
+/* Adds what comes before a chunk's data: part, coordinates and size in bytes ("OpenEXR File Layout", Chunk Layout). */
 static enum hatch_status add_chunk_header(const struct hatch_exr_writer *writer, uint32_t part, const struct area *area,
                                           size_t size, struct hatch_buffer *out, struct hatch_err *err)
 {
@@ -358,7 +359,7 @@ static exr_result_t write_header(struct hatch_exr_writer *writer, exr_context_t 
     return result == EXR_ERR_SUCCESS ? exr_write_header(context) : result;
 }
 
-/* The file's table of chunk offsets. */
+/* Adds the file's table of chunk offsets. */
 static enum hatch_status add_offsets(const struct hatch_exr_writer *writer, struct hatch_buffer *head,
                                      struct hatch_err *err)
 {
@@ -379,7 +380,7 @@ static enum hatch_status make_head(struct hatch_exr_writer *writer, struct hatch
     if (result == EXR_ERR_SUCCESS) {
         result = write_header(writer, context);
         size_t size = head->size;
-        exr_finish(&context); /* fails, since no chunk was written; bytes that it adds are dropped */
+        exr_finish(&context); /* reports an error, since no chunk was written; bytes that it adds are dropped */
         head->size = size;
     }
     if (result != EXR_ERR_SUCCESS)

@@ -10,14 +10,16 @@ static inline uint8_t step(uint8_t value, uint8_t previous)
     return (uint8_t)(value - previous + 128);
 }
 
-/* out[i] = in[2 i] - in[2 i - 2] + 128. The length is fixed so that compilers vectorise the loop. */
+/* Sets out[i] to in[2 i] - in[2 i - 2] + 128. The length is fixed so that compilers vectorise the loop. */
 static void step_block(const uint8_t *restrict in, uint8_t *restrict out)
 {
     for (size_t i = 0; i < BLOCK; i++)
         out[i] = step(in[2 * i], in[2 * i - 2]);
 }
 
-/* Differences of every second byte from in[2] on, count of them; in[0] precedes the first. */
+/* Writes the differences between every second byte and the one before it in this sequence: in[2] - in[0], in[4] - in[2]
+ * and so on, each plus 128.
+ *   count  number of differences */
 static void step_alternate(const uint8_t *in, size_t count, uint8_t *out)
 {
     in += 2;
@@ -27,8 +29,9 @@ static void step_alternate(const uint8_t *in, size_t count, uint8_t *out)
         out[i] = step(in[2 * i], in[2 * i - 2]);
 }
 
-/* "OpenEXR File Layout", ZIP: the bytes at even places, then those at odd places, which brings the high
- * bytes of the numbers together; then each byte is replaced by its difference from the previous one. */
+/* Applies the format's filter ("OpenEXR File Layout", ZIP). First come the bytes at even places, then those at odd
+ * places, which brings the high bytes of the numbers together; then each byte is replaced by its difference from the
+ * previous one. */
 static void filter(const uint8_t *raw, size_t size, uint8_t *filtered)
 {
     size_t even = (size + 1) / 2;

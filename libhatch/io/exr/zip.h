@@ -1,5 +1,5 @@
-/* ZIP compression of OpenEXR's chunks: the format's byte filter, and zlib streams by libdeflate, which is
- * several times as fast as zlib, which OpenEXR uses. */
+/* ZIP compression of OpenEXR's chunks: the format's byte filter, and zlib streams made by libdeflate, which is several
+ * times as fast as the zlib that OpenEXR uses. */
 #ifndef HATCH_IO_EXR_ZIP_H
 #define HATCH_IO_EXR_ZIP_H
 
@@ -20,14 +20,14 @@ struct libdeflate_decompressor;
 size_t hatch_exr_zip(struct libdeflate_compressor *compressor, const uint8_t *raw, size_t size, uint8_t *filtered,
                      uint8_t *packed);
 
-/* Decompresses a chunk of hatch_exr_zip; false when packed is damaged.
- *   packed_size  not size: an uncompressed chunk is the caller's to copy
+/* Decompresses a chunk that was compressed like those of hatch_exr_zip. Returns false when packed is damaged.
+ *   packed_size  not equal to size: a chunk of size bytes is not compressed, and the caller copies it
  *   filtered     size bytes of scratch
  *   raw          out: exactly size bytes, at least 2 */
 bool hatch_exr_unzip(struct libdeflate_decompressor *decompressor, const uint8_t *packed, size_t packed_size,
                      uint8_t *filtered, uint8_t *raw, size_t size);
 
-/* Bytes of one value of a channel in a file. */
+/* Returns the bytes that one value of a channel takes in a file. */
 size_t hatch_exr_channel_bytes(enum hatch_channel_type type);
 
 #endif

@@ -36,14 +36,14 @@ static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_p
     return HATCH_OK;
 }
 
-/* The plugin's message becomes the error; running out of memory is a limit, all else is the file's fault. */
+/* Fails with the plugin's message: with HATCH_LIMIT when memory ran out, else with HATCH_BAD_INPUT. */
 static enum hatch_status fail_plugin(const char *message, struct hatch_err *err)
 {
     bool out_of_memory = strcmp(message, HATCH_OIIO_OUT_OF_MEMORY) == 0;
     return hatch_fail(err, out_of_memory ? HATCH_LIMIT : HATCH_BAD_INPUT, "%s", message);
 }
 
-/* Values have 8 or 16 bits; each of them is a multiple of 1 / 65535. */
+/* Decodes sRGB by table: the file's values have 8 or 16 bits, so each is a multiple of 1 / 65535. */
 static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -104,7 +104,7 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     return status;
 }
 
-/* Drops channels other than colour and alpha (ids of a map, for example). */
+/* Copies the channels of colour and alpha; drops others, such as the ids of a map. */
 static enum hatch_status copy_colors(const struct hatch_image *from, struct hatch_arena *arena,
                                      struct hatch_image *image, struct hatch_err *err)
 {

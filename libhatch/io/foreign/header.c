@@ -13,7 +13,7 @@ static bool has_magic(struct hatch_bytes file, const void *magic, size_t size)
     return file.size >= size && memcmp(file.data, magic, size) == 0;
 }
 
-/* Frame headers, which hold the size: C0 .. CF except C4, C8 and CC. */
+/* Returns whether a marker begins a frame header, which holds the image's size: C0 .. CF except C4, C8 and CC. */
 static bool is_frame(uint8_t marker)
 {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
@@ -27,7 +27,7 @@ static bool has_jpeg_end(struct hatch_bytes file, size_t from)
     return false;
 }
 
-/* ITU-T T.81, annex B: marker segments up to the first scan. */
+/* Reads the marker segments up to the first scan (ITU-T T.81, annex B). */
 static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     struct hatch_reader reader = hatch_reader_of(file);
@@ -42,7 +42,7 @@ static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *head
         size_t body = reader.at;
         uint16_t length = hatch_read_u16(&reader);
         if (is_frame(marker)) {
-            hatch_read_u8(&reader); /* precision */
+            hatch_read_u8(&reader); /* skips the precision */
             header->height = hatch_read_u16(&reader);
             header->width = hatch_read_u16(&reader);
         }
@@ -57,7 +57,7 @@ static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *head
     return header->width > 0;
 }
 
-/* TIFF 6.0, section 2: the entries of the first directory. */
+/* Reads the entries of the first directory (TIFF 6.0, section 2). */
 static bool read_tiff(struct hatch_bytes file, struct hatch_foreign_header *header)
 {
     struct hatch_reader reader = hatch_reader_of(file);
@@ -96,7 +96,7 @@ static bool read_bmp(struct hatch_bytes file, struct hatch_foreign_header *heade
     struct hatch_reader reader = hatch_reader_of(file);
     hatch_read_bytes(&reader, 14);
     if (hatch_read_u32(&reader) < 40)
-        return false; /* the short OS/2 header */
+        return false; /* the short header of OS/2 is not supported */
     header->width = hatch_read_u32(&reader);
     uint32_t height = hatch_read_u32(&reader);
     header->height = height > INT32_MAX ? 0u - height : height; /* negative when rows run from the top down */
@@ -107,7 +107,7 @@ bool hatch_foreign_header_read(struct hatch_bytes file, struct hatch_foreign_hea
 {
     static const struct {
         const char *extension, *magic;
-        size_t size; /* of magic */
+        size_t size; /* size of magic */
         bool (*read)(struct hatch_bytes file, struct hatch_foreign_header *header);
     } formats[] = {
         {".jpeg", "\xff\xd8\xff", 3, read_jpeg}, {".tiff", "II*\0", 4, read_tiff}, {".tiff", "MM\0*", 4, read_tiff},

@@ -12,7 +12,7 @@
 namespace
 {
 
-/* reader refers to memory and so must be destroyed first: members are destroyed in reverse order. */
+/* An open image. reader refers to memory and so must be destroyed first; members are destroyed in reverse order. */
 struct Image {
     Image(const uint8_t *data, size_t size) : memory(data, size)
     {
@@ -27,7 +27,7 @@ void set_message(const std::string &text, char *message, size_t size)
     std::snprintf(message, size, "%s", line.empty() ? "the image cannot be decoded" : line.c_str());
 }
 
-/* The extension without its dot, in lower case, or "". */
+/* Returns the extension of a name without its dot, in lower case, or "". */
 std::string extension_of(const char *name)
 {
     std::string path = name ? name : "";
@@ -36,8 +36,8 @@ std::string extension_of(const char *name)
     return has_extension ? OIIO::Strutil::lower(path.substr(dot + 1)) : std::string();
 }
 
-/* OpenImageIO allocates a whole tile, however small the image is: a file of 200 bytes could ask for any amount of
- * memory. Ordinary tiles have at most 2048 x 2048 pixels. */
+/* Returns whether the size of tiles is plausible. OpenImageIO allocates a whole tile, however small the image is, so a
+ * file of 200 bytes could ask for any amount of memory. Ordinary tiles have at most 2048 x 2048 pixels. */
 bool tiles_are_plausible(const OIIO::ImageSpec &spec)
 {
     const uint64_t ordinary_pixels = 1 << 22;
@@ -106,8 +106,9 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
     return nullptr;
 }
 
-/* Reads by rows where possible: read_image leaves damaged strips of deflated TIFF files black and reports nothing.
- * Rows of separate planes would decode each strip again for every row. */
+/* Reads the pixels row by row where possible, since read_image leaves damaged strips of deflated TIFF files black and
+ * reports nothing. It reads tiles and separate planes at once: row by row, each strip of a separate plane would be
+ * decoded again for every row. */
 bool read_pixels(OIIO::ImageInput &reader, float *pixels)
 {
     const OIIO::ImageSpec spec = reader.spec();

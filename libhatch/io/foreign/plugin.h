@@ -1,5 +1,5 @@
-/* Interface of the OpenImageIO plugin, a C++ shared object that is loaded on demand: C functions and plain
- * types. No exception leaves it. */
+/* Interface of the OpenImageIO plugin, a C++ shared object that is loaded on demand. It consists of C functions and
+ * plain types, and no exception leaves the plugin. */
 #ifndef HATCH_IO_FOREIGN_PLUGIN_H
 #define HATCH_IO_FOREIGN_PLUGIN_H
 
@@ -12,11 +12,11 @@ extern "C" {
 
 #define HATCH_OIIO_PLUGIN_TABLE "hatch_oiio_plugin_table"
 #define HATCH_OIIO_VERSION 1u
-#define HATCH_OIIO_OUT_OF_MEMORY "out of memory while decoding" /* the message of that failure */
+#define HATCH_OIIO_OUT_OF_MEMORY "out of memory while decoding" /* message when memory ran out */
 
 struct hatch_oiio_info {
     uint32_t width, height, channels;
-    int is_encoded; /* sRGB, not linear light */
+    int is_encoded; /* 1: values are sRGB; 0: linear light */
 };
 
 /* On failure the functions write a sentence into message, an array of size bytes. */
@@ -24,7 +24,7 @@ struct hatch_oiio_plugin {
     uint32_t version; /* HATCH_OIIO_VERSION */
 
     /* Reads the header of an image and returns its handle, or NULL on failure.
-     *   data  must live until close
+     *   data  must stay valid until close
      *   name  its extension selects the format; no file is opened */
     void *(*open)(const uint8_t *data, size_t data_size, const char *name, struct hatch_oiio_info *info, char *message,
                   size_t size);

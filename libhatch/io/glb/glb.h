@@ -7,22 +7,22 @@
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 
-/* Writes a mesh as a scene of one node; indices have 16 bits where that suffices, else 32.
- *   mesh     at least one face
- *   name     of node and mesh
- *   comment  asset.extras.hatch (random seed, options); may be NULL
+/* Writes a mesh as a scene of one node. Indices have 16 bits where that suffices, else 32.
+ *   mesh     has at least one face
+ *   name     name of node and mesh
+ *   comment  stored as asset.extras.hatch: random seed, options; may be NULL
  *   file     out: appended to; its arena is not scratch */
 enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *name, const char *comment,
                                   struct hatch_arena *scratch, struct hatch_buffer *file,
                                   struct hatch_err *err) HATCH_MUST_USE;
 
-/* Writes a scene: nodes, meshes (a node's meshes as the primitives of one glTF mesh, in order), materials,
- * textures, cameras, lights, skins, animations. A material with `outline` is written as a blended one
- * whose baseColorTexture uses TEXCOORD_1, with extras {"hatch": "outline"}. hatch_gltf_read gives the same
- * scene except for parts that are not written: meshes without faces, images that are neither PNG nor JPEG, skins
- * without joints, animations without channels.
- *   scene    two nodes' ranges of meshes are equal or disjoint
- *   comment  asset.extras.hatch (random seed, options); may be NULL
+/* Writes a scene: nodes, meshes (a node's meshes as the primitives of one glTF mesh, in order), materials, textures,
+ * cameras, lights, skins and animations. A material with `outline` is written as a blended one with extras {"hatch":
+ * "outline"}, whose baseColorTexture uses TEXCOORD_1. hatch_gltf_read reads the same scene back, except for parts that
+ * are not written: meshes without faces, images that are neither PNG nor JPEG, skins without joints, and animations
+ * without channels.
+ *   scene    the ranges of meshes of any two nodes are equal or disjoint
+ *   comment  stored as asset.extras.hatch: random seed, options; may be NULL
  *   file     out: appended to; its arena is not scratch
  * HATCH_LIMIT also above 4 GiB. */
 enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,

@@ -49,7 +49,8 @@ enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key)
     return hatch_glb_put(glb, "\":");
 }
 
-/* JSON readers read -0 as the integer 0. Writing 0 keeps copies of a copy identical. */
+/* Returns value, but 0 for -0. JSON readers read -0 as the integer 0, so a file with -0 would change when it is read
+ * and written again. */
 static double without_minus_zero(float value)
 {
     return value == 0 ? 0 : (double)value;

@@ -1,4 +1,4 @@
-/* The JSON of materials, textures, cameras and lights. */
+/* Prints the JSON of materials, textures, cameras and lights. */
 #include <string.h>
 
 #include "io/glb/parts.h"
@@ -12,7 +12,7 @@ static enum hatch_status print_transform(struct hatch_glb *glb, const struct hat
     return hatch_glb_put(glb, "}}");
 }
 
-/* A texture under its key; the object is left open. */
+/* Prints a reference to a texture under its key; the caller closes the JSON object. */
 static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
@@ -77,7 +77,7 @@ static enum hatch_status print_images(struct hatch_glb *glb)
     return hatch_glb_put(glb, images ? "]" : "");
 }
 
-/* Filters: linear, and linear mip-map linear. */
+/* Prints a sampler; its filters are linear for magnification and trilinear for minification. */
 static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     static const int modes[] = {[HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
@@ -91,7 +91,7 @@ static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch
                               glb->image[use->texture]);
 }
 
-/* An array with one entry per numbered texture; textures are numbered in the order of the materials. */
+/* Prints an array with one entry per texture of the file; textures are numbered in the order of the materials. */
 static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
                                     enum hatch_status (*print)(struct hatch_glb *, const struct hatch_texture_use *))
 {
@@ -126,7 +126,7 @@ static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_
         HATCH_TRY(hatch_glb_number(glb, "zfar", camera->zfar));
     if (camera->orthographic) {
         HATCH_TRY(hatch_glb_number(glb, "ymag", camera->ymag));
-        /* A double, so that the reader's division gives the same aspect. */
+        /* Computed as a double, so that the reader's division gives the same aspect. */
         double xmag = (double)camera->ymag * (camera->aspect > 0 ? (double)camera->aspect : 1);
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"xmag\":%.9g", xmag));
     } else {

@@ -9,69 +9,70 @@ enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_G
 
 /* A buffer view and, except for images, its only accessor. */
 struct hatch_glb_view {
-    enum hatch_glb_component component; /* type in the file */
+    enum hatch_glb_component component; /* type of the numbers in the file */
     enum hatch_glb_target target;
-    const void *data;    /* floats; uint32_t for indices; bytes for images */
-    size_t count;        /* elements; bytes for images */
-    uint32_t components; /* per element: 1 .. 4, or 16 for a matrix */
+    const void *data;    /* array of floats; of uint32_t for indices; of bytes for images */
+    size_t count;        /* number of elements; of bytes for images */
+    uint32_t components; /* numbers per element: 1 .. 4, or 16 for a matrix */
     bool bounds;         /* whether the format requires min and max */
     size_t offset, size; /* bytes in the buffer */
 };
 
-/* State of writing one file. An accessor has its view's number; the views of images come last. */
+/* State of writing one file. An accessor has the same index as its view; the views of images, which have no accessors,
+ * come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
-    const char *name; /* of the first node and mesh; may be NULL */
+    const char *name; /* name of the first node and mesh; may be NULL */
     struct hatch_arena *scratch;
     struct hatch_err *err;
     struct hatch_buffer json;
     struct hatch_glb_view *views;
     uint32_t view_count, accessor_count;
-    size_t size;            /* bytes of the buffer */
-    uint32_t *group_size;   /* per scene mesh: number of meshes in the glTF mesh that begins here; 0 inside one */
-    uint32_t *group;        /* per scene mesh: number of the glTF mesh that begins here; HATCH_NONE without faces */
-    uint32_t *mesh_first;   /* per scene mesh: accessor of its POSITION; HATCH_NONE without faces */
-    uint32_t *skin;         /* per skin: number in the file; HATCH_NONE without joints */
-    uint32_t skin_first;    /* accessor of the first skin's matrices */
-    uint32_t channel_first; /* accessor of the first animation channel's times */
-    uint32_t *image;        /* per texture: number of the file's image; HATCH_NONE unless PNG or JPEG */
-    uint32_t *texture;      /* HATCH_GLB_WRAPS per texture: number of texture and sampler, or HATCH_NONE */
+    size_t size;            /* size of the buffer in bytes */
+    uint32_t *group_size;   /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
+    uint32_t *group;        /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
+    uint32_t *mesh_first;   /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
+    uint32_t *skin;         /* per skin: index in the file; HATCH_NONE without joints */
+    uint32_t skin_first;    /* index of the accessor of the first skin's matrices */
+    uint32_t channel_first; /* index of the accessor of the first animation channel's times */
+    uint32_t *image;        /* per texture: index of its image in the file; HATCH_NONE if neither PNG nor JPEG */
+    uint32_t *texture; /* HATCH_GLB_WRAPS per texture: index of texture and sampler in the file; HATCH_NONE if unused */
 };
 
 #define HATCH_GLB_WRAPS 9u /* combinations of wrap modes in u and v */
 #define HATCH_GLB_SLOTS 2u /* textures of a material: base colour, normals */
 
-/* Returns a material's texture in a slot, 0 .. HATCH_GLB_SLOTS - 1; NULL when there is none that can be
- * written. */
+/* Returns the use of a material's texture in a slot, 0 .. HATCH_GLB_SLOTS - 1, or NULL when there is no texture that
+ * can be written. */
 const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
                                                uint32_t slot);
 
-/* The number in the file of a texture with these wrap modes. */
+/* Returns a pointer to the index in the file of a texture with these wrap modes. */
 static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     return &glb->texture[HATCH_GLB_WRAPS * use->texture + 3u * use->wrap[0] + use->wrap[1]];
 }
 
-/* Lists a mesh's attributes in the order in which they are written and read, POSITION first, the others by
- * name, so that a copy of a file is identical. Leaves out morph targets. Returns their number. */
+/* Lists a mesh's attributes in the order in which they are written and read: POSITION first, then the others by name. A
+ * copy of a file is therefore identical to it. Leaves out morph targets. Returns the number of attributes listed. */
 uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MESH_ATTRIBUTES_MAX]);
 
-/* Append JSON. Functions with a key and hatch_glb_comma first write a comma, except at the start of an
- * object or array. */
+/* The functions below append JSON. Those with a key, and hatch_glb_comma, first write a comma, except at the start of
+ * an object or array. */
 enum hatch_status hatch_glb_comma(struct hatch_glb *glb);
-enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json);       /* unchanged */
+enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json);       /* json as it is */
 enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key); /* key and bracket */
 enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);        /* key and colon */
-/* A string; bytes other than printable ASCII become question marks. */
+/* Appends a string; bytes other than printable ASCII become question marks. */
 enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *text);
-/* Key and colon; key is UTF-8 from a file and is escaped. */
+/* Appends key and colon; key is UTF-8 from a file and is escaped. */
 enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key);
-/* Key and value; floats have nine digits, which identify them exactly. */
+/* Append key and value; floats have nine significant digits, which identify them exactly. */
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
 enum hatch_status hatch_glb_integer(struct hatch_glb *glb, const char *key, uint32_t value);
 enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count);
 
-/* Lays out the buffer and numbers everything; needs scene, scratch and err. */
+/* Lays out the buffer and assigns all indices; the members scene, scratch and err must be set. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
 /* Writes the JSON of the buffer, its views and accessors. */
 enum hatch_status hatch_glb_print_views(struct hatch_glb *glb);

@@ -1,9 +1,9 @@
-/* JSON of nodes, meshes, skins and animations; default values are left out. */
+/* Prints the JSON of nodes, meshes, skins and animations; default values are left out. */
 #include <string.h>
 
 #include "io/glb/parts.h"
 
-/* A comma where needed, and a brace. */
+/* Writes a comma where one is needed, and an opening brace. */
 static enum hatch_status open_item(struct hatch_glb *glb)
 {
     HATCH_TRY(hatch_glb_comma(glb));
@@ -16,8 +16,8 @@ static enum hatch_status print_name(struct hatch_glb *glb)
     return hatch_glb_string(glb, glb->name);
 }
 
-/* Lists of children by node, in ascending order: first child and next sibling, or HATCH_NONE. The list of
- * roots begins at first[node_count]. */
+/* The children of each node as a list in ascending order: first child, then next sibling, or HATCH_NONE. The list of
+ * root nodes begins at first[node_count]. */
 struct children {
     uint32_t *first, *next;
 };
@@ -182,7 +182,7 @@ static enum hatch_status print_skin(struct hatch_glb *glb, uint32_t index)
     return hatch_glb_put(glb, "]}");
 }
 
-/* Each channel has its own sampler, of the same number. */
+/* Prints an animation. Each channel has its own sampler, with the same index. */
 static enum hatch_status print_animation(struct hatch_glb *glb, const struct hatch_animation *animation,
                                          uint32_t accessor)
 {

@@ -1,5 +1,5 @@
-/* The binary chunk of a GLB: one buffer with a view for each vertex attribute, index list, morph target,
- * skin, animation input and output, and image. */
+/* Writes the binary chunk of a GLB: one buffer with a view for each vertex attribute, index list, morph target, skin,
+ * animation input and output, and image. */
 #include <assert.h>
 #include <string.h>
 
@@ -40,7 +40,8 @@ uint32_t hatch_glb_order(const struct hatch_mesh *mesh, uint32_t order[HATCH_MES
     return count;
 }
 
-/* Copies one target's displacements out of the attribute, where the targets are interleaved. */
+/* Adds a view of one morph target. Its displacements are copied from the attribute, in which all targets are
+ * interleaved. */
 static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_mesh *mesh,
                                     const struct hatch_mesh_attribute *targets, uint32_t target, bool bounds)
 {
@@ -70,7 +71,7 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh
                                               .components = a->components,
                                               .bounds = i == 0});
     }
-    /* An index type's largest value means primitive restart. */
+    /* The largest value of an index type is reserved for primitive restart. */
     add_view(glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
                                           .target = HATCH_GLB_INDICES,
                                           .data = mesh->indices,

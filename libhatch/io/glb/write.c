@@ -1,4 +1,4 @@
-/* The GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
+/* Writes the GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
 #include <assert.h>
 
 #include "io/glb/parts.h"

@@ -9,7 +9,8 @@ namespace hatch
 namespace
 {
 
-/* An accessor's elements, stride bytes apart; data is NULL when all are zero. */
+/* The elements of an accessor, stride bytes apart. data is NULL when the accessor has no view; all its elements are
+ * then zero. */
 struct Elements {
     const uint8_t *data;
     size_t stride;
@@ -35,7 +36,7 @@ size_t component_size(int type)
     }
 }
 
-/* Locates e's elements in a view, from offset on. The comparisons are ordered so that no sum overflows. */
+/* Locates the elements *e in a view, from byte offset on. The comparisons are ordered so that no sum overflows. */
 enum hatch_status find_in_view(Reader &r, int view, size_t offset, const std::string &where, Elements *e)
 {
     struct hatch_bytes bytes;
@@ -83,7 +84,8 @@ template <typename T> T load_as(const uint8_t *at)
     return value;
 }
 
-/* Files are little-endian; so must be the machine. */
+/* Converts one number of the file. Copies its bytes into the machine's numbers, so the machine must be little-endian,
+ * as glTF is. */
 double load_number(const uint8_t *at, int type, bool normalized)
 {
     double value, range;

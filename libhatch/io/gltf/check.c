@@ -24,7 +24,7 @@ static enum hatch_status read_chunk(struct hatch_reader *reader, uint32_t *type,
     return HATCH_OK;
 }
 
-/* Some programs and disks append zeros. */
+/* Returns whether the rest of a file is zeros, which some programs and disks append. */
 static bool is_padding(struct hatch_bytes file, size_t from)
 {
     while (from < file.size && file.data[from] == 0)
@@ -68,10 +68,10 @@ struct text {
     size_t length;
 };
 
-/* An open object or array. */
+/* An object or array that is not yet closed. */
 struct level {
     bool object, key_next; /* key_next: the next string is a key */
-    struct text name, key; /* name: key under which it stands; key: its current key */
+    struct text name, key; /* name: its own key in the object around it; key: the last key read in it */
 };
 
 struct scan {
@@ -80,8 +80,8 @@ struct scan {
     uint32_t depth;
     struct level levels[HATCH_GLTF_DEPTH_MAX + 1]; /* [0]: outside the root */
     struct hatch_gltf_lengths *lengths;
-    uint64_t buffer_length; /* byteLength of the buffer being read */
-    bool buffer_has_file;   /* whether it is an external file */
+    uint64_t buffer_length; /* byteLength of the glTF buffer whose JSON is being read */
+    bool buffer_has_file;   /* whether that buffer is an external file */
 };
 
 static bool is(struct text text, const char *word)
@@ -121,7 +121,7 @@ static enum number_rule current_rule(const struct scan *s)
     return in_list(key, sizes) ? RULE_SIZE : RULE_NONE;
 }
 
-/* Moves past the closing quote. Escapes are not decoded. */
+/* Reads a string and moves past its closing quote. Escapes are not decoded. */
 static struct text scan_string(struct scan *s)
 {
     size_t start = ++s->at;
@@ -135,7 +135,7 @@ static struct text scan_string(struct scan *s)
     return text;
 }
 
-/* A number, true, false or null: everything up to the next delimiter. */
+/* Reads a number, true, false or null: everything up to the next delimiter. */
 static struct text scan_word(struct scan *s)
 {
     size_t start = s->at;
@@ -163,8 +163,9 @@ static bool in_buffer(const struct scan *s)
     return s->depth == 3 && s->levels[3].object && is(s->levels[2].name, "buffers");
 }
 
-/* Extensions are checked first: with one of them the rest may not look like glTF. Those of materials other
- * than the base colour do not matter for strokes. */
+/* Fails for a required extension that is not supported. This comes before parsing, since a file that needs one may not
+ * look like glTF otherwise. Extensions of materials are accepted: apart from the base colour, they do not matter for
+ * strokes. */
 static enum hatch_status check_extension(struct text name, struct hatch_err *err)
 {
     static const char materials[] = "KHR_materials_";

@@ -13,7 +13,7 @@ extern "C" {
 #define HATCH_GLTF_DEPTH_MAX 64u
 
 struct hatch_gltf_parts {
-    struct hatch_bytes file; /* without trailing zeros */
+    struct hatch_bytes file; /* of a GLB: without trailing zeros */
     struct hatch_bytes json;
     struct hatch_bytes binary; /* the BIN chunk; size 0 when absent */
 };
@@ -28,16 +28,16 @@ struct hatch_gltf_lengths {
     struct hatch_buffer bytes; /* array of uint64_t */
 };
 
-/* Checks JSON for what tinygltf accepts silently: required extensions that are not supported, nesting
- * deeper than HATCH_GLTF_DEPTH_MAX, and indices and counts that are not integers 0 .. 2^31 - 1 (offsets
- * and lengths: 0 .. 2^53), which tinygltf truncates to 32 bits or skips. Does not check syntax, extras and
- * extensions other than lights.
- *   lengths  out: appended to; begun with an arena, or NULL
- * HATCH_BAD_INPUT with the byte's place or the extension's name. */
+/* Checks JSON for errors that tinygltf accepts silently: required extensions that are not supported; nesting deeper
+ * than HATCH_GLTF_DEPTH_MAX; and indices and counts that are not integers 0 .. 2^31 - 1 (offsets and lengths: 0 ..
+ * 2^53), which tinygltf truncates to 32 bits or skips. Checks neither the syntax nor extras, and no extension other
+ * than lights.
+ *   lengths  out: appended to; its buffer has an arena; may be NULL
+ * HATCH_BAD_INPUT with the place in the JSON, in bytes, or the name of the extension. */
 enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_lengths *lengths,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* True when a decoded URI stays in its folder: relative, no scheme, no "..", no backslash. */
+/* Returns whether a decoded URI stays in its folder: it is relative and has no scheme, no ".." and no backslash. */
 bool hatch_gltf_uri_is_local(const char *uri);
 
 #ifdef __cplusplus

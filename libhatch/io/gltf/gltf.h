@@ -1,4 +1,5 @@
-/* Reads scenes from glTF 2.0. tinygltf parses; sizes, indices and numbers are checked before and after. */
+/* Reads scenes from glTF 2.0. tinygltf parses the file; sizes, indices and numbers are checked before and after
+ * that. */
 #ifndef HATCH_IO_GLTF_GLTF_H
 #define HATCH_IO_GLTF_GLTF_H
 
@@ -6,9 +7,10 @@
 #include "mesh/mesh.h"
 #include "scene/scene.h"
 
-/* Reads the companion files of a glTF (buffers, images). */
+/* A callback that reads the companion files of a glTF (buffers, images). */
 struct hatch_gltf_resolver {
-    /* Reads one file. A failure is an error for a buffer, a note for an image.
+    /* Reads one file. A failure is an error if the file is a buffer; an image that cannot be read is only counted in
+     * the notes.
      *   uri    decoded, relative, inside the glTF's folder
      *   bytes  out: the file's content, in arena */
     enum hatch_status (*read)(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
@@ -16,18 +18,17 @@ struct hatch_gltf_resolver {
     void *context;
 };
 
-/* Reads GLB or JSON: the nodes of the default scene, parents before children; triangles, strips and fans
- * as triangles; accessors of every kind (sparse, interleaved, normalised); materials, images (not
- * decoded), cameras, lights, animations and skins. Missing normals become flat normals, as the format
- * demands. Morph targets are applied with their weights at rest; they are kept only where a node or an
- * animation gives other weights, which are then relative to those at rest. Points, lines, morph targets
- * that are not kept and images that a material refers to but that cannot be read are counted in notes.
- * Extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform, EXT_mesh_gpu_instancing
- * (one node per instance), EXT_texture_webp, EXT_texture_avif, KHR_texture_basisu (its fallback image),
- * KHR_materials_* (the base colour).
+/* Reads GLB or JSON: the nodes of the default scene, parents before children; triangles, strips and fans as triangles;
+ * accessors of every kind (sparse, interleaved, normalised); materials, images (not decoded), cameras, lights,
+ * animations and skins. Missing normals become flat normals, as the format demands. Morph targets are applied with the
+ * mesh's weights at rest. They are also kept if a node or an animation gives other weights; these are then stored
+ * relative to those at rest. Points, lines, morph targets that are not kept, and images that a material uses but that
+ * cannot be read are counted in notes. Extensions: KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform,
+ * EXT_mesh_gpu_instancing (one node per instance), EXT_texture_webp, EXT_texture_avif, KHR_texture_basisu (its fallback
+ * image), KHR_materials_* (the base colour).
  *   resolver  NULL: no companion file can be read
  *   scene     out: in arena; unchanged on failure
- *   notes     counted up
+ *   notes     in, out: counts are added
  * HATCH_BAD_INPUT for violations of the format and for other required extensions, which err names. */
 enum hatch_status hatch_gltf_read(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver,
                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_scene *scene,

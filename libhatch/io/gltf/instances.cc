@@ -9,7 +9,7 @@ namespace hatch
 namespace
 {
 
-/* Transforms of a node's instances; NULL where the file has none. */
+/* Transforms of the instances of a node; an array is NULL where the file has none. */
 struct Transforms {
     float *translation, *rotation, *scale;
     uint32_t count;
@@ -41,7 +41,7 @@ enum hatch_status read_transforms(Reader &r, const tinygltf::Value &attributes, 
             continue;
         std::string at = where + ", instances' " + kind.name;
         HATCH_TRY(read_floats(r, accessor.GetNumberAsInt(), kind.components, at, kind.data, &count));
-        /* Without a view the values are zeros; a small file could then hold any number of instances. */
+        /* An accessor without a view is all zeros, so that a small file could claim any number of instances. */
         if (r.model.accessors[static_cast<size_t>(accessor.GetNumberAsInt())].bufferView == -1)
             return bad(r, at, "its accessor has no buffer view");
         if (any && count != to->count)
@@ -66,7 +66,7 @@ void fill(const Transforms &transforms, uint32_t instance, uint32_t parent, stru
         node->scale[k] = transforms.scale[3 * static_cast<size_t>(instance) + k];
 }
 
-/* Makes room for more nodes; at least doubles the capacity. */
+/* Makes room for more nodes; if that needs memory, the capacity at least doubles. */
 enum hatch_status reserve_nodes(Reader &r, uint32_t more, size_t *capacity)
 {
     size_t count = r.scene->node_count;

@@ -15,7 +15,7 @@ enum hatch_wrap wrap_of(int mode)
                                                            : HATCH_WRAP_REPEAT;
 }
 
-/* The array under a key of an extension; empty when absent. */
+/* Returns the array under a key of an extension; empty when absent. */
 std::vector<double> numbers_of(const tinygltf::Value &object, const char *key)
 {
     std::vector<double> numbers;
@@ -31,7 +31,8 @@ int index_of(const tinygltf::Value &object, const char *key, int absent)
     return value.IsInt() ? value.GetNumberAsInt() : absent;
 }
 
-/* KHR_texture_transform: the transform of the texture coordinates, and the set they are taken from. */
+/* Reads KHR_texture_transform: the transform of the texture coordinates, and their set if the extension names one.
+ *   set  in, out: index of the set of texture coordinates */
 enum hatch_status read_transform(Reader &r, const tinygltf::ExtensionMap &extensions, const std::string &where,
                                  int *set, struct hatch_texture_use *use)
 {
@@ -50,7 +51,8 @@ enum hatch_status read_transform(Reader &r, const tinygltf::ExtensionMap &extens
     return HATCH_OK;
 }
 
-/* The image of a texture. The core format's takes precedence over those of extensions. */
+/* Returns the index of a texture's image, or -1. The image of the core format takes precedence over those of
+ * extensions. */
 int image_of(const tinygltf::Texture &texture)
 {
     static const char *const names[] = {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu"};
@@ -76,7 +78,7 @@ void note_missing(Reader &r, size_t image)
     std::snprintf(r.notes->image_missing, sizeof r.notes->image_missing, "%s", name.c_str());
 }
 
-/* Leaves texture HATCH_NONE, and notes it, when the image is missing. */
+/* Reads the use of a texture. If the image is missing, use->texture is HATCH_NONE and the notes count the image. */
 enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where,
                            struct hatch_texture_use *use)
 {
@@ -120,7 +122,7 @@ enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &fro
     return copy_numbers(r, {from.scale}, 1, where, "normalTexture scale", &normals->strength);
 }
 
-/* KHR_materials_pbrSpecularGlossiness, an older form of the base colour. */
+/* Reads the base colour of KHR_materials_pbrSpecularGlossiness, an older form of material. */
 enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &from, const std::string &where,
                                struct hatch_material *material)
 {
@@ -138,7 +140,7 @@ enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &from, const std
     return read_use(r, info, where, &material->base);
 }
 
-/* hatch_glb_write_scene marks materials of lapped textures so. */
+/* Returns whether a material is that of lapped patches, as hatch_glb_write_scene marks it. */
 bool is_outline(const tinygltf::Material &material)
 {
     if (!material.extras.IsObject() || !material.extras.Has("hatch"))

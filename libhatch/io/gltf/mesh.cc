@@ -9,10 +9,10 @@ namespace hatch
 namespace
 {
 
-/* Faces whose normals differ by less share vertices when flat normals are added. */
+/* When flat normals are added, neighbouring faces share vertices if their normals differ by less than this. */
 const float flat_rad = 1e-4f;
 
-/* Whether name is the prefix set and a number ("COLOR_0"). */
+/* Returns whether a name consists of a prefix and a number, as "COLOR_0" does for "COLOR_". */
 bool is_set(const std::string &name, const char *set)
 {
     size_t length = std::strlen(set);
@@ -20,7 +20,8 @@ bool is_set(const std::string &name, const char *set)
            name.find_first_not_of("0123456789", length) == std::string::npos;
 }
 
-/* The components to read of an attribute whose accessor has so many; 0 for one that is not read. */
+/* Returns the number of components with which an attribute is read; 0 for one that is not read.
+ *   available  components that its accessor has */
 int wanted_components(const std::string &name, int available)
 {
     if (name == "POSITION" || name == "NORMAL")
@@ -43,7 +44,7 @@ int components_of(const Reader &r, int accessor)
         static_cast<uint32_t>(r.model.accessors[static_cast<size_t>(accessor)].type));
 }
 
-/* Colours have four components in a mesh. */
+/* Adds an alpha of 1 to colours of three components, since colours in a mesh have four. */
 enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
 {
     float *wide = HATCH_NEW(r.arena, float, static_cast<size_t>(count) * 4, r.err);
@@ -100,7 +101,8 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
     return HATCH_OK;
 }
 
-/* One more than the largest joint index, which must be an integer of 16 bits. */
+/* Computes the largest joint index plus 1, or 0 without joints. Fails for an index that is not an integer of 16
+ * bits. */
 enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const std::string &where, uint32_t *count)
 {
     *count = 0;
@@ -117,7 +119,7 @@ enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const s
     return HATCH_OK;
 }
 
-/* Replaces zero normals, which some exporters write, by a face's normal. */
+/* Replaces zero normals, which some exporters write, by the normal of a face at the vertex. */
 void replace_zero_normals(struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
@@ -126,7 +128,7 @@ void replace_zero_normals(struct hatch_mesh *mesh)
         if (n[0] != 0 || n[1] != 0 || n[2] != 0)
             continue;
         double p[3][3];
-        n[2] = 1; /* kept when the face has no area */
+        n[2] = 1; /* stays if the face has no area */
         if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
             continue;
         double length = 0, cross[3];
@@ -140,7 +142,8 @@ void replace_zero_normals(struct hatch_mesh *mesh)
     }
 }
 
-/* Corner k of triangle i of a strip; odd triangles are reversed, so that all have the same orientation. */
+/* Returns the position in a strip of corner k of its triangle i. Odd triangles are reversed, so that all have the same
+ * orientation. */
 uint32_t strip_corner(uint32_t i, uint32_t k)
 {
     return i + (i % 2 == 1 && k > 0 ? 3 - k : k);
@@ -167,7 +170,7 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
                            "index " + std::to_string(face[k]) + " does not exist, there are " +
                                std::to_string(mesh->vertex_count) + " vertices");
         }
-        /* Degenerate triangles join strips and are not part of the surface. */
+        /* Degenerate triangles of a strip or fan only join its parts and are not part of the surface. */
         bool joint = face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
         mesh->face_count += separate || !joint;
     }

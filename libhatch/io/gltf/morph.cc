@@ -1,4 +1,4 @@
-/* Morph targets: applied with their weights at rest, and kept where a node or an animation changes these. */
+/* Morph targets are applied with their weights at rest, and kept if a node or an animation changes the weights. */
 #include "io/gltf/reader.h"
 
 #include <cmath>
@@ -10,13 +10,13 @@ namespace hatch
 namespace
 {
 
-/* Targets without a weight have weight 0. */
+/* Returns the weight of a target; 0 for targets that the list does not reach. */
 double weight_of(const std::vector<double> &weights, size_t target)
 {
     return target < weights.size() ? weights[target] : 0;
 }
 
-/* Whether a node or an animation gives the mesh other weights than those at rest. */
+/* Returns whether a node or an animation gives the mesh other weights than those at rest. */
 bool has_other_weights(const Reader &r, size_t mesh, size_t targets)
 {
     const std::vector<double> &rest = rest_weights(r, mesh);
@@ -36,8 +36,8 @@ bool has_other_weights(const Reader &r, size_t mesh, size_t targets)
     return false;
 }
 
-/* Calls use with the displacements of each target that has the attribute.
- *   weights  targets of weight 0 are skipped; NULL: none is */
+/* Calls use with the displacements of each target that has the attribute name.
+ *   weights  targets of weight 0 are skipped; NULL: no target is skipped */
 template <typename Use>
 enum hatch_status each_target(Reader &r, const tinygltf::Primitive &primitive, const char *name,
                               const std::vector<double> *weights, const std::string &where, uint32_t count, Use use)

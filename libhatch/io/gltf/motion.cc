@@ -73,7 +73,7 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     return HATCH_OK;
 }
 
-/* Fills channel; leaves key_count 0 when its target is not in the scene or has nothing to animate. */
+/* Fills channel. Leaves key_count 0 when the target is not in the scene or there is nothing to animate. */
 enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, size_t index, const std::string &where,
                                struct hatch_animation_channel *channel)
 {
@@ -93,7 +93,7 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
     else if (from.target_path == "weights")
         channel->path = HATCH_PATH_WEIGHTS;
     else
-        return HATCH_OK; /* paths of extensions */
+        return HATCH_OK; /* the path of an extension */
     uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
     if (channel->path == HATCH_PATH_WEIGHTS && node != HATCH_NONE && r.scene->nodes[node].mesh_count > 0)
         channel->targets = hatch_mesh_target_count(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);

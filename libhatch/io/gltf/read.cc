@@ -38,9 +38,9 @@ namespace
 struct Files {
     const struct hatch_gltf_resolver *resolver;
     struct hatch_arena *scratch;
-    struct hatch_gltf_lengths lengths; /* of the buffers' files; tinygltf reads these first, in order */
-    size_t next;                       /* byte in lengths of the next file's */
-    struct hatch_err err;              /* first failure; more precise than tinygltf's message */
+    struct hatch_gltf_lengths lengths; /* of buffers that are files; tinygltf reads these files first, in this order */
+    size_t next;                       /* offset in lengths of the next file's length */
+    struct hatch_err err;              /* the first failure; more precise than tinygltf's message */
     bool left_folder;
 };
 
@@ -49,7 +49,7 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
 {
     uint64_t length;
     if (files.next + sizeof length > files.lengths.bytes.size)
-        return HATCH_OK; /* an image */
+        return HATCH_OK; /* the file is an image */
     std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
     files.next += sizeof length;
     if (bytes->size < length)
@@ -59,7 +59,8 @@ enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *
     return HATCH_OK;
 }
 
-/* tinygltf decodes a plus to a space, as in forms; in URIs it is a plus. */
+/* Reads a companion file. tinygltf decodes a plus to a space, as in forms, but in URIs it is a plus; so a name with
+ * spaces is tried again with plus signs. */
 enum hatch_status find_file(Files &files, const std::string &uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
     enum hatch_status status = files.resolver->read(files.resolver->context, uri.c_str(), files.scratch, bytes, err);
@@ -102,14 +103,14 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
         out->assign(bytes.data, bytes.data + bytes.size);
         return true;
     } else {
-        err.status = HATCH_BAD_INPUT; /* a glTF without its companion is incomplete */
+        err.status = HATCH_BAD_INPUT; /* without its companion, a glTF is incomplete */
     }
     if (files.err.status == HATCH_OK || files.left_folder)
         files.err = err;
     return false;
 }
 
-/* Images stay encoded. Those in a buffer view are read from there later, others are kept here. */
+/* Keeps an image encoded. Images in a buffer view are read from there later; others are copied here. */
 bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int, const unsigned char *bytes,
                 int size, void *)
 {
@@ -137,7 +138,7 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
                                        static_cast<unsigned int>(parts.file.size), "");
 }
 
-/* Upper bound of the bytes that a parsed JSON value takes per byte of text. */
+/* Upper bound of the memory that parsed JSON takes, in bytes per byte of text. */
 const size_t json_growth = 32;
 
 enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver *resolver, struct hatch_arena *scratch,
@@ -163,7 +164,7 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
     return parsed ? HATCH_OK : fail_with(text, err);
 }
 
-/* Products of finite transforms may overflow. */
+/* Fails when the transform of a node in the scene is not finite: products of finite transforms may overflow. */
 enum hatch_status check_transforms(Reader &r)
 {
     size_t count = r.scene->node_count;

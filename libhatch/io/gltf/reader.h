@@ -1,5 +1,5 @@
-/* Private to the glTF reader (C++): types and functions that its files share. Statuses besides HATCH_OK are
- * HATCH_BAD_INPUT and HATCH_LIMIT. */
+/* Private to the glTF reader (C++): types and functions that its files share. Functions that return a status fail with
+ * HATCH_BAD_INPUT or HATCH_LIMIT. */
 #ifndef HATCH_IO_GLTF_READER_H
 #define HATCH_IO_GLTF_READER_H
 
@@ -7,7 +7,8 @@
 
 #include <tiny_gltf.h>
 
-/* In C a struct and a function may share a name (hatch_arena_mark); C++ warns of a hidden constructor. */
+/* These C headers have a struct and a function of one name (hatch_arena_mark). In C++, -Wshadow warns that the function
+ * hides the struct's constructor. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 extern "C" {
@@ -25,8 +26,8 @@ struct Reader {
     struct hatch_scene *scene;
     struct hatch_mesh_notes *notes;
     struct hatch_err *err;
-    uint32_t *node_of = nullptr; /* per glTF node: the scene's node, or HATCH_NONE */
-    bool *image_noted = nullptr; /* per image: already counted in notes as missing */
+    uint32_t *node_of = nullptr; /* per glTF node: index of the scene's node; HATCH_NONE outside the default scene */
+    bool *image_noted = nullptr; /* per image: whether notes already count it as missing */
 };
 
 /* Names a place in the file for messages: "mesh 3, primitive 0". */
@@ -36,12 +37,12 @@ std::string place(const char *what, size_t index, const char *part, size_t part_
 /* Returns HATCH_BAD_INPUT with the message "where: what". */
 enum hatch_status bad(Reader &r, const std::string &where, const std::string &what);
 
-/* Fails unless index is -1 (none) or 0 .. count - 1. */
+/* Fails unless index is -1 (no reference) or 0 .. count - 1. */
 enum hatch_status check_index(Reader &r, int index, size_t count, const std::string &where, const char *what);
 
-/* Reads an accessor as floats; normalised integers are divided by their type's range. Fails for values that
- * are not finite.
- *   components  per element, as the accessor must have
+/* Reads an accessor as floats; normalised integers are divided by the largest value of their type. Fails for values
+ * that are not finite.
+ *   components  number of components that the accessor must have
  *   data        out: count * components, in r.arena */
 enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where, float **data,
                               uint32_t *count);
@@ -55,31 +56,33 @@ enum hatch_status read_indices(Reader &r, int accessor, const std::string &where
  *   stride  out: bytes from element to element, 0 when unset */
 enum hatch_status find_view(Reader &r, int view, const std::string &where, struct hatch_bytes *bytes, size_t *stride);
 
-/* Copies count finite numbers; leaves to unchanged when from is empty.
- *   what  property, for messages */
+/* Copies count numbers, which must be finite; if from is empty, to is unchanged.
+ *   what  name of the property, for messages */
 enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
                                const char *what, float *to);
 
 /* Normalises a node's rotation; fails when it is zero. */
 enum hatch_status normalize_rotation(Reader &r, struct hatch_node *node, const std::string &where);
 
-/* Weights of a mesh's morph targets at rest: those of the first node with weights that uses it, else its own. */
+/* Returns the weights of a mesh's morph targets at rest: those of the first node that uses the mesh and has weights,
+ * else the mesh's own. */
 const std::vector<double> &rest_weights(const Reader &r, size_t mesh);
-/* Weights of a node with a mesh: its own, else the mesh's. */
+/* Returns the weights of a node that has a mesh: the node's own, else the mesh's. */
 const std::vector<double> &node_weights(const Reader &r, size_t node);
 
-/* Applies the morph targets at rest to positions and normals; adds the targets to the mesh when a node or an
+/* Applies the morph targets at rest to positions and normals, and keeps the targets in the mesh if a node or an
  * animation gives them other weights.
  *   index  of the glTF mesh */
 enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, size_t index, const std::string &where,
                              struct hatch_mesh *mesh);
 
-/* Set the weights of a node, and make those of an animation channel, relative to the mesh's at rest. */
+/* Set the weights of a node, and convert those of an animation channel; both are then relative to the mesh's weights at
+ * rest. */
 enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node);
 enum hatch_status shift_weights(Reader &r, size_t node, const std::string &where,
                                 struct hatch_animation_channel *channel);
 
-/* Each fills a part of the scene; called in the order of read_all. */
+/* Each of these fills a part of the scene. read_all calls them in the order that they need. */
 enum hatch_status read_nodes(Reader &r);
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);
 enum hatch_status attach_to_nodes(Reader &r, const uint32_t *first_mesh);

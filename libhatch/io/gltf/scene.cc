@@ -25,8 +25,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
 namespace
 {
 
-/* Finds each node's parent, or HATCH_NONE. Fails for a second parent, with which a small file could hold
- * 2^39 instances. */
+/* Finds the parent of each node, or HATCH_NONE. Fails for a node with two parents: a small file could otherwise
+ * describe 2^39 instances. */
 enum hatch_status find_parents(Reader &r, uint32_t *parent)
 {
     size_t count = r.model.nodes.size();
@@ -44,7 +44,7 @@ enum hatch_status find_parents(Reader &r, uint32_t *parent)
     return HATCH_OK;
 }
 
-/* Lists the roots of the default scene, or of all nodes when there is no scene. */
+/* Lists the root nodes of the default scene; of all nodes when the file has no scene. */
 enum hatch_status list_roots(Reader &r, const uint32_t *parent, uint32_t *order, uint32_t *count)
 {
     const tinygltf::Model &model = r.model;
@@ -88,7 +88,7 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
     return normalize_rotation(r, node, where);
 }
 
-/* The light of a node (KHR_lights_punctual), or -1. */
+/* Returns the index of a node's light (KHR_lights_punctual), or -1. */
 int light_of(const tinygltf::Node &node)
 {
     auto extension = node.extensions.find("KHR_lights_punctual");
@@ -114,7 +114,8 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     return HATCH_OK;
 }
 
-/* KTX2 images (Basis Universal) are not decoded: no package does. */
+/* Returns whether an image is KTX2 (Basis Universal). Such images are treated as missing, since no package decodes
+ * them. */
 bool is_ktx2(struct hatch_bytes bytes)
 {
     static const uint8_t magic[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
@@ -130,7 +131,7 @@ enum hatch_status normalize_rotation(Reader &r, struct hatch_node *node, const s
         length += static_cast<double>(q) * static_cast<double>(q);
     if (!(length > 0))
         return bad(r, where, "rotation is zero");
-    /* Unit length up to rounding is kept, so that reading a written file changes nothing. */
+    /* A rotation of unit length up to rounding is kept as it is, so that reading a written file changes nothing. */
     for (float &q : node->rotation)
         q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
     return HATCH_OK;
@@ -266,7 +267,7 @@ enum hatch_status read_lights(Reader &r)
         to->range = static_cast<float>(from.range);
         to->inner_cone_rad = static_cast<float>(from.spot.innerConeAngle);
         to->outer_cone_rad = static_cast<float>(from.spot.outerConeAngle);
-        /* Some exporters write a sharp cone as equal angles, although the inner one must be less. */
+        /* Some exporters write equal angles for a sharp cone, although the inner angle must be less. */
         if (!(to->inner_cone_rad < to->outer_cone_rad || to->inner_cone_rad > to->outer_cone_rad))
             to->inner_cone_rad = std::nextafter(to->outer_cone_rad, 0.0f);
         bool cone = to->inner_cone_rad >= 0 && to->inner_cone_rad < to->outer_cone_rad && to->outer_cone_rad <= 1.5708f;

@@ -7,7 +7,8 @@
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
-#define FAR 256 /* extents from the origin: floats are spaced there by up to 2^-15 of the extent */
+/* Largest distance from the origin, in extents of the mesh; floats are spaced there by up to 2^-15 of the extent. */
+#define FAR 256
 
 static bool starts_with(struct hatch_bytes file, const char *magic)
 {
@@ -15,7 +16,7 @@ static bool starts_with(struct hatch_bytes file, const char *magic)
     return file.size >= length && memcmp(file.data, magic, length) == 0;
 }
 
-/* Ignores case. tolower would depend on the locale. */
+/* Compares the end of a name without regard to case. tolower would depend on the locale. */
 static bool has_extension(const char *name, const char *extension)
 {
     size_t length = strlen(name), suffix = strlen(extension);
@@ -39,7 +40,8 @@ static uint8_t first_visible(struct hatch_bytes file)
     return 0;
 }
 
-/* OBJ has no magic word: the first line that is not a comment must begin with a common keyword. */
+/* Returns whether a file looks like OBJ. The format has no magic word, so the first line that is not a comment must
+ * begin with a common keyword. */
 static bool looks_like_obj(struct hatch_bytes file)
 {
     size_t i = 0;
@@ -86,8 +88,8 @@ enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char 
     return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
 }
 
-/* Whether a mesh is so far from the origin that floats are coarse for its size.
- *   origin  out: then its centre, along the axes concerned, else zeros */
+/* Returns whether a mesh is so far from the origin that floats are coarse for its size.
+ *   origin  out: the mesh's centre on the axes along which it is far, 0 on the others */
 static bool is_far(const struct hatch_mesh *mesh, double origin[3])
 {
     float low[3], high[3];

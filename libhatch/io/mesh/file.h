@@ -1,5 +1,5 @@
-/* Reads mesh files without a scene: PLY (ascii, both binary orders), OBJ, OFF, STL (ascii, binary). Polygons
- * are triangulated: fans where these cover the polygon, else ear clipping. */
+/* Reads files that hold a mesh and no scene: PLY (ascii, both binary orders), OBJ, OFF, STL (ascii, binary). Polygons
+ * are triangulated as fans where a fan covers the polygon, else by ear clipping. */
 #ifndef HATCH_IO_MESH_FILE_H
 #define HATCH_IO_MESH_FILE_H
 
@@ -8,7 +8,7 @@
 
 enum hatch_mesh_format {
     HATCH_MESH_UNKNOWN,
-    HATCH_MESH_GLTF, /* JSON or GLB: read by io/gltf/gltf.h */
+    HATCH_MESH_GLTF, /* JSON or GLB, which io/gltf/gltf.h reads */
     HATCH_MESH_PLY,
     HATCH_MESH_OBJ,
     HATCH_MESH_OFF,
@@ -20,18 +20,18 @@ struct hatch_mesh_file {
     enum hatch_mesh_format format;
 };
 
-/* Finds a file's format by its content, else by the name's extension.
+/* Recognises a file's format by its content, else by the extension of its name.
  *   name  may be NULL */
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name);
 
-/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. An OBJ's v is flipped, since
- * it points upwards and glTF's downwards.
- *   file    format: not HATCH_MESH_GLTF
- *   origin  out: subtracted from all positions before they become floats. The mesh's centre when the mesh
- *           is so far from the origin that floats are coarse for its size, else zeros. NULL: not subtracted
- *   notes   counted up
- * HATCH_BAD_INPUT, with line or byte, for a malformed or truncated file, wrong counts, indices out of
- * range, numbers that are not finite, and files without faces. */
+/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. v of an OBJ is flipped, since it points
+ * upwards, but downwards in glTF.
+ *   file    its format is not HATCH_MESH_GLTF
+ *   origin  out: subtracted from all positions before they become floats. On each axis it is the centre of the mesh if
+ *           this is so far from 0 that floats are coarse for the mesh's size, else 0. NULL: nothing is subtracted
+ *   notes   in, out: counts are added
+ * HATCH_BAD_INPUT, with line or byte, for a malformed or truncated file, wrong counts, indices out of range, numbers
+ * that are not finite, and files without faces. */
 enum hatch_status hatch_mesh_read(struct hatch_mesh_file file, struct hatch_arena *arena, struct hatch_arena *scratch,
                                   struct hatch_mesh *mesh, double origin[3], struct hatch_mesh_notes *notes,
                                   struct hatch_err *err) HATCH_MUST_USE;

@@ -1,6 +1,6 @@
-/* Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
- * becomes a vertex of the mesh, in order of first use. Where faces have position indices only, the mesh has
- * the file's vertices. */
+/* Reads Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
+ * becomes a vertex of the mesh, in order of first use. If all faces have position indices only, the vertices of the
+ * mesh are those of the file. */
 #include <string.h>
 
 #include "base/random.h"
@@ -10,7 +10,7 @@
 enum { V, VT, VN, KINDS };
 #define ABSENT UINT32_MAX
 
-/* Indices of a face's corner; ABSENT where the face has none. */
+/* Indices of one corner of a face; ABSENT where the file gives none. */
 struct corner {
     uint32_t index[KINDS];
 };
@@ -19,12 +19,12 @@ struct obj {
     struct hatch_mesh_text text;
     const double *origin;
     struct hatch_arena *scratch;
-    struct hatch_buffer values[KINDS]; /* floats: 3, 2, 3 per value */
+    struct hatch_buffer values[KINDS]; /* 3, 2 and 3 floats per value */
     bool positions_only;               /* faces have position indices only */
     struct hatch_buffer vertices;      /* array of struct corner; empty if positions_only */
     uint32_t vertex_count, slot_count;
-    uint32_t *slots;                  /* hash table by corner: vertex + 1, 0 if free */
-    struct hatch_buffer points, used; /* of the face being read: indices of positions, of vertices */
+    uint32_t *slots;                  /* hash table of corners: vertex + 1, or 0 if free */
+    struct hatch_buffer points, used; /* of the face being read: indices of its positions; indices of its vertices */
     struct hatch_faces faces;
 };
 
@@ -60,7 +60,7 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
     return hatch_buffer_add(&o->values[kind], value, widths[kind] * sizeof *value, err);
 }
 
-/* "7", "7/1", "7//3" or "7/1/3"; negative indices count back from the last value read. */
+/* Reads a corner: "7", "7/1", "7//3" or "7/1/3". Negative indices count back from the last value read. */
 static enum hatch_status read_corner(const struct obj *o, struct hatch_text word, struct corner *corner,
                                      struct hatch_err *err)
 {
@@ -138,7 +138,8 @@ static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, 
     return HATCH_OK;
 }
 
-/* Whether a face has indices of texture coordinates or normals. Continued lines start with a number. */
+/* Returns whether any face has indices of texture coordinates or normals. A line that begins with a number may continue
+ * a face. */
 static bool has_slashes(struct hatch_bytes file)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
@@ -176,7 +177,7 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
                            (const uint32_t *)(const void *)o->used.data, count, err);
 }
 
-/* Groups, materials, lines and display hints do not change the surface. */
+/* Returns whether a keyword is ignored: groups, materials, lines and display hints do not change the surface. */
 static bool is_ignored(struct hatch_text word)
 {
     static const char *const words[] = {"o",        "g",     "s",     "mg",         "usemtl",    "mtllib", "usemap",
@@ -207,7 +208,7 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
                       word.at);
 }
 
-/* Copies a kind's values to the vertices in order; *out is NULL when a vertex lacks one. */
+/* Lists the values of a kind in the order of the vertices; *out is NULL when a vertex lacks one. */
 static enum hatch_status gather(struct obj *o, int kind, float **out, struct hatch_err *err)
 {
     const struct corner *corners = vertex_corners(o);

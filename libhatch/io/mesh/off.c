@@ -1,5 +1,5 @@
-/* OFF (Geomview's object file format) as text, with optional texture coordinates (ST), colours (C) and
- * normals (N). The rest of a line after a position or a face's corners is skipped. */
+/* Reads OFF (Geomview's object file format) in its text form, with optional texture coordinates (ST), colours (C) and
+ * normals (N). They are skipped, as is the rest of any line after a position or a face's corners. */
 #include <string.h>
 
 #include "io/mesh/polygon.h"
@@ -17,7 +17,7 @@ size_t hatch_off_keyword(const char *at, size_t size)
     return size - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
 }
 
-/* In some files the counts follow the keyword without a space ("OFF490 518 0"). */
+/* Reads the keyword. In some files the counts follow it without a space ("OFF490 518 0"). */
 static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_any_word(text);
@@ -29,7 +29,8 @@ static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_
     return HATCH_OK;
 }
 
-/* A vertex takes at least six bytes ("0 0 0\n"), a face at least eight ("3 0 0 0\n"). */
+/* Reads the counts and checks them against the size of the file: a vertex takes at least six bytes ("0 0 0\n"), a face
+ * at least eight ("3 0 0 0\n"). */
 static enum hatch_status read_counts(struct hatch_mesh_text *text, int64_t counts[2], struct hatch_err *err)
 {
     static const char *const names[] = {"vertices", "faces"};

@@ -1,5 +1,5 @@
-/* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and
- * triangle strips. Only read_number, skip_property and the size checks depend on the form. */
+/* PLY (Turk, Stanford 1994): ascii and both binary orders, vertices with any properties, faces and triangle strips.
+ * Only read_number, skip_property and the size checks distinguish ascii from binary. */
 
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ enum ply_use { PLY_SKIP, PLY_X, PLY_Y, PLY_Z, PLY_NX, PLY_NY, PLY_NZ, PLY_U, PLY
 
 struct ply_property {
     enum ply_type type;
-    enum ply_type count_type; /* of a list; PLY_NONE for a single number */
+    enum ply_type count_type; /* type of a list's length; PLY_NONE for a single number */
     enum ply_use use;
 };
 
@@ -38,7 +38,7 @@ struct ply_header {
     struct ply_element elements[PLY_ELEMENTS_MAX];
 };
 
-/* Bytes of a binary number; 0 for PLY_NONE. */
+/* Returns the size in bytes of a binary number; 0 for PLY_NONE. */
 static size_t size_of(enum ply_type type)
 {
     static const size_t sizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
@@ -181,8 +181,8 @@ struct ply {
     const double *origin;
     struct hatch_mesh_text text;       /* ascii */
     struct hatch_reader reader;        /* binary */
-    const struct ply_element *element; /* being read */
-    uint64_t item;                     /* index in element, for messages */
+    const struct ply_element *element; /* the element being read */
+    uint64_t item;                     /* index of the item in element, for messages */
     struct hatch_arena *scratch;
     uint32_t vertex_count;
     float *positions, *normals, *texcoords; /* NULL if the file has none */
@@ -234,7 +234,8 @@ static enum hatch_status read_number(struct ply *p, enum ply_type type, double *
     return p->reader.cut ? fail(p, err, "the file is truncated") : HATCH_OK;
 }
 
-/* The minimum bytes of an element; in ascii a digit and a separator per number. */
+/* Returns the minimum size in bytes of an item of an element; in ascii, a number takes at least a digit and a
+ * separator. */
 static size_t min_size(const struct ply *p, const struct ply_element *element)
 {
     size_t size = 0;
@@ -275,7 +276,7 @@ static enum hatch_status read_length(struct ply *p, const struct ply_property *p
     return HATCH_OK;
 }
 
-/* In ascii a skipped value may be any word: scanners write "nan" for an unknown quality. */
+/* Skips a property. In ascii its value may be any word, since scanners write "nan" for an unknown quality. */
 static enum hatch_status skip_property(struct ply *p, const struct ply_property *property, struct hatch_err *err)
 {
     uint32_t length = 1;
@@ -359,8 +360,8 @@ static enum hatch_status read_corners(struct ply *p, const struct ply_property *
     return HATCH_OK;
 }
 
-/* Odd triangles of a strip are reversed, so that all have the same orientation. Triangles with a repeated
- * corner only join strips and are left out. */
+/* Adds the triangles of one or more strips. Odd triangles of a strip are reversed, so that all have the same
+ * orientation. Triangles with a repeated corner only join strips and are left out. */
 static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint32_t count, struct hatch_err *err)
 {
     uint32_t start = 0;

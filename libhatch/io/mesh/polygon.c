@@ -4,7 +4,7 @@
 
 #include "math/vector.h"
 
-/* Steps of ear clipping per file: some seconds. */
+/* Limit of the steps of ear clipping per file, which take some seconds. */
 #define STEP_LIMIT ((uint64_t)500000000)
 
 struct hatch_faces hatch_faces_in(struct hatch_arena *scratch)
@@ -22,7 +22,7 @@ static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t 
     return hatch_buffer_add(&faces->indices, triangle, sizeof triangle, err);
 }
 
-/* A polygon projected to a plane, counter-clockwise. */
+/* A polygon projected to a plane, counter-clockwise. next of a clipped corner is UINT32_MAX. */
 struct outline {
     double (*at)[2];
     uint32_t *next, *previous;
@@ -45,7 +45,7 @@ static void newell_normal(const float *positions, const uint32_t *point, uint32_
     }
 }
 
-/* Whether no triangle of the fan from a corner is reversed. */
+/* Returns whether no triangle of the fan from a corner is reversed. */
 static bool fan_is_proper(const float *positions, const uint32_t *point, uint32_t count, uint32_t start,
                           const double normal[3])
 {
@@ -69,7 +69,7 @@ static enum hatch_status add_fan(struct hatch_faces *faces, const uint32_t *vert
     return HATCH_OK;
 }
 
-/* Twice the signed area of a triangle of corners. */
+/* Returns twice the signed area of the triangle of three corners. */
 static double area2(const struct outline *o, uint32_t a, uint32_t b, uint32_t c)
 {
     const double *p = o->at[a], *q = o->at[b], *r = o->at[c];
@@ -86,7 +86,7 @@ static bool coincide(const struct outline *o, uint32_t a, uint32_t b)
     return o->at[a][0] == o->at[b][0] && o->at[a][1] == o->at[b][1];
 }
 
-/* A corner is an ear when it is convex and its triangle contains no reflex corner. */
+/* Returns whether a corner is an ear: it is convex, and its triangle contains no reflex corner. */
 static bool is_ear(const struct outline *o, uint32_t corner)
 {
     uint32_t a = o->previous[corner], c = o->next[corner];
@@ -102,7 +102,8 @@ static bool is_ear(const struct outline *o, uint32_t corner)
     return true;
 }
 
-/* Clipping changes the two neighbours: a reflex corner may become convex, never the reverse. */
+/* Removes corners that are clipped or now convex from the list of reflex corners. Clipping an ear changes only its two
+ * neighbours, and a reflex corner may become convex, but never the reverse. */
 static void update_reflex(struct outline *o)
 {
     uint32_t kept = 0;
@@ -122,7 +123,7 @@ static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
             return hatch_fail(err, HATCH_LIMIT, "a concave polygon of %u corners is too large; triangulate it",
                               o->count);
         faces->steps_left -= cost;
-        /* A polygon without an ear intersects itself: any corner is clipped. */
+        /* A polygon without an ear intersects itself; any of its corners is clipped then. */
         if (misses < remaining && !is_ear(o, corner)) {
             corner = o->next[corner];
             misses++;
@@ -141,7 +142,7 @@ static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
     return add_triangle(faces, vertex, o->previous[corner], corner, o->next[corner], err);
 }
 
-/* Projects the polygon along the axis in which its normal is largest. */
+/* Projects the polygon along the axis on which its normal has the largest component. */
 static void project(const float *positions, const uint32_t *point, const double normal[3], struct outline *o)
 {
     int axis = 0;
@@ -166,7 +167,7 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
                                      const uint32_t *vertex, uint32_t count, const double normal[3],
                                      struct hatch_err *err)
 {
-    /* Allocates the triangles first, so that the outline after them can be freed. */
+    /* Room for the triangles is reserved first, so that the outline, allocated after them, can be freed. */
     HATCH_TRY(hatch_buffer_reserve(&faces->indices, (size_t)count * 3 * sizeof(uint32_t), err));
     struct hatch_arena_mark mark = hatch_arena_mark(faces->scratch);
     struct outline o = {.count = count};

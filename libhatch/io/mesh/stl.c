@@ -1,4 +1,4 @@
-/* STL, binary and text. Each triangle has three vertices of its own. Normals are not read: many are wrong or
+/* Reads STL, binary and text. Each triangle has three vertices of its own. Normals are not read: many are wrong or
  * zero, and they follow from the corners. */
 #include <math.h>
 #include <string.h>
@@ -20,7 +20,8 @@ static bool is(struct hatch_text word, const char *keyword)
     return i == word.length && !keyword[i];
 }
 
-/* Binary files may begin with "solid", too, but soon contain bytes that a text does not have. */
+/* Returns whether a file looks like text. Binary files may begin with "solid", too, but soon contain bytes that text
+ * does not have. */
 static bool looks_like_text(struct hatch_bytes file)
 {
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
@@ -84,14 +85,14 @@ static enum hatch_status read_binary(struct hatch_bytes file, const double origi
     return HATCH_OK;
 }
 
-/* State of reading text. */
+/* State of reading an STL as text. */
 struct solids {
     const double *origin;
     struct hatch_mesh_text text;
     struct hatch_buffer positions;
-    uint32_t corners; /* of the facet being read */
-    bool first;       /* the next word begins a line */
-    bool in_name;     /* words belong to a solid's name, which ends at the line's end or at a facet */
+    uint32_t corners; /* corners so far in the facet being read */
+    bool first;       /* the next word is the first of its line */
+    bool in_name;     /* words belong to the name of a solid, which ends with the line or at a facet */
     bool ended;       /* the last solid has an endsolid */
 };
 
@@ -116,14 +117,14 @@ static enum hatch_status read_word(struct solids *s, struct hatch_text word, str
         s->corners = 0;
         return HATCH_OK;
     }
-    /* Skips normals and other words after a line's first. */
+    /* Skips normals, and any word that is not the first of its line. */
     if (!first || s->in_name || facet || is(word, "outer") || is(word, "endloop"))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", s->text.line, hatch_mesh_text_shown(word),
                       word.at);
 }
 
-/* Line ends matter only after a solid's name: some programs write no others. */
+/* Reads an STL as text. Line ends matter only after the name of a solid, since some programs write no others. */
 static enum hatch_status read_text(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_err *err)
 {

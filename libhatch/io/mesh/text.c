@@ -19,7 +19,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/* The length of a backslash and the line's end after it, or 0. */
+/* Returns the length of a backslash and the line end after it, or 0 if there is none. */
 static size_t continuation(const struct hatch_mesh_text *text)
 {
     size_t remaining = hatch_mesh_text_remaining(text);

@@ -3,7 +3,7 @@
 #include <new>
 #include <vector>
 
-/* OpenMesh resizes vectors with values that it sets later, of which gcc warns. */
+/* gcc warns of vectors that OpenMesh resizes before it sets their values. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -12,7 +12,8 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-/* In C a struct and a function may share a name (hatch_arena_mark); C++ warns of a hidden constructor. */
+/* This C header has a struct and a function of one name (hatch_arena_mark). In C++, -Wshadow warns that the function
+ * hides the struct's constructor. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 extern "C" {
@@ -55,7 +56,7 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
     uint32_t added = 0;
     for (uint32_t v = 0; v < mesh->vertex_count && added < count; v++) {
         if (point[v] != added)
-            continue; /* not the first vertex of its point */
+            continue; /* only the first vertex at a position becomes a point */
         double p[3];
         for (size_t k = 0; k < 3; k++)
             p[k] = (static_cast<double>(positions[v * size_t{3} + k]) - frame.centre[k]) / frame.size;
@@ -67,7 +68,7 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
 uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *to)
 {
     uint32_t left_out = 0;
-    omerr().disable(); /* a library does not print */
+    omerr().disable(); /* OpenMesh prints each refused face, but a library must not print */
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         Mesh::VertexHandle corner[3];
         for (size_t c = 0; c < 3; c++)

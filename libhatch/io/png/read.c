@@ -5,17 +5,17 @@
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)
-#define PACK_RATIO_MAX 1032u       /* of deflate */
-#define CHUNK_BYTES_MAX (8u << 20) /* of ancillary chunks (ICC profiles, texts), which are not used */
+#define PACK_RATIO_MAX 1032u       /* limit of deflate: unpacked bytes per packed byte */
+#define CHUNK_BYTES_MAX (8u << 20) /* limit of ancillary chunks (ICC profiles, texts), which are not used */
 #define SIGNATURE_BYTES 8u
 
-/* State of reading; locals would be lost when libpng jumps. */
+/* State of reading. It is not kept in locals, which would be lost when libpng jumps. */
 struct reading {
     struct hatch_bytes file;
     size_t at;
     struct hatch_arena *arena, *scratch;
     struct hatch_err *err;
-    enum hatch_status status; /* HATCH_OK, or of the failure that err describes */
+    enum hatch_status status; /* HATCH_OK, or the status of the failure that err describes */
     struct hatch_image image;
     uint32_t depth, passes;
     uint8_t **rows;
@@ -114,7 +114,7 @@ static void read_all(png_structp png, png_infop info)
     png_read_end(png, NULL);
 }
 
-/* The target of libpng's jumps; has no locals that a jump could invalidate. */
+/* Reads the image. This function is the target of libpng's jumps and has no locals that a jump could invalidate. */
 static void read_or_fail(png_structp png, png_infop info)
 {
     if (setjmp(png_jmpbuf(png)) == 0)

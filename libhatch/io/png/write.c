@@ -8,13 +8,13 @@
 #include <string.h>
 
 #define ZLIB_LEVEL 6
-#define GUESSES 4096u /* table size with which a guess is at most one code too low */
+#define GUESSES 4096u /* table size for which a guess is at most one code too low */
 
 /* Table for encoding 8 bits of sRGB without a power per pixel: code k stands for values from border[k - 1] up
  * to, but not including, border[k]. */
 struct codes {
     float border[256];
-    uint8_t guess[GUESSES + 1]; /* by value * GUESSES: the code or the one below */
+    uint8_t guess[GUESSES + 1]; /* index: value * GUESSES; the code of the value or the one below it */
 };
 
 struct writing {
@@ -71,7 +71,7 @@ static void fill_codes(struct codes *codes)
 
 static uint32_t code_of(const struct writing *w, float value, bool is_alpha)
 {
-    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* not a number: 0 */
+    float clamped = value > 0 ? (value < 1 ? value : 1) : 0; /* NaN becomes 0 */
     uint32_t top = w->depth == 16 ? 65535u : 255u;
     if (w->encoding == HATCH_PNG_RAW || is_alpha)
         return (uint32_t)(clamped * (float)top + 0.5f);
@@ -129,7 +129,7 @@ static void write_all(png_structp png, png_infop info)
     png_write_end(png, NULL);
 }
 
-/* The target of libpng's jumps; has no locals that a jump could invalidate. */
+/* Writes the image. This function is the target of libpng's jumps and has no locals that a jump could invalidate. */
 static void write_or_fail(png_structp png, png_infop info)
 {
     if (setjmp(png_jmpbuf(png)) == 0)

@@ -1,4 +1,4 @@
-/* Colours of CSS. */
+/* Parses the colours of CSS. */
 #include <string.h>
 
 #include "image/color.h"
@@ -158,7 +158,7 @@ static const struct {
     {"yellowgreen", 0x9acd32},
 };
 
-/* Ignores case. */
+/* Compares without regard to case. */
 static bool is_name(struct hatch_text text, const char *name)
 {
     size_t i = 0;

@@ -1,4 +1,4 @@
-/* Dashes (SVG 2, section 13.5.6). */
+/* Cuts lines into dashes (SVG 2, section 13.5.6). */
 #include <string.h>
 
 #include "io/svg/parts.h"
@@ -7,9 +7,9 @@
 
 /* Position in the dash pattern while following a line. */
 struct cutter {
-    double lengths[2 * PATTERN_MAX]; /* tiles; dashes and gaps alternating */
-    double remaining;                /* of the current dash or gap, tiles */
-    uint32_t count, current;         /* current even: a dash */
+    double lengths[2 * PATTERN_MAX]; /* in tiles; dashes and gaps alternate, a dash first */
+    double remaining;                /* rest of the current dash or gap, tiles */
+    uint32_t count, current;         /* number of lengths; index of the current one: even for a dash, odd for a gap */
     const struct hatch_svg_style *style;
     struct hatch_svg_dasher *dasher;
 };
@@ -23,7 +23,9 @@ static double length_of(const struct hatch_path_builder *line)
 }
 
 /* Reads the pattern and applies its offset.
- *   sum  out: length of the pattern, tiles; 0: the line has no dashes */
+ *   page   side of the page in user units, for percentages
+ *   scale  tiles per user unit
+ *   sum    out: length of the pattern, tiles; 0: the line has no dashes */
 static enum hatch_status read_pattern(struct cutter *cutter, double page, double scale, double *sum,
                                       struct hatch_err *err)
 {
@@ -35,7 +37,7 @@ static enum hatch_status read_pattern(struct cutter *cutter, double page, double
             return hatch_fail(err, HATCH_BAD_INPUT, "stroke-dasharray: %g is negative", cutter->lengths[i]);
         *sum += cutter->lengths[i] *= scale;
     }
-    if (cutter->count % 2) { /* a pattern of odd length is repeated */
+    if (cutter->count % 2) { /* a pattern with an odd number of entries is repeated */
         memcpy(cutter->lengths + cutter->count, cutter->lengths, cutter->count * sizeof *cutter->lengths);
         cutter->count *= 2;
         *sum *= 2;
@@ -65,7 +67,7 @@ static enum hatch_status end_dash(struct cutter *cutter, struct hatch_err *err)
     return status;
 }
 
-/* Ends the current dash or gap and begins the next. */
+/* Ends the current dash or gap at (x, y) and begins the next. */
 static enum hatch_status advance(struct cutter *cutter, double x, double y, struct hatch_err *err)
 {
     if (cutter->current % 2 == 0) {

@@ -1,4 +1,4 @@
-/* Numbers, lengths and transforms of SVG. */
+/* Parses the numbers, lengths and transforms of SVG. */
 #include <string.h>
 
 #include "io/svg/parts.h"
@@ -34,7 +34,7 @@ static size_t digits_at(const struct hatch_text *text, size_t at)
     return count;
 }
 
-/* Length of the number at the start: "-.5e3" in "-.5e3-2" and "-.5" in "-.5em". */
+/* Returns the length of the number at the start of a text: of "-.5e3" in "-.5e3-2", and of "-.5" in "-.5em". */
 static size_t number_length(const struct hatch_text *text)
 {
     size_t at = text->length && (*text->at == '+' || *text->at == '-');
@@ -154,7 +154,7 @@ static struct hatch_svg_matrix rotation(const double *v, uint32_t count)
     return m;
 }
 
-/* The matrix of a transform function; false when the name or the number of arguments is wrong. */
+/* Computes the matrix of a transform function; returns false when its name or the number of arguments is wrong. */
 static bool transform_of(struct hatch_text name, const double *v, uint32_t count, struct hatch_svg_matrix *m)
 {
     *m = (struct hatch_svg_matrix){1, 0, 0, 1, 0, 0};

@@ -1,4 +1,4 @@
-/* Private to the SVG reader: parsing of values, computed style, and drawing of shapes. */
+/* Private to the SVG reader: parsing of values, computed styles, and drawing of shapes. */
 #ifndef HATCH_IO_SVG_PARTS_H
 #define HATCH_IO_SVG_PARTS_H
 
@@ -23,14 +23,14 @@ struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer,
 enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Removes white space, with at most one comma, from the start of *rest. */
+/* Removes white space and at most one comma from the start of *rest. */
 void hatch_svg_skip(struct hatch_text *rest);
 
-/* Removes a finite number, and the white space and comma after it, from the start of *rest; false when
- * there is none. */
+/* Removes a finite number, and the white space and comma after it, from the start of *rest. Returns false when there is
+ * no number. */
 bool hatch_svg_number(struct hatch_text *rest, double *number);
 
-/* Removes count numbers. */
+/* Removes count numbers like hatch_svg_number. */
 bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers);
 
 /* Parses a length: a number with px, pt, pc, mm, cm, in, em, ex, %, or no unit.
@@ -44,21 +44,21 @@ enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double 
 enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t max, double *lengths,
                                     uint32_t *count, struct hatch_err *err) HATCH_MUST_USE;
 
-/* SERVER: a gradient or a pattern. */
+/* Kinds of paint; SERVER: a gradient or a pattern. */
 enum hatch_svg_paint { HATCH_SVG_NONE, HATCH_SVG_COLOR, HATCH_SVG_SERVER };
 
 /* Computed style of an element. */
 struct hatch_svg_style {
     enum hatch_svg_paint stroke, fill;
-    float stroke_rgb[3], color_rgb[3]; /* linear; color_rgb: value of currentColor */
+    float stroke_rgb[3], color_rgb[3]; /* linear light; color_rgb: value of currentColor */
     double width;                      /* user units */
-    double stroke_opacity, opacity;    /* 0 .. 1; opacity: product with those of all groups around */
-    double own_opacity;                /* 0 .. 1; of the element alone */
+    double stroke_opacity, opacity;    /* 0 .. 1; opacity: product of own_opacity and those of all groups around */
+    double own_opacity;                /* 0 .. 1; opacity of the element alone */
     struct hatch_text dashes;          /* stroke-dasharray; empty: none */
     double dash_offset;                /* user units */
     bool capped;                       /* round or square caps: lines of length 0 are visible */
-    bool hidden;                       /* display none or visibility hidden */
-    bool masked;                       /* has a filter, a mask or a clip */
+    bool hidden;                       /* display is none, or visibility is hidden */
+    bool masked;                       /* has a filter, a mask or a clipping path */
     struct hatch_svg_matrix matrix;    /* from user units to tiles */
 };
 
@@ -71,10 +71,10 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
 enum hatch_status hatch_svg_declarations(struct hatch_text declarations, double page, struct hatch_svg_style *style,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Receives a finished line, in tiles. */
+/* A callback that receives a finished line, in tiles. */
 typedef enum hatch_status (*hatch_svg_finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);
 
-#define HATCH_SVG_DASHES_MAX 1000000u /* per drawing */
+#define HATCH_SVG_DASHES_MAX 1000000u /* limit per drawing */
 
 /* Cuts the lines of a drawing into dashes. */
 struct hatch_svg_dasher {
@@ -96,7 +96,7 @@ enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct h
  *   rgb  out: linear */
 bool hatch_svg_color(struct hatch_text text, float rgb[3]);
 
-/* Draws subpaths given in user units. */
+/* Draws subpaths that are given in user units. */
 struct hatch_svg_pen {
     struct hatch_path_builder line; /* the current subpath, in tiles */
     struct hatch_svg_matrix matrix; /* from user units to tiles */
@@ -105,7 +105,7 @@ struct hatch_svg_pen {
     void *context;
 };
 
-/* Ends the current subpath and begins another. */
+/* Ends the current subpath; the next one begins at (x, y). */
 enum hatch_status hatch_svg_move(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
 enum hatch_status hatch_svg_line(struct hatch_svg_pen *pen, double x, double y, struct hatch_err *err) HATCH_MUST_USE;
 /* Adds a cubic Bézier curve.
@@ -125,7 +125,8 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
  *   attributes  names and values alternating, NULL-terminated */
 struct hatch_text hatch_svg_attribute(const char *const *attributes, const char *name);
 
-/* Draws a line, rect, circle, ellipse, polyline, polygon or path; does nothing for other elements. */
+/* Draws a line, rect, circle, ellipse, polyline, polygon or path; does nothing for other elements.
+ *   page  side of the page in user units, for percentages */
 enum hatch_status hatch_svg_shape(const char *element, const char *const *attributes, double page,
                                   struct hatch_svg_pen *pen, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -1,4 +1,4 @@
-/* The pen, and path data (SVG 2, section 9.3). */
+/* Draws with the pen, and reads path data (SVG 2, section 9.3). */
 #include <assert.h>
 #include <string.h>
 
@@ -15,7 +15,7 @@ enum hatch_status hatch_svg_end(struct hatch_svg_pen *pen, struct hatch_err *err
     return status;
 }
 
-/* Adds the line's first point. Deferred from the move, since a path may end with a move. */
+/* Adds the first point of a line unless it has one. A move does not add it, since a path may end with a move. */
 static enum hatch_status begin_line(struct hatch_svg_pen *pen, struct hatch_err *err)
 {
     double point[2];
@@ -57,7 +57,7 @@ struct ellipse {
     double from, sweep;                /* start angle and signed extent of the arc, radians */
 };
 
-/* From end points to centre (SVG 2, appendix B.2.4). */
+/* Converts an arc from its end points to its centre (SVG 2, appendix B.2.4). */
 static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const double radii[2], double rotation_deg,
                                       bool large, bool sweep, const double end[2])
 {
@@ -74,7 +74,7 @@ static struct ellipse ellipse_through(const struct hatch_svg_pen *pen, const dou
         y /= sqrt(chord2);
         chord2 = 1;
     }
-    /* On the unit circle (x, y) is half the chord; the centre lies perpendicular to it. */
+    /* With the ellipse scaled to the unit circle, (x, y) is half the chord, and the centre lies perpendicular to it. */
     double distance = chord2 > 0 ? sqrt((1 - chord2) / chord2) : 0;
     if (large == sweep)
         distance = -distance;
@@ -121,7 +121,7 @@ enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2]
 /* State of reading path data. */
 struct reading {
     struct hatch_svg_pen *pen;
-    double start[2];   /* of the subpath */
+    double start[2];   /* start of the subpath */
     double control[2]; /* the previous command's last control point, for S and T */
     char last;         /* the previous command, upper case; 0: none */
 };
@@ -145,8 +145,8 @@ static enum hatch_status cubic(struct reading *r, const double *v, struct hatch_
     return hatch_svg_cubic(r->pen, v, err);
 }
 
-/* Reflects the previous control point at the current point; the current point itself when the previous
- * command is not one of kinds. */
+/* Reflects the previous control point at the current point. If the previous command is not one of kinds, the result is
+ * the current point. */
 static void mirror(const struct reading *r, const char *kinds, double *point)
 {
     bool smooth = r->last && strchr(kinds, r->last);
@@ -154,7 +154,7 @@ static void mirror(const struct reading *r, const char *kinds, double *point)
     point[1] = smooth ? 2 * r->pen->y - r->control[1] : r->pen->y;
 }
 
-/* Draws a command with absolute coordinates. */
+/* Draws a command whose coordinates are absolute. */
 static enum hatch_status draw(struct reading *r, char command, double *v, struct hatch_err *err)
 {
     struct hatch_svg_pen *pen = r->pen;
@@ -189,7 +189,7 @@ static enum hatch_status draw(struct reading *r, char command, double *v, struct
     }
 }
 
-/* An arc's flags may follow each other without a separator: "0 01 3,4". */
+/* Removes one flag of an arc. Flags may follow each other without a separator: "0 01 3,4". */
 static bool take_flag(struct hatch_text *rest, double *flag)
 {
     if (!rest->length || (*rest->at != '0' && *rest->at != '1'))
@@ -252,7 +252,7 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
             make_absolute(pen, upper, count, v);
         HATCH_TRY(draw(&r, upper, v, err));
         r.last = upper;
-        if (upper == 'M') /* further coordinates are lines */
+        if (upper == 'M') /* coordinates that follow are those of lines */
             letter = letter == 'M' ? 'L' : 'l';
     }
     return hatch_svg_end(pen, err);

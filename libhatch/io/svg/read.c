@@ -8,20 +8,20 @@
 #define TOLERANCE_PX 0.05
 #define WIDTH_MAX 0.25 /* tiles */
 
-/* State of drawing a tree. */
+/* State of drawing the elements of a tree. */
 struct drawing {
     uint32_t size_px;
     struct hatch_arena *arena;
     struct hatch_svg_tree tree;
     struct hatch_svg_sheet sheet;
-    struct hatch_svg_style *styles; /* styles of the elements around, by depth; 0: the initial one */
+    struct hatch_svg_style *styles; /* by depth: of the current element and those around it; [0]: the initial style */
     uint32_t depth;
-    double page; /* side, user units */
+    double page; /* side of the page, user units */
     struct hatch_svg_pen pen;
     struct hatch_svg_dasher dasher;
     struct hatch_stroke_list strokes;
     struct hatch_svg_notes notes;
-    bool located; /* the error message has its line */
+    bool located; /* the error message names its line already */
 };
 
 bool hatch_svg_is(struct hatch_bytes file)
@@ -43,7 +43,7 @@ static bool is_any(const char *name, const char *const *list)
     return false;
 }
 
-/* Mean scale of a matrix. */
+/* Returns the mean scale of a matrix. */
 static double scale_of(const struct hatch_svg_matrix *m)
 {
     return sqrt(fabs(m->a * m->d - m->b * m->c));
@@ -94,7 +94,8 @@ static enum hatch_status add_line(void *context, struct hatch_path_builder *line
     return hatch_svg_dash(&d->dasher, line, style, d->page, scale_of(&style->matrix), err);
 }
 
-/* Computes an element's style: the parent's, then attributes, style sheets, and the style attribute. */
+/* Computes an element's style: its parent's, changed by attributes, then by style sheets, then by the style
+ * attribute. */
 static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     struct hatch_svg_style *style = &d->styles[d->depth];
@@ -220,8 +221,8 @@ static enum hatch_status fit_symbol(struct drawing *d, const struct hatch_svg_no
     return HATCH_OK;
 }
 
-/* Draws the referenced element at the clone's position and in its style. Recursion ends: the tree was checked
- * for clones of themselves. */
+/* Draws the element that a clone refers to, at the clone's position and in its style. The recursion ends, since
+ * hatch_svg_tree_read has refused elements that contain clones of themselves. */
 static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const axes[] = {"x", "y"};
@@ -252,7 +253,8 @@ static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_no
     return HATCH_OK;
 }
 
-/* Recurses HATCH_SVG_DEPTH_MAX levels at most: the tree was checked. */
+/* Draws an element and those in it. Recurses at most HATCH_SVG_DEPTH_MAX levels, which hatch_svg_tree_read has
+ * checked. */
 static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     static const char *const groups[] = {"g", "a", "switch", NULL};

@@ -11,7 +11,7 @@ struct hatch_text hatch_svg_attribute(const char *const *attributes, const char 
     return (struct hatch_text){"", 0};
 }
 
-/* Reads lengths by attribute name; 0 when absent. */
+/* Reads the lengths that some attributes have; 0 for absent ones. */
 static enum hatch_status read_lengths(const char *const *attributes, const char *const *names, uint32_t count,
                                       double page, double *lengths, struct hatch_err *err)
 {
@@ -63,7 +63,7 @@ static enum hatch_status draw_ellipse_element(const char *const *attributes, dou
     return draw_ellipse(v[0], v[1], v[2], v[3], pen, err);
 }
 
-/* A side to (to_x, to_y), and the rounded corner after it to (end_x, end_y). */
+/* Draws a side of a rectangle to (to_x, to_y), and the rounded corner from there to (end_x, end_y). */
 static enum hatch_status draw_side(struct hatch_svg_pen *pen, const double radii[2], double to_x, double to_y,
                                    double end_x, double end_y, struct hatch_err *err)
 {

@@ -1,4 +1,4 @@
-/* CSS 2.1, sections 4 to 6, as far as drawings use them. */
+/* Style sheets: the parts of CSS 2.1, sections 4 to 6, that drawings use. */
 #include "io/svg/sheet.h"
 
 #include <string.h>
@@ -45,7 +45,7 @@ static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_ar
     return HATCH_OK;
 }
 
-/* Removes and returns the text before the first of some characters. */
+/* Removes and returns the text before the first character that is one of ends. */
 static struct hatch_text take_until(struct hatch_text *text, const char *ends)
 {
     struct hatch_text taken = *text;
@@ -62,8 +62,9 @@ static struct hatch_text without_trailing_blanks(struct hatch_text text)
     return text;
 }
 
-/* Removes a simple selector from the start: its name, and '.', '#' or 0 for an element; false when there is
- * none. */
+/* Removes the first part of a selector: an element, a class or an id. Returns false when there is none.
+ *   kind  out: '.' for a class, '#' for an id, 0 for an element
+ *   name  out: without the '.' or '#' */
 static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text *name)
 {
     *kind = 0;
@@ -81,7 +82,7 @@ static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text
     return name->length > 0;
 }
 
-/* Returns 0 for selectors with combinators or pseudo-classes. */
+/* Returns the specificity of a selector; 0 if it has combinators or pseudo-classes, which are not supported. */
 static uint32_t specificity_of(struct hatch_text selector)
 {
     uint32_t specificity = 0;

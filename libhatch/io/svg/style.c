@@ -1,4 +1,4 @@
-/* Presentation attributes and style declarations. */
+/* Parses presentation attributes and style declarations. */
 #include <string.h>
 
 #include "io/svg/parts.h"

@@ -1,6 +1,6 @@
 #include "io/svg/tree.h"
 
-#define XML_DTD /* expat's header declares its limits on entities only then */
+#define XML_DTD /* without this, expat's header does not declare its limits on entities */
 #include <expat.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -8,7 +8,8 @@
 
 #include "io/svg/parts.h"
 
-/* Limit of the growth of a file when entities are expanded, for expanded sizes from so many bytes on. */
+/* Expanding entities may enlarge a file to at most GROWTH_MAX times its size; this is checked only once the expanded
+ * size exceeds GROWTH_BYTES_MIN. */
 #define GROWTH_MAX 4
 #define GROWTH_BYTES_MIN 65536
 
@@ -196,7 +197,8 @@ struct hatch_svg_node *hatch_svg_find(const struct hatch_svg_tree *tree, struct 
     return found ? tree->named[low] : NULL;
 }
 
-/* Counts height and elements of a node, clones expanded. Recurses HATCH_SVG_DEPTH_MAX levels at most. */
+/* Sets the height and the number of elements of a node, with clones expanded. Recurses at most HATCH_SVG_DEPTH_MAX
+ * levels. */
 static enum hatch_status count(const struct hatch_svg_tree *tree, struct hatch_svg_node *node, uint32_t depth,
                                struct hatch_err *err)
 {

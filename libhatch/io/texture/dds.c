@@ -1,4 +1,4 @@
-/* DDS with the DX10 header ("DDS File Layout" and "DDS_HEADER_DXT10", Microsoft). */
+/* Writes DDS files with the DX10 header ("DDS File Layout" and "DDS_HEADER_DXT10", Microsoft). */
 #include <assert.h>
 
 #include "io/texture/container.h"
@@ -24,7 +24,7 @@
 #define DIMENSION_2D 3u
 #define DIMENSION_3D 4u
 
-/* DXGI_FORMAT of 1, 2 and 4 channels, 8 bits each, UNORM. */
+/* DXGI_FORMAT by number of channels (1, 2 or 4), 8 bits each, UNORM. */
 static const uint32_t dxgi_formats[] = {0, 61, 49, 0, 28};
 
 static enum hatch_status add_header(const struct hatch_texels *texture, struct hatch_buffer *file,
@@ -55,7 +55,7 @@ static enum hatch_status add_header(const struct hatch_texels *texture, struct h
     return HATCH_OK;
 }
 
-/* Layer by layer, each with all its levels; a volume is a single layer. */
+/* Adds the texels layer by layer, each layer with all its levels; a volume is a single layer. */
 static enum hatch_status add_texels(const struct hatch_texels *texture, struct hatch_buffer *file,
                                     struct hatch_err *err)
 {

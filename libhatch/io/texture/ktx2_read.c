@@ -4,17 +4,17 @@
 #include "io/texture/parts.h"
 
 #define SIDE_MAX (1u << 24)
-#define PAIRS_ENTRY 56u /* byte in the header of the offset and size of the key and value pairs */
+#define PAIRS_ENTRY 56u /* position in the header of the offset and size of the key and value pairs */
 #define SCHEME_NONE 0u
 #define SCHEME_ZSTD 2u
-/* A Zstandard block of at least four bytes holds at most 128 KiB. */
+/* Largest ratio of Zstandard: a block of at least four bytes holds at most 128 KiB. */
 #define ZSTD_RATIO_MAX 32768u
 
 struct header {
     uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
 };
 
-/* Channels and code of a VkFormat; 0 channels when it is not supported. */
+/* Returns the number of channels of a VkFormat and sets its code; returns 0 when the format is not supported. */
 static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
 {
     *code = HATCH_TEXELS_PLAIN;
@@ -107,7 +107,7 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
     return HATCH_OK;
 }
 
-/* Bytes of a level; a double, since the product may overflow an integer. */
+/* Returns the bytes of a level; a double, since the product may overflow an integer. */
 static double level_bytes(const struct hatch_texels *texture, uint32_t level)
 {
     uint32_t side = hatch_texels_block_side(texture->code);
@@ -198,6 +198,7 @@ static bool is_text(const uint8_t *bytes, size_t size)
 }
 
 /* Reads a key, its terminating zero and a value, padded to four bytes.
+ *   pair          out: key and value, if the value is text
  *   is_text_pair  out: whether pair was set */
 static enum hatch_status read_pair(struct hatch_reader *reader, struct hatch_arena *arena, const char **pair,
                                    bool *is_text_pair, struct hatch_err *err)

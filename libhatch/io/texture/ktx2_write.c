@@ -1,5 +1,5 @@
-/* KTX File Format Specification 2.0 (Khronos), sections 3 to 5, and the Khronos Data Format
- * Specification 1.3, section 5, for the data format descriptor. */
+/* Writes KTX2: KTX File Format Specification 2.0 (Khronos), sections 3 to 5, and, for the data format descriptor, the
+ * Khronos Data Format Specification 1.3, section 5. */
 #include <assert.h>
 
 #include "io/texture/container.h"
@@ -12,8 +12,9 @@
 /* VkFormat by number of channels, 8 bits each, UNORM. */
 static const uint32_t vk_formats[] = {0, 9, 16, 23, 37};
 
-/* Entries of the data format descriptor by code: colour model, bits and largest value of a sample. PLAIN has one
- * sample per channel, the others have one sample. */
+/* Values for each code: the VkFormat (of PLAIN: see vk_formats); colour model, bits and largest value of a sample, for
+ * the data format descriptor; typeSize, for the header. PLAIN has one sample per channel, the others have one
+ * sample. */
 static const struct code {
     uint32_t vk_format, model, bits, upper, type_size;
 } codes[] = {
@@ -36,7 +37,7 @@ static size_t pair_bytes(const struct pair *pair)
     return strlen(pair->key) + 1 + strlen(pair->value) + 1;
 }
 
-/* The format requires sorted keys. */
+/* Lists the file's keys and values, sorted by key as the format requires; returns the number of pairs. */
 static uint32_t sort_pairs(const struct hatch_texels *texture, const char *const *key_values, struct pair *pairs)
 {
     uint32_t count = 0;
@@ -69,7 +70,7 @@ static enum hatch_status add_u32s(struct hatch_buffer *file, const uint32_t *val
     return HATCH_OK;
 }
 
-/* The basic data format descriptor: one plane, linear, BT.709. */
+/* Adds the basic data format descriptor: one plane, linear, BT.709. */
 static enum hatch_status add_descriptor(const struct hatch_texels *texture, struct hatch_buffer *file,
                                         struct hatch_err *err)
 {
@@ -84,7 +85,7 @@ static enum hatch_status add_descriptor(const struct hatch_texels *texture, stru
         2 | block << 16, /* version 1.3 */
         code->model | primaries_bt709 << 8 | transfer_linear << 16,
         (side - 1) | (side - 1) << 8,
-        hatch_texels_block_bytes(texture->code, texture->channels), /* of plane 0 */
+        hatch_texels_block_bytes(texture->code, texture->channels), /* bytes of plane 0 */
         0,
     };
     HATCH_TRY(add_u32s(file, head, sizeof head / sizeof *head, err));
@@ -107,7 +108,8 @@ static enum hatch_status add_pairs(const struct pair *pairs, uint32_t count, str
     return HATCH_OK;
 }
 
-/* Offsets of the levels: the smallest comes first, each aligned to 4 bytes and to a block. Returns the end. */
+/* Computes the offsets of the levels. The smallest level comes first; each is aligned to 4 bytes and to a block.
+ * Returns the end of the last one. */
 static size_t place_levels(const struct hatch_texels *texture, size_t from, size_t *offsets)
 {
     size_t block = hatch_texels_block_bytes(texture->code, texture->channels);
@@ -126,7 +128,7 @@ static enum hatch_status add_level_index(const struct hatch_texels *texture, con
         uint64_t size = hatch_texels_level_size(texture, level);
         HATCH_TRY(hatch_buffer_add_u64le(file, offsets[level], err));
         HATCH_TRY(hatch_buffer_add_u64le(file, size, err));
-        HATCH_TRY(hatch_buffer_add_u64le(file, size, err)); /* not compressed */
+        HATCH_TRY(hatch_buffer_add_u64le(file, size, err)); /* the uncompressed size, which is the same */
     }
     return HATCH_OK;
 }

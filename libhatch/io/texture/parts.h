@@ -8,6 +8,6 @@
     }
 #define HATCH_KTX2_IDENTIFIER_BYTES 12u
 #define HATCH_KTX2_HEADER_BYTES 80u
-#define HATCH_KTX2_LEVEL_BYTES 24u /* of an entry of the level index */
+#define HATCH_KTX2_LEVEL_BYTES 24u /* size of an entry of the level index */
 
 #endif
