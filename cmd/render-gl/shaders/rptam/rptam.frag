@@ -1,4 +1,4 @@
-// Algorithm 2 of Szécsi & Szirányi 2014. For each layer, computes the nesting depth from the scale of the surface on
+// Algorithm 2 of libhatch/seed/rptam.h. For each layer, computes the nesting depth from the scale of the surface on
 // the screen, and draws those strokes that are on the coverage list for the fragment's place at that depth.
 #include "frame/amounts.glsl"
 #include "frame/inks.glsl"

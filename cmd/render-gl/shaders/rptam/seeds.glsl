@@ -1,4 +1,4 @@
-// Recursive procedural tonal art maps (Szécsi & Szirányi 2014): computes the transmittance of a layer of strokes at
+// Recursive procedural tonal art maps (libhatch/seed/rptam.h): computes the transmittance of a layer of strokes at
 // seed points. A `way` is the progress from paper, 0, to the darkest tone, 1. The life of a stroke says how late it
 // vanishes between two levels, 0 .. 254; 255: it stays. The reference is libhatch/seed/rptam.c; the arrays are those of
 // seed/pack.h.
