@@ -17,7 +17,7 @@ static const struct cmd_option options[] = {
     {'n', "faces", CMD_INT, 2, HATCH_SHAPE_FACES_MAX, "N", "approximate number of triangles (default 10000)", &faces,
      NULL, NULL},
     {'J', "jitter", CMD_REAL, 0, 1, "SHARE",
-     "irregularity of the triangles; 1: vertices move by up to a quarter of a grid row (default 0)", &jitter, NULL,
+     "irregularity of the triangles; 1: vertices move by up to a quarter of a grid step (default 0)", &jitter, NULL,
      NULL},
     {'N', "noise", CMD_REAL, 0, 1, "SHARE",
      "noise along the normals: standard deviation in mean edge lengths (default 0)", &noise, NULL, NULL},
@@ -36,7 +36,7 @@ static const char *const examples[] = {
 static const struct cmd_program program = {
     .name = "meshgen",
     .operands = "SHAPE",
-    .summary = "make a shape: a teapot, a sphere, a torus and others, or test surfaces with known curvature",
+    .summary = "make a shape, such as teapot, sphere or torus; the manual lists them",
     .examples = examples,
     .options = options,
     .operands_min = 1,

@@ -15,8 +15,8 @@ static const char *bins = "7", *modulation_path, *mask_path;
 static bool bins_given, exact;
 
 static const struct cmd_option options[] = {
-    {'b', "bins", CMD_TEXT, 0, 0, "BINS", "number of bins, 1 to 7, or the tones between them: .4,.7,.9 (default 7)",
-     &bins, NULL, &bins_given},
+    {'b', "bins", CMD_TEXT, 0, 0, "BINS",
+     "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, &bins_given},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "write all changes of every texel, run-length encoded, instead of thresholds",
      &exact, NULL, NULL},
     {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image that multiplies the light (modulation)",

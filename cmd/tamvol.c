@@ -17,8 +17,8 @@ static const struct cmd_option options[] = {
      "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
      layouts, &layout_given},
-    {'c', "compress", CMD_FLAG, 0, 0, NULL, "compress in blocks: an array (BC4, BC1), or BC7 with --layout volume",
-     &compress, NULL, NULL},
+    {'c', "compress", CMD_FLAG, 0, 0, NULL,
+     "compress in blocks: an array (BC4 grey, BC1 colour), or a coloured volume (BC7)", &compress, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 instead of RGB8", &alpha, NULL, NULL},
     {0},
 };

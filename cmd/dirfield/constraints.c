@@ -125,7 +125,8 @@ static bool find_nearest(const struct targets *targets, const double position[3]
     return least < INFINITY;
 }
 
-/* Appends a constraint. Of two at one point the later one counts, since it comes later in the list. */
+/* Appends a constraint. If a point has several, the last one counts, because constrain() in solve.c applies them in
+ * this order. */
 static enum hatch_status add(struct cmd_args *args, struct dirfield_job *job, struct dirfield_constraint constraint,
                              struct hatch_err *err)
 {

@@ -26,10 +26,10 @@ static const struct cmd_option options[] = {
     {'R', "reference", CMD_TEXT, 0, 0, "FILE",
      "field: mesh with the true field; ink: picture to compare with; tones: the map from which FILE was made",
      &values.reference, NULL, NULL},
-    {0, "share", CMD_REAL, 0.001, 1, "X", "field: share of the points, most confident first, 0.001 .. 1 (default 1)",
-     &values.share, NULL, NULL},
-    {0, "samples", CMD_INT, 1, 1000000000, "N", "lapped, tones: number of sampled places, 1 .. 1e9 (default 100000)",
-     &values.samples, NULL, NULL},
+    {0, "share", CMD_REAL, 0.001, 1, "X",
+     "field: share of the points compared, most confident first, 0.001 .. 1 (default 1)", &values.share, NULL, NULL},
+    {0, "samples", CMD_INT, 1, 1000000000, "N",
+     "lapped, tones: number of samples (tones: per level), 1 .. 1e9 (default 100000)", &values.samples, NULL, NULL},
     {0},
 };
 

@@ -15,8 +15,8 @@ static bool atlas, mask_given, tile_given;
 static const struct cmd_option options[] = {
     {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
      "diameter of a patch as a share of the scene's diagonal (default: chosen for each mesh)", &size, NULL, NULL},
-    {'c', "curved", CMD_REAL, 0, 1, "SHARE", "how far patches shrink where the surface is curved (default 0.5)",
-     &curved, NULL, NULL},
+    {'c', "curved", CMD_REAL, 0, 1, "SHARE",
+     "how far patches shrink where the surface is curved, 0 (not) to 1 (default 0.5)", &curved, NULL, NULL},
     {'e', "stretch", CMD_REAL, 1.01, 10, "RATIO", "limit of the texture's stretch on a face (default 1.5)", &stretch,
      NULL, NULL},
     {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "limit of the angle between strokes and field (default 14)", &turn_deg,
@@ -29,8 +29,8 @@ static const struct cmd_option options[] = {
      "width of a patch's soft border, as a fraction of the mask's width (default 0.045)", &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the mask, the image of the outline (default 1024)",
      &mask_size, NULL, &mask_given},
-    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh, without a mask", &atlas, NULL,
-     NULL},
+    {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh instead of patches", &atlas,
+     NULL, NULL},
     {0},
 };
 

@@ -12,7 +12,7 @@
 #define EDGE_MAX 0.9f
 #define GREY_MIN 0.25f
 #define INK_MIN 0.75f
-#define WINDOW_MIN 0.01 /* mean darkness above which the reference darkens a window */
+#define WINDOW_MIN 0.01 /* windows whose mean darkness in the reference is at most this are not compared */
 
 /* Returns the darkness of each pixel, 0 (paper) .. 1 (ink), in scratch. */
 static float *darkness_of(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)

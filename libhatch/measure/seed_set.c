@@ -153,7 +153,7 @@ static enum hatch_status ratio_of(const struct hatch_seed_point *places, uint32_
 }
 
 /* Computes the first points of the recursive Bayer order (Bayer, ICC 1973): the base-4 digits of i, lowest first,
- * select the quarters 00, 11, 10 or 01 in which point i lies. */
+ * select ever smaller quarters in which point i lies: 0, 1, 2 and 3 stand for (u, v) = 00, 11, 10 and 01. */
 static void bayer_places(struct hatch_seed_point *places, uint32_t count)
 {
     static const uint64_t u_of[4] = {0, 1, 1, 0}, v_of[4] = {0, 1, 0, 1};

@@ -13,8 +13,9 @@ struct hatch_unit_mesh {
     const struct hatch_mesh *mesh;    /* all faces; of a lapped texture, the faces of all patches, which overlap */
     const struct hatch_mesh *surface; /* each face of the surface once; equals mesh for an ordinary mesh */
     const struct hatch_patch_mesh *patches; /* NULL: an ordinary mesh */
-    double origin[3];                       /* centre of its box; float positions are relative to it */
-    double half[3];                         /* half the sides of its box */
+    double origin[3]; /* centre of the mesh's bounding box; subtracted from positions before to_unit
+                         converts them, except for deformed items */
+    double half[3];   /* half the sides of that box */
 };
 
 struct hatch_item {

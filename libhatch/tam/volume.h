@@ -40,8 +40,9 @@ struct hatch_volume {
 /* Differences between the tones of slices and columns, over all drawn levels. */
 struct hatch_volume_figures {
     uint32_t slices;  /* number of slices */
-    uint32_t blended; /* number of slices further than a quarter of the slice spacing from every column: a blend of
-                         two columns, in which some strokes are partly grey */
+    uint32_t blended; /* number of slices that are blends of two columns, or of paper and the first column, because
+                         both differ from the slice by more than a quarter of the slice spacing; some strokes in
+                         them are partly grey */
     double distance;  /* largest difference between the tone of a slice and that of the nearest column; paper counts
                          as a column of tone 0, and slices darker than the last column do not count */
 };
@@ -49,7 +50,8 @@ struct hatch_volume_figures {
 #define HATCH_VOLUME_DISTANCE_MAX 0.25
 
 /* Makes a volume. A slice is the nearest column if that lies within a quarter of the level's slice spacing (1 / D on
- * the finest level), else a blend of the two columns around it. Does not check nesting.
+ * the finest level), else a blend of the two columns around it, or of paper and the first column. Slices darker than
+ * the last column are that column. Does not check nesting.
  *   pool     NULL: one thread; the result is the same
  *   volume   out: its texels are in arena; unchanged on failure
  *   figures  out

@@ -11,7 +11,9 @@
  * edge nearest to the eye in each cell, the second one the depth of the nearest edge in each block. */
 #define BLOCK 8u             /* cells along a block's side; the same as in shaders/halo/halo.glsl */
 #define REACH_MAX_CELLS 12.0 /* greatest width of haloes in cells: for wider haloes, cells become larger */
-#define JUMP_MIN 0.015 /* least jump with a halo, in half heights of the picture; haloes fade in up to twice this */
+/* Smallest jump of depth that gets a halo, in half heights of the picture at the nearer depth. Haloes fade in from here
+ * to twice this. */
+#define JUMP_MIN 0.015
 
 /* std140 layout; the same as block Halo of shaders/halo/halo.glsl. */
 struct halo_block {

@@ -55,8 +55,8 @@ struct rptam_state {
     struct seeds seeds;              /* the model on the GPU */
 };
 
-/* Reads the files that the options name, and makes the model: `read` of struct technique. Exits with a message on
- * failure. */
+/* Reads the files that the options name, and makes the model. This is the member read of technique_rptam. Exits with a
+ * message on failure. */
 void rptam_read(struct technique_context *context, struct technique_instance *instance);
 
 /* Makes the model from the source and the options' values. On failure the old model stays in use. */

@@ -14,7 +14,7 @@
 enum technique_feature {
     TECHNIQUE_STROKES = 1,     /* draws strokes along texture coordinates; feature lines are drawn by default */
     TECHNIQUE_PIXEL_LIGHT = 2, /* can compute light per pixel */
-    TECHNIQUE_PIECES = 4,      /* can draw near faces as pieces, exact at any zoom */
+    TECHNIQUE_PIECES = 4,      /* can draw faces near the eye as pieces (near/near.h): precise at any zoom */
     TECHNIQUE_NO_COLOR = 8,    /* writes numbers instead of colours: no haloes are drawn over them */
     TECHNIQUE_REFERENCE = 16,  /* draws the tone without strokes: --time compares with it */
     TECHNIQUE_ALL_COLUMNS = 32 /* blends all columns of a map, coloured ones too */
