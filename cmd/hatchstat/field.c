@@ -4,9 +4,10 @@
 #include "subject.h"
 
 static const char *const columns[] = {
-    "file",       "points",         "faces",          "components",     "euler",      "index_sum",  "singularities",
-    "smoothness", "confidence_p25", "confidence_p50", "confidence_p75", "uv_deg_p50", "uv_deg_p75", "uv_deg_p95",
-    "compared",   "deg_p50",        "deg_p75",        "deg_p95",        "deg_max",    NULL};
+    "file",       "points",         "faces",          "components",     "euler",      "index_sum",    "singularities",
+    "smoothness", "confidence_p25", "confidence_p50", "confidence_p75", "uv_deg_p50", "uv_deg_p75",   "uv_deg_p95",
+    "compared",   "deg_p50",        "deg_p75",        "deg_p95",        "deg_max",    "axis_deg_p50", "axis_deg_p95",
+    NULL};
 
 static void report_row(struct cmd_report *report, const char *name, const struct hatch_field_figures *f)
 {
@@ -23,6 +24,7 @@ static void report_row(struct cmd_report *report, const char *name, const struct
     cmd_report_numbers(report, f->uv_degrees, 3);
     cmd_report_integer(report, f->compared);
     cmd_report_numbers(report, f->degrees, 4);
+    cmd_report_numbers(report, f->axis_degrees, 2);
 }
 
 static void measure(struct cmd_args *args, const struct stat_options *options, const char *path,

@@ -57,6 +57,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &adaptive, work, &args->scratch, &curvature, err));
     hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, &curvature);
     HATCH_TRY(hatch_frames_set_normals(surface, curvature.normal, &args->scratch, &frames, err));
+    HATCH_TRY(hatch_curvature_continue_axes(surface, &frames, &args->scratch, &curvature, err));
     hatch_field_fill_from_dihedrals(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction,
                                     curvature.confidence);
     hatch_field_fill_unconstrained(surface, &frames, NULL, curvature.direction, curvature.confidence, filled);

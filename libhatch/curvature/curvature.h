@@ -17,9 +17,9 @@
  * the orientation does not matter.
  *
  * Confidence c acts as an inverse variance: its odds c / (1 - c) are (0.005 / e)², with e the standard error of the
- * principal axes in radians. The odds are halved where the absolute values of the curvatures differ by 0.005 of their
- * sum, and are 0 for e >= 0.5: the surface has no direction (plane, sphere) or the fit failed. Confidence ignores the
- * risk that the axes are swapped (a saddle with equal and opposite curvatures), since neighbours share it. */
+ * principal axes in radians. The odds are halved where the curvatures differ by 0.005 of the sum of their absolute
+ * values, and are 0 for e >= 0.5: the surface has no direction (plane, sphere) or the fit failed. Confidence does not
+ * say which axis is the first: on a saddle with equal and opposite curvatures both axes are well known. */
 struct hatch_curvature {
     double *direction;          /* 3: unit tangent of the first curvature; sign arbitrary; any where confidence is 0 */
     double *value;              /* 2: first and second curvature */
@@ -52,6 +52,18 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
                                          const struct hatch_mesh *coarse, struct hatch_arena *arena,
                                          struct hatch_arena *scratch, struct hatch_curvature *curvature,
                                          struct hatch_err *err) HATCH_MUST_USE;
+
+/* Lets the first direction go on where the absolute values of the curvatures cross: it would turn by a right angle there
+ * although both axes are continuous. Regions whose directions continue each other keep one axis as long as the jumps
+ * around them cost more than the excess of the larger curvature over their area gains: with k1 and k2 the curvatures, a
+ * jump costs 0.15 √(area of the component) for each unit of its length, and the other axis costs
+ * (|k1| - |k2|) / (|k1| + |k2|) for each unit of area, both where the axes are known. Where nothing decides (a minimal
+ * surface, noise), a component has one axis.
+ *   frames     with the normals of curvature
+ *   curvature  changed: direction and value, the first of which is then smaller in absolute value at some points */
+enum hatch_status hatch_curvature_continue_axes(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                                struct hatch_arena *scratch, struct hatch_curvature *curvature,
+                                                struct hatch_err *err) HATCH_MUST_USE;
 
 /* Sets the confidence to 0 at both ends of edges with a dihedral angle over crease_rad: two smooth surfaces meet there,
  * and a fit across the edge describes neither.

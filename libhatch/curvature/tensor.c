@@ -143,9 +143,9 @@ double hatch_curvature_confidence(const struct hatch_principal_curvatures *princ
 {
     double standard_error_rad = sqrt(axes_error(principal, variance));
     double first = fabs(principal->value[0]), second = fabs(principal->value[1]);
-    if (!(first > second) || !(standard_error_rad < STANDARD_ERROR_MAX))
+    if (!(first + second > 0) || !(standard_error_rad < STANDARD_ERROR_MAX))
         return 0;
-    double anisotropy = (first - second) / (first + second) / ANISOTROPY_HALF;
+    double anisotropy = fabs(principal->value[0] - principal->value[1]) / (first + second) / ANISOTROPY_HALF;
     double error = standard_error_rad / HATCH_CURVATURE_HALF_CONFIDENCE_RAD;
     double share = standard_error_rad / STANDARD_ERROR_MAX;
     anisotropy *= anisotropy;

@@ -13,7 +13,8 @@
 #define DEGREES (180 / 3.14159265358979323846)
 
 struct compared {
-    double degrees, confidence; /* confidence: of the reference */
+    double degrees;
+    float confidence; /* of the reference, as in a file: means of equal numbers stay equal */
 };
 
 struct hatch_field_samples {
@@ -153,7 +154,7 @@ static void compare_points(const struct subject *s, const struct subject *refere
         double projected[3];
         hatch_vec_add_scaled(line, -hatch_vec_dot(line, normal), normal, projected);
         samples->angles[samples->compared++] = (struct compared){
-            angle_degrees(projected, &reference->direction[3 * (size_t)other]), reference->confidence[other]};
+            angle_degrees(projected, &reference->direction[3 * (size_t)other]), (float)reference->confidence[other]};
     }
 }
 
@@ -227,12 +228,10 @@ enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const str
     return status;
 }
 
-/* Descending by confidence, then ascending by angle, so that the result does not depend on the points' order. */
-static int by_confidence(const void *a, const void *b)
+static int by_falling_confidence(const void *a, const void *b)
 {
     const struct compared *x = a, *y = b;
-    int order = (x->confidence < y->confidence) - (x->confidence > y->confidence);
-    return order ? order : (x->degrees > y->degrees) - (x->degrees < y->degrees);
+    return (x->confidence < y->confidence) - (x->confidence > y->confidence);
 }
 
 enum list { CONFIDENCE, UV };
@@ -260,7 +259,7 @@ static enum hatch_status rank(const struct hatch_field_sum *sum, enum list list,
 static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double share, struct hatch_field_figures *out,
                                      struct hatch_err *err)
 {
-    static const double shares[4] = {0.5, 0.75, 0.95, 1};
+    static const double shares[4] = {0.5, 0.75, 0.95, 1}, axis_shares[2] = {0.5, 0.95};
     size_t count = 0;
     for (const struct hatch_field_samples *s = sum->samples; s; s = s->next)
         count += s->compared;
@@ -274,12 +273,18 @@ static enum hatch_status rank_angles(const struct hatch_field_sum *sum, double s
             memcpy(&all[count], s->angles, s->compared * sizeof *all);
         count += s->compared;
     }
-    qsort(all, count, sizeof *all, by_confidence);
-    count = (size_t)ceil(share * (double)count);
-    for (size_t i = 0; i < count; i++)
+    qsort(all, count, sizeof *all, by_falling_confidence);
+    /* All points of equal confidence count, so that neither their angles nor their order choose among them. */
+    size_t taken = (size_t)ceil(share * (double)count);
+    while (taken > 0 && taken < count && !(all[taken].confidence < all[taken - 1].confidence))
+        taken++;
+    for (size_t i = 0; i < taken; i++)
         angles[i] = (struct hatch_weighted){all[i].degrees, 1};
-    hatch_percentiles(angles, count, shares, 4, out->degrees);
-    out->compared = count;
+    hatch_percentiles(angles, taken, shares, 4, out->degrees);
+    for (size_t i = 0; i < taken; i++)
+        angles[i] = (struct hatch_weighted){fmin(all[i].degrees, 90 - all[i].degrees), 1};
+    hatch_percentiles(angles, taken, axis_shares, 2, out->axis_degrees);
+    out->compared = taken;
     return HATCH_OK;
 }
 

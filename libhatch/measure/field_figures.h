@@ -17,6 +17,8 @@ struct hatch_field_figures {
     uint64_t compared;                  /* points compared with the reference */
     double degrees[4];                  /* angle to the reference, 0 .. 90: 50th, 75th, 95th percentile, maximum;
                                            NaN without a reference */
+    double axis_degrees[2];             /* angle to the nearer of the reference's line and the tangent line
+                                           perpendicular to it, 0 .. 45: 50th and 95th percentile; NaN without */
 };
 
 struct hatch_field_samples;
@@ -37,7 +39,8 @@ enum hatch_status hatch_measure_field_add(struct hatch_field_sum *sum, const str
                                           const struct hatch_mesh *reference, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Computes the figures of all meshes added.
- *   share  fraction of the compared points that counts, above 0 to 1: those of largest reference confidence */
+ *   share  fraction of the compared points that counts, above 0 to 1: those of largest reference confidence,
+ *          and all others that are equal to the last of these */
 enum hatch_status hatch_measure_field_end(const struct hatch_field_sum *sum, double share,
                                           struct hatch_field_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 

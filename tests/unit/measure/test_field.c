@@ -135,6 +135,21 @@ START_TEST(only_the_most_confident_share_is_compared)
 }
 END_TEST
 
+/* Half of the lines are off by 10 degrees, half by 80; all are equally confident. */
+START_TEST(equal_confidences_all_count_and_axes_are_interchangeable)
+{
+    struct hatch_mesh a = plane(0), b = plane(10), across = plane(80);
+    float *field = hatch_mesh_find(&b, "_HATCH_DIR", 4), *other = hatch_mesh_find(&across, "_HATCH_DIR", 4);
+    for (uint32_t v = 0; v < b.vertex_count; v += 2)
+        memcpy(&field[4 * v], &other[4 * v], 4 * sizeof *field);
+    struct hatch_field_figures all = measure(&a, &b, 1), some = measure(&a, &b, 0.1);
+    ck_assert_uint_eq(some.compared, all.compared);
+    ck_assert_double_eq_tol(some.degrees[3], 80, 1e-4);
+    ck_assert_double_eq_tol(some.axis_degrees[0], 10, 1e-4);
+    ck_assert_double_eq_tol(some.axis_degrees[1], 10, 1e-4);
+}
+END_TEST
+
 START_TEST(points_are_matched_by_position_else_by_number)
 {
     struct hatch_mesh a = plane(0), b = plane(0), few = shape(HATCH_SHAPE_TORUS, true);
@@ -206,6 +221,7 @@ static Suite *suite(void)
     tcase_add_test(tests, singularities_are_counted);
     tcase_add_test(tests, indices_sum_to_the_euler_characteristic);
     tcase_add_test(tests, only_the_most_confident_share_is_compared);
+    tcase_add_test(tests, equal_confidences_all_count_and_axes_are_interchangeable);
     tcase_add_test(tests, points_are_matched_by_position_else_by_number);
     tcase_add_test(tests, a_mesh_without_a_field_is_refused);
     tcase_add_test(tests, figures_survive_every_failed_allocation);
