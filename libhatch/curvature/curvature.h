@@ -53,10 +53,10 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
                                          struct hatch_arena *scratch, struct hatch_curvature *curvature,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Lets the first direction go on where the absolute values of the curvatures cross: it would turn by a right angle there
- * although both axes are continuous. Regions whose directions continue each other keep one axis as long as the jumps
- * around them cost more than the excess of the larger curvature over their area gains: with k1 and k2 the curvatures, a
- * jump costs 0.15 √(area of the component) for each unit of its length, and the other axis costs
+/* Lets the first direction go on where the absolute values of the curvatures cross: it would turn by a right angle
+ * there although both axes are continuous. Regions whose directions continue each other keep one axis as long as the
+ * jumps around them cost more than the excess of the larger curvature over their area gains. With k1 and k2 the
+ * curvatures, a jump costs 0.15 √(area of the component) for each unit of its length, and the other axis costs
  * (|k1| - |k2|) / (|k1| + |k2|) for each unit of area, both where the axes are known. Where nothing decides (a minimal
  * surface, noise), a component has one axis.
  *   frames     with the normals of curvature

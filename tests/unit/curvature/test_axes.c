@@ -67,8 +67,8 @@ static struct hatch_curvature halves(const struct field_case *of, double first, 
     return made;
 }
 
-/* A jump through the middle of a square of side 2 has the length 2 and costs 2 * 0.15 √4 = 0.6; a half has the area 2,
- * of which curvatures of 1 and s gain the share (1 - s) / (1 + s): 0.6 at s = 0.538. */
+/* A jump through the middle of a square of side 2 has the length 2 and costs 2 * 0.15 * 2 = 0.6. A half has the area
+ * 2, of which curvatures of 1 and s gain the share (1 - s) / (1 + s): 0.6 in all at s = 0.538. */
 START_TEST(a_jump_stays_where_much_is_gained)
 {
     struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 3000, 0);
