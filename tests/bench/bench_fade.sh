@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the effect of --fade, --fade-by and --overlap of render-gl's technique rptam on a zoom of one octave towards
-# a plane of tone .3. Drift: the largest difference of the tone from that of the first of nine large pictures. Change
+# a plane of tone .3. Drift: the largest less the smallest tone of nine large pictures, from peak to peak. Change
 # and pop (hatchstat frames): how much, and how unevenly, the 120 frames of the zoom change.
 #
 # Fixed: the pop when the strokes of the middle of the zoom, drawn with the same options, scale with the surface, so
@@ -48,8 +48,8 @@ row() {
     film "$@" | tr '\n' '\t'
     render-gl "$@" $view --size 800x800 --samples 1 --frames 9 --animate zoom=1..2 -o "$work/g%d.png"
     hatchstat frames "$work"/g?.png | awk -F'\t' '
-        NR > 1 && $1 != "all" {sum += $2; n++}
-        $1 == "all" {printf "%.4f\t%.4f\t", 1 - sum / n, $3}'
+        NR > 1 && $1 != "all" {sum += $2; low = !n || $2 < low ? $2 : low; high = !n || $2 > high ? $2 : high; n++}
+        $1 == "all" {printf "%.4f\t%.4f\t", 1 - sum / n, high - low}'
     hatchstat frames "$work"/f*.png | awk -F'\t' '
         NR > 1 && $1 != "all" {sum += 1 - $2; n++}
         $1 == "all" {printf "%.5f\t%.5f\t%.4f\t%.5f\n", $4, $5, $6, 2 * sum / n * (4 ^ (1 / 119) - 1)}' >"$work/row"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Measures the time per frame of render-gl's technique rptam against the number of seed points for both values of
-# --seed-loop, on the teapot, 640x360, one sample per pixel, four layers. The tile grows with the number of seed
-# points, so that the number of strokes is constant. Milliseconds are measured by the driver for the surfaces alone;
+# --seed-loop, on the teapot, 640x360, four layers, with the default samples and strokes. The tile grows with the number
+# of seed points, so that the number of strokes is constant. Milliseconds are measured by the driver for the surfaces alone;
 # each run also times gouraud as the reference, and one row times tam. The error is the largest difference from the
 # picture of the other loop, 0..1.
 set -eu
@@ -16,7 +16,7 @@ meshgen teapot --faces 20000 -o "$work/scene.glb"
 row() {
     method=$1 seeds=$2 frames=$3 difference=$4
     shift 4
-    "$MEASURE" 1 render-gl "$work/scene.glb" --size 640x360 --samples 1 --lines none "$@" --time "$frames" \
+    "$MEASURE" 1 render-gl "$work/scene.glb" --size 640x360 --lines none "$@" --time "$frames" \
         -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
     awk -F'\t' -v method="$method" -v seeds="$seeds" -v difference="$difference" '
         FILENAME ~ /times/ && $2 == "frame" && $1 != "gouraud" {ms = $4; low = $5; high = $6}
@@ -32,13 +32,13 @@ for seeds in 4 16 64 256 1024; do
     tile=$(awk -v n=$seeds 'BEGIN {printf "%.3f", 32 * sqrt(n)}')
     for loop in coverage brute; do
         render-gl "$work/scene.glb" -t rptam --size 320x180 --lines none --seeds "$work/sets" --seed-tile "$tile" \
-            --stroke 24x2 --seed-loop $loop -o "$work/$loop.exr"
+            --seed-loop $loop -o "$work/$loop.exr"
     done
     difference=$(hatchstat diff "$work/coverage.exr" "$work/brute.exr" | awk -F'\t' 'NR == 2 {print $1}')
     for loop in coverage brute; do
         frames=7
         [ $loop$seeds != brute1024 ] || frames=2
-        row $loop $seeds $frames "$difference" -t rptam --seeds "$work/sets" --seed-tile "$tile" --stroke 24x2 \
+        row $loop $seeds $frames "$difference" -t rptam --seeds "$work/sets" --seed-tile "$tile" \
             --seed-loop $loop
     done
 done
