@@ -1,7 +1,10 @@
-/* Computes a direction field by one of three other methods, for comparison with dirfield: peers quadric RINGS IN OUT,
- * peers tensor RINGS MU IN OUT, peers smoothest STRENGTH IN OUT. OUT is IN with the attribute _HATCH_DIR; standard output gets
- * the seconds spent, without reading, repairing and writing, on one thread. Of libhatch it uses surfaces, their
- * tangent planes and their transport, neither curvature nor field. Surfaces with one side are refused. */
+/* Computes a direction field by one of three other methods, for comparison with dirfield:
+ *     peers quadric RINGS IN OUT
+ *     peers tensor RINGS MU IN OUT
+ *     peers smoothest STRENGTH IN OUT
+ * OUT is IN with the attribute _HATCH_DIR. Standard output gets the seconds spent, without reading, repairing and
+ * writing, on one thread. Of libhatch it uses surfaces, their tangent planes and their transport, neither curvature nor
+ * field. Surfaces with one side are refused. */
 #include <complex.h>
 #include <math.h>
 #include <stdio.h>
