@@ -8,7 +8,7 @@
 # is right) and of the ellipsoid (4).
 # Seconds: median, minimum and maximum over shapes and seeds, one thread, without reading, repairing and writing.
 # Peers (peers.c): the quadric over some rings; its tensor smoothed to second order; the smoothest field of Knöppel et
-# al. Their constants are the same for all meshes, or ("told") the best of a few for the number of faces and the noise.
+# al. Their constants are the same for all meshes, or ("told") chosen by hand for the number of faces and the noise.
 # SIZES: numbers of faces. SEEDS: random seeds of the meshes. SEEDS_LARGE: those of meshes of more than 10,000 faces
 # (default: the first of SEEDS). Further options of dirfield are measured at 10,000 faces, with the first seed.
 set -eu
@@ -85,7 +85,7 @@ rows() {
     done
 }
 
-# told: the best constants of peers for $faces and $noise: rings and mu of tensor, strength of smoothest
+# told: constants of peers chosen by hand for $faces and $noise: rings and mu of tensor, strength of smoothest
 told() {
     size=$((faces > 30000 ? 3 : faces > 5000 ? 2 : 1))
     case $size:$noise in
@@ -93,7 +93,7 @@ told() {
     1:0.05) echo 5 300 30 ;;
     1:*) echo 5 300 30 ;;
     2:0) echo 2 100 1000 ;;
-    2:0.05) echo 5 1000 30 ;;
+    2:0.05) echo 5 1000 100 ;;
     2:*) echo 5 3000 30 ;;
     3:0) echo 3 1000 1000 ;;
     3:0.05) echo 5 30000 300 ;;

@@ -5,7 +5,7 @@ set grid
 set logscale y
 set xlabel "median angle to the axes of a 3-ring quadric at its 30 % most anisotropic points, degrees"
 set ylabel "singularities"
-set xrange [0:16]
+set xrange [0:20]
 set yrange [5:3000]
 set key top right samplen 1
 rows(model, method) = sprintf("< awk -F'\\t' '$1 == \"%s\" && $2 == \"%s\" {print $8, $5, $3}' %s", model, method, data)
