@@ -147,7 +147,7 @@ demo: all
 	@rm -rf $(B)/demo
 	PATH="$(abspath $(B))/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
 
-BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/bench/bench_*.c))
+BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/bench/bench_*.c tests/bench/peers.c))
 bench: all $(BENCHES)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
