@@ -5,8 +5,10 @@
 
 /* Depth of subdivision into four parts at which a part counts as uncovered; it is then 1/64 as wide as the triangle. */
 #define SUBDIVISIONS_MAX 6
-/* Depth of subdivision at which a part counts as visible. */
+/* Depth of subdivision at which a part counts as possibly visible. */
 #define SHOW_SUBDIVISIONS_MAX 4
+/* The same where the part decides whether a whole patch is left out. */
+#define HIDE_SUBDIVISIONS_MAX 10
 
 enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, uint32_t face_count,
                                            struct hatch_arena *arena, struct hatch_core_coverage *coverage,
@@ -103,27 +105,32 @@ static bool cores_contain_corners(const struct core_union *cores)
     return true;
 }
 
-/* Returns whether a patch may be visible in a part, with opacity greater than 0 and not under the core of an earlier
- * patch. A result of false is certain. */
-static bool may_show(const struct core_union *cores, const double mask[3][2], const double part[3][3], int depth)
+/* Returns whether a patch is visible in a part, with opacity greater than 0 and not under the core of an earlier patch.
+ * The result is HATCH_LAPPED_UNDECIDED when the first smaller part that is not certainly hidden has the depth depth_max
+ * and no certain result. */
+static enum hatch_visibility visibility(const struct core_union *cores, const double mask[3][2],
+                                        const double part[3][3], int depth, int depth_max)
 {
     double middle[2], radius = part_radius(mask, part, middle);
     double gap = hatch_outline_distance(cores->outline, middle);
     bool hidden = false;
     if (gap > radius)
-        return false;
+        return HATCH_LAPPED_HIDDEN;
     for (uint32_t e = cores->head; e != UINT32_MAX; e = cores->entries[e].next)
         if (core_contains_part(cores->outline, cores->entries[e].mask, part, &hidden))
-            return false;
-    if ((gap <= 0 && !hidden) || depth == SHOW_SUBDIVISIONS_MAX)
-        return true;
+            return HATCH_LAPPED_HIDDEN;
+    if (gap <= 0 && !hidden)
+        return HATCH_LAPPED_VISIBLE;
+    if (depth == depth_max)
+        return HATCH_LAPPED_UNDECIDED;
     for (int which = 0; which < 4; which++) {
         double smaller[3][3];
         quarter(part, which, smaller);
-        if (may_show(cores, mask, (const double(*)[3])smaller, depth + 1))
-            return true;
+        enum hatch_visibility found = visibility(cores, mask, (const double(*)[3])smaller, depth + 1, depth_max);
+        if (found != HATCH_LAPPED_HIDDEN)
+            return found;
     }
-    return false;
+    return HATCH_LAPPED_HIDDEN;
 }
 
 /* Returns whether the circle of radius core_min contains a triangle, which decides most cases. */
@@ -139,16 +146,20 @@ static bool circle_contains(const struct hatch_outline *outline, const double ma
 }
 
 enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, uint32_t face, const double mask[3][2],
-                                          bool *shows, struct hatch_err *err)
+                                          enum hatch_visibility *visible, struct hatch_err *err)
 {
     struct core_union cores = {coverage->outline, coverage->entries, coverage->head[face]};
-    if (!coverage->covered[face] && circle_contains(coverage->outline, mask)) {
-        coverage->covered[face] = 1;
-        *shows = true;
+    if (coverage->covered[face]) {
+        *visible = HATCH_LAPPED_HIDDEN;
         return HATCH_OK;
     }
-    *shows = !coverage->covered[face] && may_show(&cores, mask, WHOLE, 0);
-    if (!*shows)
+    if (circle_contains(coverage->outline, mask)) {
+        coverage->covered[face] = 1;
+        *visible = cores.head == UINT32_MAX ? HATCH_LAPPED_VISIBLE : HATCH_LAPPED_UNDECIDED;
+        return HATCH_OK;
+    }
+    *visible = visibility(&cores, mask, WHOLE, 0, SHOW_SUBDIVISIONS_MAX);
+    if (*visible == HATCH_LAPPED_HIDDEN)
         return HATCH_OK;
     void *entries = coverage->entries;
     HATCH_TRY(hatch_lapped_reserve(coverage->arena, &entries, &coverage->entry_capacity, coverage->entry_count + 1,
@@ -157,11 +168,19 @@ enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, 
     struct hatch_core_coverage_entry *entry = &coverage->entries[coverage->entry_count];
     entry->next = coverage->head[face];
     memcpy(entry->mask, mask, sizeof entry->mask);
-    coverage->head[face] = coverage->entry_count;
     cores = (struct core_union){coverage->outline, coverage->entries, coverage->entry_count};
     coverage->covered[face] = cores_contain_corners(&cores) && cores_contain(&cores, WHOLE, 0);
     /* A covered face needs no entry. */
     if (!coverage->covered[face])
-        coverage->entry_count++;
+        coverage->head[face] = coverage->entry_count++;
     return HATCH_OK;
+}
+
+bool hatch_core_coverage_hides(const struct hatch_core_coverage *coverage, uint32_t entry_count, uint32_t face,
+                               const double mask[3][2])
+{
+    struct core_union cores = {coverage->outline, coverage->entries, coverage->head[face]};
+    while (cores.head != UINT32_MAX && cores.head >= entry_count)
+        cores.head = coverage->entries[cores.head].next;
+    return visibility(&cores, mask, WHOLE, 0, HIDE_SUBDIVISIONS_MAX) == HATCH_LAPPED_HIDDEN;
 }

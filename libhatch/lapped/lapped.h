@@ -72,8 +72,8 @@ struct hatch_lapped {
 
 /* Covers a surface with patches. Every point of every face lies in the core of a patch that contains the face. Every
  * patch is a disk of one component that crosses no contrary edge and contains no face in which the field has an index,
- * except on its boundary (such a face need not follow the field). No face is turned over. Faces hidden by later patches
- * are left out. The result is the same for any number of threads.
+ * except on its boundary (such a face need not follow the field). No face is turned over. Faces and patches
+ * that the cores of later patches hide are left out. The result is the same for any number of threads.
  *   pool    NULL: one thread
  *   lapped  out: its arrays live in arena */
 enum hatch_status hatch_lapped_make(const struct hatch_lapped_input *input, const struct hatch_lapped_options *options,

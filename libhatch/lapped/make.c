@@ -52,28 +52,54 @@ static enum hatch_status reserve_arrays(struct making *making, struct hatch_err 
     return HATCH_OK;
 }
 
+/* Computes the mask coordinates of a local face's corners. */
+static void face_mask(const struct hatch_patch *patch, uint32_t local, double mask[3][2])
+{
+    for (uint32_t c = 0; c < 3; c++)
+        hatch_patch_mask(patch, &patch->xy[2 * patch->corners[3 * local + c]], mask[c]);
+}
+
+/* Returns whether the patches before it, which had entry_count entries, hide the patch on all faces listed in shown. */
+static bool is_hidden(const struct making *making, uint32_t entry_count)
+{
+    const struct hatch_patch *patch = &making->growth.patch;
+    for (uint32_t i = 0; i < making->shown_count; i++) {
+        double mask[3][2];
+        face_mask(patch, making->shown[i], mask);
+        if (!hatch_core_coverage_hides(&making->coverage, entry_count, patch->faces[making->shown[i]],
+                                       (const double(*)[2])mask))
+            return false;
+    }
+    return true;
+}
+
 /* Adds the patch below the earlier ones: lists the faces on which it is visible and those that it covers. The seed face
- * counts as covered even where, on a needle, rounding makes it appear uncovered. */
+ * counts as covered even where, on a needle, rounding makes it appear uncovered. A hidden patch has no visible faces;
+ * the faces that it covers are covered by the earlier patches alone. */
 static enum hatch_status add_to_coverage(struct making *making, struct hatch_err *err)
 {
     const struct hatch_patch *patch = &making->growth.patch;
+    uint32_t entry_count = making->coverage.entry_count;
+    bool certain = false;
     making->shown_count = making->newly_covered_count = 0;
     for (uint32_t f = 0; f < patch->face_count; f++) {
         double mask[3][2];
         /* Faces that exceed a limit lie outside the outline. */
         if (f > 0 && patch->limit_state[f] == HATCH_LAPPED_EXCEEDED)
             continue;
-        for (uint32_t c = 0; c < 3; c++)
-            hatch_patch_mask(patch, &patch->xy[2 * patch->corners[3 * f + c]], mask[c]);
-        bool shows;
-        HATCH_TRY(hatch_core_coverage_add(&making->coverage, patch->faces[f], (const double(*)[2])mask, &shows, err));
+        face_mask(patch, f, mask);
+        enum hatch_visibility visible;
+        HATCH_TRY(hatch_core_coverage_add(&making->coverage, patch->faces[f], (const double(*)[2])mask, &visible, err));
         if (f == 0)
             making->coverage.covered[patch->seed_face] = 1;
-        if (shows)
+        if (visible != HATCH_LAPPED_HIDDEN)
             making->shown[making->shown_count++] = f;
-        if ((shows || f == 0) && making->coverage.covered[patch->faces[f]])
+        if ((visible != HATCH_LAPPED_HIDDEN || f == 0) && making->coverage.covered[patch->faces[f]])
             making->newly_covered[making->newly_covered_count++] = patch->faces[f];
+        certain = certain || visible == HATCH_LAPPED_VISIBLE;
     }
+    if (!certain && is_hidden(making, entry_count))
+        making->shown_count = 0;
     return HATCH_OK;
 }
 
@@ -144,12 +170,13 @@ static enum hatch_status make_patch(struct making *making, uint32_t seed_face, d
         postpone(making, seed_face);
         return HATCH_OK;
     }
-    making->totals.cut_count += notes.cut;
-    making->totals.enlarged_count += notes.enlarged;
     HATCH_TRY(reserve_arrays(making, err));
     HATCH_TRY(add_to_coverage(making, err));
-    if (making->shown_count > 0)
+    if (making->shown_count > 0) {
+        making->totals.cut_count += notes.cut;
+        making->totals.enlarged_count += notes.enlarged;
         HATCH_TRY(store_patch(making, scale, err));
+    }
     return hatch_order_add_covered(&making->order, making->newly_covered, making->newly_covered_count, err);
 }
 

@@ -239,11 +239,21 @@ enum hatch_status hatch_core_coverage_make(const struct hatch_outline *outline, 
                                            struct hatch_arena *arena, struct hatch_core_coverage *coverage,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
+/* Whether a patch is visible on a face below earlier patches. HATCH_LAPPED_HIDDEN and HATCH_LAPPED_VISIBLE are
+ * certain. */
+enum hatch_visibility { HATCH_LAPPED_HIDDEN, HATCH_LAPPED_UNDECIDED, HATCH_LAPPED_VISIBLE };
+
 /* Adds a face of a patch. covered[face] becomes 1 only when the cores certainly contain the whole face.
- *   mask   mask coordinates of the face's corners
- *   shows  out: whether the patch may be visible on the face */
+ *   mask     mask coordinates of the face's corners
+ *   visible  out: whether the patch is visible on the face */
 enum hatch_status hatch_core_coverage_add(struct hatch_core_coverage *coverage, uint32_t face, const double mask[3][2],
-                                          bool *shows, struct hatch_err *err) HATCH_MUST_USE;
+                                          enum hatch_visibility *visible, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns whether a patch is certainly invisible on a face. This test is finer than that of hatch_core_coverage_add.
+ *   entry_count  number of entries before the first face of the patch was added
+ *   mask         mask coordinates of the face's corners */
+bool hatch_core_coverage_hides(const struct hatch_core_coverage *coverage, uint32_t entry_count, uint32_t face,
+                               const double mask[3][2]);
 
 struct hatch_order_item {
     uint32_t key, face;

@@ -202,9 +202,9 @@ START_TEST(every_patch_is_a_disk)
         double mask[3][2];
         for (uint32_t c = 0; c < 3; c++)
             hatch_patch_mask(patch, &patch->xy[2 * patch->corners[c]], mask[c]);
-        bool shows;
-        HATCH_TEST_OK(hatch_core_coverage_add(&coverage, seed, (const double(*)[2])mask, &shows, &err), &err);
-        ck_assert(shows && coverage.covered[seed]);
+        enum hatch_visibility visible;
+        HATCH_TEST_OK(hatch_core_coverage_add(&coverage, seed, (const double(*)[2])mask, &visible, &err), &err);
+        ck_assert(visible == HATCH_LAPPED_VISIBLE && coverage.covered[seed]);
     }
 }
 END_TEST
