@@ -18,14 +18,15 @@ told = "$1 ~ /told/"
 do for [n = 1:3] {
     noise = word("0 0.05 0.2", n)
     set title n == 1 ? "clean" : sprintf("noise %s of the edge", noise)
-    set yrange [n == 1 ? 0.003 : 0.1 : n == 1 ? 1000 : 100]
+    set yrange [n == 1 ? 0.001 : 0.1 : n == 1 ? 1000 : 100]
     if (n > 1) { unset key }
     set ylabel n == 1 ? "degrees: mean of medians" : ""
     plot rows(noise, others) using 1:2 with points pt 2 lc rgb "#777777" title "other methods", \
          rows(noise, told) using 1:2 with points pt 1 lc rgb "#000000" title "other methods, told size and noise", \
-         rows(noise, "($1 ~ /^(quadric|tensor|smoothest)/)") using 1:2:3 with labels left rotate by 35 offset 0.3,0.5 font ",7" tc rgb "#777777" notitle, \
+         rows(noise, others . " && !/^smoothest/") using 1:2:3 with labels right offset -0.6,0.4 font ",7" tc rgb "#777777" notitle, \
+         rows(noise, others . " && /^smoothest/") using 1:2:3 with labels right offset -0.6,1.2 font ",7" tc rgb "#777777" notitle, \
          rows(noise, fixed) using 1:2 with points pt 7 lc rgb "#b8541a" title "dirfield, fixed: radius/degree", \
-         rows(noise, fixed) using 1:2:3 with labels left rotate by 60 offset 0,0.5 font ",7" tc rgb "#b8541a" notitle, \
+         rows(noise, fixed) using 1:2:3 with labels left offset 0.6,0.3 font ",7" tc rgb "#b8541a" notitle, \
          rows(noise, "$1 == \"simplified\"") using 1:2 with points pt 9 lc rgb "#7a4fa0" title "dirfield, simplified mesh", \
          rows(noise, smoothed) using 1:2 with points pt 5 ps 1.1 lc rgb "#3a8f3a" title "dirfield, smooth 0 and 0.3", \
          sizes(noise) using 1:2 with lines lw 1 dt 2 lc rgb "#1f5fa8" notitle, \
