@@ -14,4 +14,5 @@ front = sprintf("< awk -F'\\t' 'NR > 1 && $1 != \"gouraud\" {print $7, $9}' %s |
 plot rows using 1:2 with points pt 7 ps 1.2 lc rgb "#1f5fa8" title "techniques", \
      side(0) using 1:2:3 with labels left offset 1,0.5 tc rgb "#1f5fa8" notitle, \
      side(1) using 1:2:3 with labels right offset -1.5,-0.5 tc rgb "#1f5fa8" notitle, \
-     front using 1:2 with points pt 6 ps 2.5 lw 2 lc rgb "#333333" title "useful front"
+     front using 1:2 with points pt 6 ps 2.5 lw 2 lc rgb "#333333" title "useful front", \
+     0.03 with lines dt 2 lc rgb "#333333" title "target"

@@ -1,7 +1,7 @@
 # Time per frame against the number of seed points in each of four layers.
-set title "render-gl -t rptam: teapot, 20,000 faces, 640×360, default strokes and samples; time as a multiple of gouraud's in the same run"
+set title "render-gl -t rptam: teapot, 20,000 faces, 640×360, default strokes and samples"
 set xlabel "seeds in each of four layers, as many strokes in the picture"
-set ylabel "time per frame over that of gouraud"
+set ylabel "time per frame over that of gouraud in the same run"
 set logscale xy
 set format x "%g"
 set format y "%g"
