@@ -44,7 +44,7 @@ static enum hatch_status parse_header(struct hatch_text line, struct header *hea
         bool wanted = k == VERTEX ? by_vertex : k > Z || !by_vertex;
         if (wanted != (header->column_of[k] >= 0))
             return hatch_fail(err, HATCH_BAD_INPUT, "header: %s '%s'; " WANTED_COLUMNS,
-                              wanted ? "no column" : "'vertex' excludes", key_names[k]);
+                              wanted ? "no column" : "'vertex' cannot be combined with", key_names[k]);
     }
     return HATCH_OK;
 }
@@ -153,8 +153,8 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
         HATCH_TRY(find_vertex(targets, values[VERTEX], row, &job, &made.point, err));
     } else {
         if (!find_nearest(targets, &values[X], &job, &pose, &made.point))
-            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no node of the scene has a mesh; name points by vertex",
-                              row);
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "line %u: no node of the scene has a mesh; use the column vertex instead of x y z", row);
         dirfield_to_mesh(pose, &values[DX], made.direction);
     }
     return add(args, job, made, err);

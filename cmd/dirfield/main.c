@@ -74,7 +74,7 @@ static void read_options(struct dirfield_options *parsed)
     if (solver_given && method == HATCH_FIELD_HZ)
         cmd_usage("--solver needs --method linear");
     if (fit_given && coarse)
-        cmd_usage("--coarse excludes --radius and --degree: it fits to the neighbours of each face");
+        cmd_usage("--coarse cannot be combined with --radius and --degree: it fits to the neighbours of each face");
     *parsed = (struct dirfield_options){
         .turn_deg = turn_of(direction),
         .constraints = constraints,

@@ -75,7 +75,7 @@ static void print_notes(const struct run *run)
     if (run->unconstrained_faces > 0)
         cmd_warn(cmd_input_name(run->input),
                  "%.3g %% of the faces are in components without a principal direction (planes, spheres, boxes): "
-                 "their directions lie across the longest side, with confidence 0",
+                 "their directions are perpendicular to the longest side of the bounding box, with confidence 0",
                  100 * run->unconstrained_faces / run->faces);
     cmd_note("%llu %s", (unsigned long long)run->singularities,
              cmd_plural(run->singularities, "singularity", "singularities"));

@@ -15,7 +15,7 @@ static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, doubl
 static void check(const struct dirfield_job *job, enum hatch_status status, struct hatch_err *err)
 {
     if (status != HATCH_OK && job->number > 0)
-        hatch_fail_at(err, "mesh %u: ", job->number);
+        hatch_fail_at(err, "primitive %u: ", job->number);
     cmd_check(status, job->name, err);
 }
 

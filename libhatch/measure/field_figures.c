@@ -136,8 +136,8 @@ static enum hatch_status match_vertices(const struct hatch_field_sum *sum, const
         memcpy(match, point, count * sizeof *match);
     else if (matched == 0)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "no point is at the position of one of the reference, and the vertices are %u, not %u", count,
-                          reference_count);
+                          "no point coincides with one of the reference, and there are %u vertices instead of %u",
+                          count, reference_count);
     return HATCH_OK;
 }
 

@@ -124,7 +124,7 @@ bad_row "line 2: the direction is perpendicular to the surface" "$head" '1\t0\t0
 bad_row "header: 'wait' is not a column; want vertex, or x y z, and dx dy dz weight" 'vertex\twait' '1\t1'
 bad_row "header: 'dx' appears twice" 'vertex\tdx\tdx' '1\t1'
 bad_row "header: no column 'weight'; want vertex, or x y z, and dx dy dz weight" 'vertex\tdx\tdy\tdz' '1'
-bad_row "header: 'vertex' excludes 'y'; want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
+bad_row "header: 'vertex' cannot be combined with 'y'; want vertex, or x y z, and dx dy dz weight" "$head\ty" '1'
 bad_row "no header line; want vertex, or x y z, and dx dy dz weight" ''
 try dirfield plane.glb --constraints nonesuch.tsv -o out.glb
 refused "a missing file of constraints" 4 1
