@@ -8,6 +8,7 @@
 #define JUMP_LENGTH 0.15  /* cost of a jump for each unit of its length, in square roots of the component's area */
 #define CERTAIN_RAD 0.1   /* standard error of the axes that halves the certainty */
 #define CERTAINTY_MIN 0.1 /* of both ends together: no jump shows where less is known */
+#define ROUNDS_MAX 64     /* noise needs six; bounds the time where each round merges few regions */
 
 /* Regions of points whose directions continue each other, bounded by jumps. */
 struct regions {
@@ -179,10 +180,12 @@ static enum hatch_status continue_axes(struct regions *r, const struct hatch_fra
         r->unit_cost[c] = JUMP_LENGTH * sqrt(r->unit_cost[c]);
     if (!find_jumps(r, frames, z))
         return HATCH_OK;
-    do {
+    bool more = true;
+    for (int round = 0; more && round < ROUNDS_MAX; round++) {
         find_regions(r);
         find_scores(r, frames->area);
-    } while (swap_regions(r));
+        more = swap_regions(r);
+    }
     swap_axes(r);
     return HATCH_OK;
 }
