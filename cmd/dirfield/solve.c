@@ -97,9 +97,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
 
     begun_ms = cmd_elapsed_ms();
     check(job, estimate(args, options, job, &curvature, &err), &err);
-    hatch_curvature_clear_crease_confidence(job->surface, CMD_FIELD_HARD_RAD, &curvature);
-    check(job, hatch_frames_set_normals(job->surface, curvature.normal, &args->scratch, &job->frames, &err), &err);
-    check(job, hatch_curvature_continue_axes(job->surface, &job->frames, &args->scratch, &curvature, &err), &err);
+    check(job, cmd_finish_curvature(args, job->surface, &job->frames, &curvature, &err), &err);
     constrain(cmd_input_name(options->constraints), job, curvature.direction, &constraint_weight);
     hatch_field_fill_from_dihedrals(job->surface, &job->frames, CMD_FIELD_HARD_RAD, constraint_weight,
                                     curvature.direction, curvature.confidence);

@@ -40,6 +40,15 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     mesh->had_normals = true;
 }
 
+enum hatch_status cmd_finish_curvature(struct cmd_args *args, const struct hatch_surface *surface,
+                                       struct hatch_frames *frames, struct hatch_curvature *curvature,
+                                       struct hatch_err *err)
+{
+    hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, curvature);
+    HATCH_TRY(hatch_frames_set_normals(surface, curvature->normal, &args->scratch, frames, err));
+    return hatch_curvature_continue_axes(surface, frames, &args->scratch, curvature, err);
+}
+
 static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface *surface, struct hatch_arena *work,
                                struct hatch_field *field, struct hatch_err *err)
 {
@@ -55,9 +64,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
     HATCH_TRY(HATCH_ALLOC(work, &filled, surface->component_count, err));
     HATCH_TRY(hatch_frames_begin(surface, work, &args->scratch, &frames, err));
     HATCH_TRY(hatch_curvature_estimate(surface, &frames, &adaptive, work, &args->scratch, &curvature, err));
-    hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, &curvature);
-    HATCH_TRY(hatch_frames_set_normals(surface, curvature.normal, &args->scratch, &frames, err));
-    HATCH_TRY(hatch_curvature_continue_axes(surface, &frames, &args->scratch, &curvature, err));
+    HATCH_TRY(cmd_finish_curvature(args, surface, &frames, &curvature, err));
     hatch_field_fill_from_dihedrals(surface, &frames, CMD_FIELD_HARD_RAD, NULL, curvature.direction,
                                     curvature.confidence);
     hatch_field_fill_unconstrained(surface, &frames, NULL, curvature.direction, curvature.confidence, filled);

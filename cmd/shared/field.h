@@ -13,6 +13,15 @@
 #define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: edges of a five-sided prism still count as round */
 #define CMD_FIELD_ITERATIONS 10000
 
+/* Completes estimated curvature and its frames before a field is solved: no confidence at sharp creases, the normals of
+ * the fits, and axes that go on.
+ *   frames     in, out: of hatch_frames_begin
+ *   curvature  in, out: of frames
+ * HATCH_LIMIT when memory runs out. */
+enum hatch_status cmd_finish_curvature(struct cmd_args *args, const struct hatch_surface *surface,
+                                       struct hatch_frames *frames, struct hatch_curvature *curvature,
+                                       struct hatch_err *err);
+
 /* Replaces a mesh by the mesh of its surface; sets the attribute _HATCH_DIR, and adds NORMAL if the file had none.
  * Directions and confidences are rounded, so that the result does not depend on libm. Each direction gets the sign with
  * which its first component other than 0 is positive. Dies on failure.

@@ -37,33 +37,19 @@ static double excess(const struct hatch_curvature *curvature, uint32_t point)
     return first > second ? (first - second) / (first + second) : 0;
 }
 
-/* Computes cosine and sine of twice the angle of a direction. */
-static void double_angle(const struct hatch_frames *frames, const struct hatch_curvature *curvature, uint32_t point,
-                         double z[2])
-{
-    const double *axis = &frames->axis[3 * (size_t)point], *direction = &curvature->direction[3 * (size_t)point];
-    double side[3];
-    hatch_vec_cross(&frames->normal[3 * (size_t)point], axis, side);
-    double x = hatch_vec_dot(direction, axis), y = hatch_vec_dot(direction, side), square = fmax(x * x + y * y, 1e-300);
-    z[0] = (x * x - y * y) / square;
-    z[1] = 2 * x * y / square;
-}
-
 /* Fills continuity. Returns whether there is a jump: a cosine below 0. */
-static bool find_jumps(struct regions *r, const struct hatch_frames *frames, double *z)
+static bool find_jumps(struct regions *r, const struct hatch_frames *frames, double *angle_rad)
 {
     const struct hatch_surface *surface = r->surface;
     bool any = false;
     for (uint32_t p = 0; p < surface->point_count; p++)
-        double_angle(frames, r->curvature, p, &z[2 * (size_t)p]);
+        angle_rad[p] = hatch_frames_angle(frames, p, &r->curvature->direction[3 * (size_t)p]);
     for (uint32_t p = 0; p < surface->point_count; p++) {
         double here = certainty(r->curvature, p);
-        const double *own = &z[2 * (size_t)p];
         for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
             uint32_t q = surface->ring_point[i];
-            double re = z[2 * (size_t)q], im = surface->ring_turned[i] ? -z[2 * (size_t)q + 1] : z[2 * (size_t)q + 1];
-            double c = cos(2 * frames->transport_rad[i]), s = sin(2 * frames->transport_rad[i]);
-            double cosine = own[0] * (c * re - s * im) + own[1] * (c * im + s * re);
+            double there = surface->ring_turned[i] ? -angle_rad[q] : angle_rad[q];
+            double cosine = cos(2 * (angle_rad[p] - frames->transport_rad[i] - there));
             double known = here * certainty(r->curvature, q), length = frames->weight[i];
             if (known < CERTAINTY_MIN)
                 continue;
@@ -171,14 +157,14 @@ static enum hatch_status continue_axes(struct regions *r, const struct hatch_fra
                                        struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_surface *surface = r->surface;
-    double *z;
+    double *angle_rad;
     HATCH_TRY(allocate(r, scratch, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &z, 2 * (size_t)surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &angle_rad, surface->point_count, err));
     for (uint32_t p = 0; p < surface->point_count; p++)
         r->unit_cost[surface->point_component[p]] += frames->area[p];
     for (uint32_t c = 0; c < surface->component_count; c++)
         r->unit_cost[c] = JUMP_LENGTH * sqrt(r->unit_cost[c]);
-    if (!find_jumps(r, frames, z))
+    if (!find_jumps(r, frames, angle_rad))
         return HATCH_OK;
     bool more = true;
     for (int round = 0; more && round < ROUNDS_MAX; round++) {
