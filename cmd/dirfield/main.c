@@ -22,7 +22,7 @@ static const struct cmd_option options[] = {
      NULL},
     {0, "solver", CMD_CHOICE, 0, 0, "SOLVER", "solver of --method linear: multigrid (default) or cholesky", &solver,
      solver_choices, &solver_given},
-    {'S', "smooth", CMD_REAL, 0, 1, "X", "amount of smoothing; 0: none (default 0.5)", &smooth, NULL, NULL},
+    {'S', "smooth", CMD_REAL, 0, 1, "X", "amount of smoothing; 0: none (default 0.35)", &smooth, NULL, NULL},
     {'d', "direction", CMD_TEXT, 0, 0, "WHICH",
      "max (of largest absolute curvature; default), min (across it), or degrees from max", &direction, NULL, NULL},
     {'c', "constraints", CMD_TEXT, 0, 0, "FILE", "read a table of directions given at positions or vertex numbers",

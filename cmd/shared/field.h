@@ -8,7 +8,7 @@
 #include "field/field.h"
 
 /* Defaults of dirfield, which estimates curvature with adaptive support (struct hatch_curvature_options). */
-#define CMD_FIELD_SMOOTH 0.5
+#define CMD_FIELD_SMOOTH 0.35
 #define CMD_FIELD_TOLERANCE 3e-5
 #define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: edges of a five-sided prism still count as round */
 #define CMD_FIELD_ITERATIONS 10000

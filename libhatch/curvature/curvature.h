@@ -1,8 +1,9 @@
 /* Principal curvatures from polynomials fitted to the points around each point (osculating jets: Cazals & Pouget,
  * "Estimating differential quantities using polynomial fitting of osculating jets", SGP 2003), by normal equations.
- * The support of a fit is grown over edges to a radius measured in length; the adaptive method enlarges it until the
- * residual shows no noise. Confidence combines the residual and the ratio of the curvatures (Praun et al., "Real-Time
- * Hatching", SIGGRAPH 2001, §6). */
+ * The support of a fit is grown over edges to a radius measured in length. The adaptive method adds, where noise leaves
+ * the direction uncertain, fits over the largest supports whose residual is no more than the noise, smoothed by least
+ * squares of second order (curvature/smooth/net.h). Confidence combines the residual and the ratio of the curvatures
+ * (Praun et al., "Real-Time Hatching", SIGGRAPH 2001, §6). */
 #ifndef HATCH_CURVATURE_CURVATURE_H
 #define HATCH_CURVATURE_CURVATURE_H
 
@@ -25,14 +26,14 @@ struct hatch_curvature {
     double *value;              /* 2: first and second curvature */
     double *confidence;         /* 0 .. 1 */
     double *standard_error_rad; /* of the direction, including the risk of swapped axes: 0 .. π/4 */
-    double *radius;             /* of the support used, in mean edges */
+    double *radius;             /* mean of the supports used, in mean edges */
     double *normal;             /* 3: unit, of the fit, on the side of the frames' normal; less noisy than those */
 };
 
 struct hatch_curvature_options {
-    double radius;           /* fixed support in mean edges, 0.5 .. 100, enlarged where it holds too few points for the
-                                degree; 0: adaptive */
-    uint32_t degree;         /* of the polynomials, 2 .. 4; 0: chosen with the support (4 for a fixed one) */
+    double radius;   /* fixed support in mean edges, 0.5 .. 100, enlarged where it holds too few points for the
+                        degree; 0: adaptive */
+    uint32_t degree; /* of the polynomials, 2 .. 4; 0: 4 for fixed and smallest supports, 3 or 4 for larger ones */
     struct hatch_pool *pool; /* NULL: one thread; the result is the same */
 };
 

@@ -69,8 +69,9 @@ void hatch_curvature_tensors_of_jet(const struct hatch_jet_frame *frame, const d
         }
 }
 
-static double form(const double matrix[6], const double a[3], const double b[3])
+double hatch_curvature_tensor_form(const struct hatch_curvature_tensor *tensor, const double a[3], const double b[3])
 {
+    const double *matrix = tensor->matrix;
     return matrix[0] * a[0] * b[0] + matrix[3] * a[1] * b[1] + matrix[5] * a[2] * b[2] +
            matrix[1] * (a[0] * b[1] + a[1] * b[0]) + matrix[2] * (a[0] * b[2] + a[2] * b[0]) +
            matrix[4] * (a[1] * b[2] + a[2] * b[1]);
@@ -82,7 +83,8 @@ void hatch_curvature_tensor_principal(const struct hatch_curvature_tensor *tenso
     double s[3], t[3];
     hatch_vec_any_orthogonal(tensor->normal, s);
     hatch_vec_cross(tensor->normal, s, t);
-    double a = form(tensor->matrix, s, s), b = form(tensor->matrix, s, t), c = form(tensor->matrix, t, t);
+    double a = hatch_curvature_tensor_form(tensor, s, s), b = hatch_curvature_tensor_form(tensor, s, t),
+           c = hatch_curvature_tensor_form(tensor, t, t);
     double mean = (a + c) / 2, spread = sqrt((a - c) * (a - c) / 4 + b * b), sign = mean < 0 ? -1 : 1;
     principal->value[0] = mean + sign * spread;
     principal->value[1] = mean - sign * spread;

@@ -26,6 +26,9 @@ void hatch_curvature_tensors_of_jet(const struct hatch_jet_frame *frame, const d
                                     uint32_t degree, const double x[2], const double y[2],
                                     struct hatch_curvature_tensor tensors[2]);
 
+/* Returns aᵀ M b. */
+double hatch_curvature_tensor_form(const struct hatch_curvature_tensor *tensor, const double a[3], const double b[3]);
+
 /* Computes the principal curvatures of a tensor in the plane of its normal. */
 void hatch_curvature_tensor_principal(const struct hatch_curvature_tensor *tensor,
                                       struct hatch_principal_curvatures *principal);

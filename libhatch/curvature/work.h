@@ -41,6 +41,13 @@ static inline struct hatch_curvature_members hatch_curvature_node_members(const 
     return (struct hatch_curvature_members){graph->first[node], graph->first[node + 1]};
 }
 
+/* Returns the component of a node of a coarse graph. */
+static inline uint32_t hatch_curvature_node_component(const struct hatch_curvature_graph *finest,
+                                                      const struct hatch_curvature_graph *graph, uint32_t node)
+{
+    return finest->surface.point_component[graph->points[graph->first[node]]];
+}
+
 /* Merges neighbouring nodes in pairs, each at the mean of its points: large supports need not hold all points. The
  * mean of points averages their noise; the mean of a polynomial over a patch much smaller than the support is its
  * value at the centre, up to a constant.
@@ -86,7 +93,32 @@ typedef void (*hatch_curvature_task)(void *context, uint32_t item, struct hatch_
 void hatch_curvature_for_each(const struct hatch_curvature_run *run, uint32_t count, hatch_curvature_task task,
                               void *context);
 
-/* Estimates curvature with supports that grow with the noise. */
+/* The estimate at a point. */
+struct hatch_curvature_sample {
+    struct hatch_curvature_tensor tensor;
+    struct hatch_curvature_variance variance; /* off_diagonal INFINITY: no fit */
+    double radius;                            /* of the support */
+};
+
+/* Returns whether the standard error of the direction is at most limit_rad. */
+bool hatch_curvature_is_certain(const struct hatch_curvature_sample *sample, double limit_rad);
+
+/* Estimates curvature from the smallest supports.
+ *   samples  out: per point
+ *   noise    out: per point, variance of its height */
+enum hatch_status hatch_curvature_fit_small(const struct hatch_curvature_run *run, struct hatch_arena *scratch,
+                                            struct hatch_curvature_sample *samples, double *noise,
+                                            struct hatch_err *err) HATCH_MUST_USE;
+
+/* Estimates curvature from large supports, smoothed (curvature/smooth/smooth.h).
+ *   noise    per point: variance of its height
+ *   wanted   per point
+ *   samples  out, where wanted */
+enum hatch_status hatch_curvature_smooth(const struct hatch_curvature_run *run, const double *noise, const bool *wanted,
+                                         struct hatch_arena *scratch, struct hatch_curvature_sample *samples,
+                                         struct hatch_err *err) HATCH_MUST_USE;
+
+/* Estimates curvature from the smallest supports, and where noise leaves it uncertain also from smoothed ones. */
 enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature_run *run, struct hatch_arena *scratch,
                                                     struct hatch_err *err) HATCH_MUST_USE;
 
