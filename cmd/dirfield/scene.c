@@ -12,7 +12,7 @@ struct run {
     struct dirfield_job *jobs;
     struct dirfield_report report;
     struct dirfield_arrows arrows;
-    double faces, unconstrained_faces; /* the latter in components without data */
+    double faces, undirected_faces; /* the latter in bodies without a principal direction */
     uint64_t singularities;
 };
 
@@ -42,16 +42,21 @@ static void begin_reports(struct run *run)
         dirfield_arrows_begin(&run->arrows, run->args);
 }
 
-/* Returns the number of faces in components without data, whose confidence is 0 everywhere. */
-static double count_unconstrained_faces(const struct dirfield_job *job)
+/* Returns the number of faces in bodies without a principal direction, whose confidence is 0 everywhere. */
+static double count_undirected_faces(const struct dirfield_job *job)
 {
+    const struct hatch_surface *surface = job->surface;
     double faces = 0;
-    for (uint32_t c = 0; c < job->surface->component_count; c++) {
-        const struct hatch_component *component = &job->surface->components[c];
-        uint32_t p = component->first_point, end = p + component->point_count;
-        while (p < end && !(job->field.confidence[p] > 0))
-            p++;
-        faces += p == end ? component->face_count : 0;
+    for (uint32_t first = 0, c = 0; c < surface->component_count; first = c) {
+        double body_faces = 0;
+        bool directed = false;
+        for (; c < surface->component_count && surface->components[c].body == surface->components[first].body; c++) {
+            const struct hatch_component *component = &surface->components[c];
+            for (uint32_t p = component->first_point; p < component->first_point + component->point_count; p++)
+                directed = directed || job->field.confidence[p] > 0;
+            body_faces += component->face_count;
+        }
+        faces += directed ? 0 : body_faces;
     }
     return faces;
 }
@@ -65,18 +70,18 @@ static void process(struct run *run, struct dirfield_job *job)
         dirfield_report_add(&run->report, job);
     if (run->files[DIRFIELD_ARROWS].output)
         dirfield_arrows_add(&run->arrows, job);
-    run->unconstrained_faces += count_unconstrained_faces(job);
+    run->undirected_faces += count_undirected_faces(job);
     run->singularities += job->singular.count;
     hatch_arena_free(&job->work);
 }
 
 static void print_notes(const struct run *run)
 {
-    if (run->unconstrained_faces > 0)
+    if (run->undirected_faces > 0)
         cmd_warn(cmd_input_name(run->input),
-                 "%.3g %% of the faces are in components without a principal direction (planes, spheres, boxes): "
-                 "their directions are perpendicular to the longest side of the bounding box, with confidence 0",
-                 100 * run->unconstrained_faces / run->faces);
+                 "%.3g %% of the faces are in bodies without a principal direction: planes have that of their "
+                 "straight edges, others (spheres) lie across the longest side of the bounding box, with confidence 0",
+                 100 * run->undirected_faces / run->faces);
     cmd_note("%llu %s", (unsigned long long)run->singularities,
              cmd_plural(run->singularities, "singularity", "singularities"));
 }

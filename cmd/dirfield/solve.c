@@ -60,9 +60,22 @@ static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_o
     return hatch_curvature_coarse(job->surface, &job->frames, &coarse, &job->work, &args->scratch, curvature, err);
 }
 
+/* Frees a plane with a direction given by hand at one of its points from the direction that planes have. */
+static void free_plane(const struct hatch_surface *surface, uint32_t point, double *confidence)
+{
+    uint32_t plane = HATCH_NO_SIDE;
+    for (uint32_t i = surface->ring_first[point]; i < surface->ring_first[point + 1]; i++)
+        if (surface->ring_face[i] != HATCH_NO_SIDE && surface->face_plane[surface->ring_face[i]] != HATCH_NO_SIDE)
+            plane = surface->face_plane[surface->ring_face[i]];
+    for (size_t i = 0; plane != HATCH_NO_SIDE && i < 3 * (size_t)surface->face_count; i++)
+        if (surface->face_plane[i / 3] == plane)
+            confidence[surface->corners[i]] = 0;
+}
+
 /* Replaces directions by those given by hand.
  *   weight  out: per point, as constraint_weight of hatch_field_problem; NULL without constraints */
-static void constrain(const char *file, struct dirfield_job *job, double *direction, double **weight)
+static void constrain(const char *file, struct dirfield_job *job, double *direction, double *confidence,
+                      double **weight)
 {
     struct hatch_err err;
     *weight = NULL;
@@ -81,6 +94,7 @@ static void constrain(const char *file, struct dirfield_job *job, double *direct
             cmd_die(file, &err);
         }
         (*weight)[given->point] = given->weight;
+        free_plane(job->surface, given->point, confidence);
     }
 }
 
@@ -98,7 +112,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
     begun_ms = cmd_elapsed_ms();
     check(job, estimate(args, options, job, &curvature, &err), &err);
     check(job, cmd_finish_curvature(args, job->surface, &job->frames, &curvature, &err), &err);
-    constrain(cmd_input_name(options->constraints), job, curvature.direction, &constraint_weight);
+    constrain(cmd_input_name(options->constraints), job, curvature.direction, curvature.confidence, &constraint_weight);
     hatch_field_fill_from_dihedrals(job->surface, &job->frames, CMD_FIELD_HARD_RAD, constraint_weight,
                                     curvature.direction, curvature.confidence);
     hatch_field_fill_unconstrained(job->surface, &job->frames, constraint_weight, curvature.direction,
@@ -115,6 +129,7 @@ void dirfield_solve(struct cmd_args *args, const struct dirfield_options *option
                                                 .principal = true};
     check(job, hatch_field_solve(&problem, &options->field, &job->work, &args->scratch, &job->field, &err), &err);
     hatch_field_clear_filled_confidence(job->surface, filled, &job->field);
+    hatch_field_clear_plane_confidence(job->surface, curvature.confidence, &job->field);
     end_phase(job, PHASE_FIELD, begun_ms);
     check(job,
           hatch_field_singularities(job->surface, &job->frames, job->field.direction, &job->work, &args->scratch,

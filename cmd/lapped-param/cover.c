@@ -53,7 +53,7 @@ static enum hatch_status make_patches(struct cmd_args *args, const struct lapped
     if (same_surface(source, mesh))
         work->surface = *part->surface;
     else
-        HATCH_TRY(hatch_surface_make(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
+        HATCH_TRY(hatch_surface_make_cut(mesh, &work->arena, &args->scratch, &work->surface, &notes, err));
     HATCH_TRY(hatch_frames_make(&work->surface, &work->arena, &args->scratch, &work->frames, err));
     size_t points = work->surface.point_count;
     double *direction, *confidence;

@@ -45,6 +45,7 @@ enum hatch_status cmd_finish_curvature(struct cmd_args *args, const struct hatch
                                        struct hatch_err *err)
 {
     hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, curvature);
+    hatch_curvature_set_planes(surface, curvature);
     HATCH_TRY(hatch_frames_set_normals(surface, curvature->normal, &args->scratch, frames, err));
     return hatch_curvature_continue_axes(surface, frames, &args->scratch, curvature, err);
 }
@@ -75,6 +76,7 @@ static enum hatch_status solve(struct cmd_args *args, const struct hatch_surface
                                                 .principal = true};
     HATCH_TRY(hatch_field_solve(&problem, &options, work, &args->scratch, field, err));
     hatch_field_clear_filled_confidence(surface, filled, field);
+    hatch_field_clear_plane_confidence(surface, curvature.confidence, field);
     return HATCH_OK;
 }
 

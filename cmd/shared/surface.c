@@ -87,7 +87,8 @@ struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path,
     cmd_check(HATCH_ALLOC(&args->keep, &surfaces, scene->mesh_count, &err), name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         const struct hatch_scene_mesh *from = &scene->meshes[i];
-        cmd_check(hatch_surface_make(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name, &err);
+        cmd_check(hatch_surface_make_cut(&from->mesh, &args->keep, &args->scratch, &surfaces[i], &notes, &err), name,
+                  &err);
         /* Several vertices at one position are no defect in a triangle soup, or where other attributes may differ
          * between them. */
         if (from->is_soup || from->mesh.attribute_count > 1)

@@ -16,6 +16,21 @@ static bool is_crease(const struct hatch_surface *surface, uint32_t a, uint32_t 
     return !(dot > 0) || dot * dot < cosine * cosine * hatch_vec_dot(here, here) * hatch_vec_dot(there, there);
 }
 
+void hatch_curvature_set_planes(const struct hatch_surface *surface, struct hatch_curvature *curvature)
+{
+    for (uint32_t i = 0; surface->plane_count > 0 && i < 3 * surface->face_count; i++) {
+        uint32_t plane = surface->face_plane[i / 3];
+        size_t p = surface->corners[i];
+        if (plane == HATCH_NO_SIDE)
+            continue;
+        hatch_vec_copy(&surface->plane_direction[3 * (size_t)plane], &curvature->direction[3 * p]);
+        curvature->value[2 * p] = 1;
+        curvature->value[2 * p + 1] = 0;
+        curvature->confidence[p] = 1;
+        curvature->standard_error_rad[p] = 0;
+    }
+}
+
 void hatch_curvature_clear_crease_confidence(const struct hatch_surface *surface, double crease_rad,
                                              struct hatch_curvature *curvature)
 {

@@ -54,6 +54,11 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
                                          struct hatch_arena *scratch, struct hatch_curvature *curvature,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
+/* Gives the points of planes the direction of their plane with confidence 1, as if the plane were bent a little across
+ * it: a convention, since a plane has no principal direction.
+ *   curvature  changed: direction, value (1 and 0), confidence, standard_error_rad */
+void hatch_curvature_set_planes(const struct hatch_surface *surface, struct hatch_curvature *curvature);
+
 /* Lets the first direction go on where the absolute values of the curvatures cross: it would turn by a right angle
  * there although both axes are continuous. Regions whose directions continue each other keep one axis as long as the
  * jumps around them cost more than the excess of the larger curvature over their area gains. With k1 and k2 the

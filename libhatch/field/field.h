@@ -94,6 +94,11 @@ void hatch_field_fill_unconstrained(const struct hatch_surface *surface, const s
 void hatch_field_clear_filled_confidence(const struct hatch_surface *surface, const bool *filled,
                                          struct hatch_field *field);
 
+/* Sets the confidence of the points of planes to 0: their directions are a convention.
+ *   confidence  of the data; where it is 0, the field is not that of the plane */
+void hatch_field_clear_plane_confidence(const struct hatch_surface *surface, const double *confidence,
+                                        struct hatch_field *field);
+
 /* Computes energy[2], as in hatch_field, of a unit field, without reduced weights at jumps.
  *   direction  3 per point: the field */
 void hatch_field_energy(const struct hatch_field_problem *problem, double smooth, const double *direction,

@@ -46,6 +46,16 @@ void hatch_field_fill_unconstrained(const struct hatch_surface *surface, const s
     }
 }
 
+void hatch_field_clear_plane_confidence(const struct hatch_surface *surface, const double *confidence,
+                                        struct hatch_field *field)
+{
+    for (uint32_t i = 0; surface->plane_count > 0 && i < 3 * surface->face_count; i++) {
+        uint32_t p = surface->corners[i];
+        if (surface->face_plane[i / 3] != HATCH_NO_SIDE && confidence[p] > 0)
+            field->confidence[p] = 0;
+    }
+}
+
 void hatch_field_clear_filled_confidence(const struct hatch_surface *surface, const bool *filled,
                                          struct hatch_field *field)
 {

@@ -38,7 +38,7 @@ static enum hatch_status read_subject(const struct hatch_field_sum *sum, const s
     struct hatch_surface_notes notes;
     struct hatch_surface *surface = &subject->surface;
     subject->mesh = mesh;
-    HATCH_TRY(hatch_surface_make(mesh, sum->arena, sum->scratch, surface, &notes, err));
+    HATCH_TRY(hatch_surface_make_cut(mesh, sum->arena, sum->scratch, surface, &notes, err));
     HATCH_TRY(hatch_frames_make(surface, sum->arena, sum->scratch, &subject->frames, err));
     HATCH_TRY(HATCH_ALLOC(sum->arena, &subject->direction, 3 * (size_t)surface->point_count, err));
     HATCH_TRY(HATCH_ALLOC(sum->arena, &subject->confidence, surface->point_count, err));

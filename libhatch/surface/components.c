@@ -15,6 +15,8 @@ static enum hatch_status allocate(const struct hatch_surface_work *w, struct hat
     HATCH_TRY(HATCH_ALLOC(w->arena, &s->opposite, faces * 3, err));
     HATCH_TRY(HATCH_ALLOC(w->arena, &s->point_component, points, err));
     HATCH_TRY(HATCH_ALLOC(w->arena, &s->corner_vertex, faces * 3, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->face_plane, faces, err));
+    HATCH_TRY(HATCH_ALLOC(w->arena, &s->plane_direction, 3 * (size_t)s->plane_count, err));
     return HATCH_ALLOC(w->arena, &s->face_source, faces, err);
 }
 
@@ -37,6 +39,7 @@ static void order_faces(const struct hatch_surface_work *w, struct hatch_surface
         struct hatch_component *component = &s->components[w->component[f]];
         new_face[f] = component->first_face + component->face_count++;
         s->face_source[new_face[f]] = f;
+        s->face_plane[new_face[f]] = w->plane ? w->plane[f] : HATCH_NO_SIDE;
     }
 }
 
@@ -91,12 +94,17 @@ enum hatch_status hatch_surface_build_components(const struct hatch_surface_work
     HATCH_TRY(HATCH_ALLOC(w->scratch, &new_point, w->fan_count, err));
     surface->component_count = w->component_count;
     surface->point_count = w->fan_count;
+    surface->plane_count = w->plane_count;
     for (uint32_t f = 0; f < w->mesh->face_count; f++) {
         surface->face_count += !w->dropped[f];
         surface->point_count -= w->dropped[f] ? 3 : 0; /* each corner of a dropped face is its own fan */
     }
     HATCH_TRY(allocate(w, surface, err));
     memset(new_point, 0xff, w->fan_count * sizeof *new_point);
+    if (w->plane_count > 0)
+        memcpy(surface->plane_direction, w->plane_direction, 3 * sizeof(double) * w->plane_count);
+    for (uint32_t c = 0; c < w->component_count; c++)
+        surface->components[c].body = w->body ? w->body[c] : c;
     order_faces(w, surface, new_face);
     number_points(w, surface, new_point);
     join_sides(w, surface, new_face);

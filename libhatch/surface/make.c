@@ -79,6 +79,8 @@ static enum hatch_status connect_faces(struct hatch_surface_work *w, struct hatc
     HATCH_TRY(HATCH_ALLOC(w->scratch, &w->partner, corners, err));
     HATCH_TRY(hatch_edges_find(&faces, w->scratch, w->scratch, &w->edges, err));
     HATCH_TRY(join_faces(w, notes, err));
+    if (w->planes)
+        HATCH_TRY(hatch_surface_find_planes(w, err));
     w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces.face_count, w->fan);
     return hatch_mesh_count_pinched(&faces, &w->edges, w->scratch, &notes->points_split, err);
 }
@@ -96,20 +98,34 @@ static enum hatch_status make(struct hatch_surface_work *w, struct hatch_surface
     return hatch_surface_make_rings(surface, w->arena, w->scratch, err);
 }
 
-enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                     struct hatch_arena *scratch, struct hatch_surface *surface,
-                                     struct hatch_surface_notes *notes, struct hatch_err *err)
+static enum hatch_status make_surface(struct hatch_surface_work *work, struct hatch_surface *surface,
+                                      struct hatch_surface_notes *notes, struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_surface_work work = {.mesh = mesh, .arena = arena, .scratch = scratch};
+    struct hatch_arena_mark mark = hatch_arena_mark(work->scratch);
     struct hatch_surface made = {0};
     struct hatch_surface_notes changes = {0};
-    enum hatch_status status = make(&work, &made, &changes, err);
-    hatch_arena_rewind(scratch, mark);
+    enum hatch_status status = make(work, &made, &changes, err);
+    hatch_arena_rewind(work->scratch, mark);
     HATCH_TRY(status);
     *surface = made;
     *notes = changes;
     return HATCH_OK;
+}
+
+enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_surface *surface,
+                                     struct hatch_surface_notes *notes, struct hatch_err *err)
+{
+    struct hatch_surface_work work = {.mesh = mesh, .arena = arena, .scratch = scratch};
+    return make_surface(&work, surface, notes, err);
+}
+
+enum hatch_status hatch_surface_make_cut(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, struct hatch_surface *surface,
+                                         struct hatch_surface_notes *notes, struct hatch_err *err)
+{
+    struct hatch_surface_work work = {.mesh = mesh, .arena = arena, .scratch = scratch, .planes = true};
+    return make_surface(&work, surface, notes, err);
 }
 
 void hatch_surface_face_normal(const struct hatch_surface *surface, uint32_t face, double normal[3])

@@ -19,6 +19,7 @@ struct hatch_component {
     uint32_t first_point, point_count;
     uint32_t first_face, face_count;
     uint32_t border_loops;
+    uint32_t body; /* number of the component before creases around planes were cut; rises with the component */
     int32_t euler; /* Euler characteristic: points - edges + faces */
     bool orientable;
     double center[3]; /* of the bounding box, in mesh units */
@@ -37,6 +38,9 @@ struct hatch_surface {
     uint32_t *point_component;
     uint32_t *corner_vertex; /* 3 per face: vertex of the mesh */
     uint32_t *face_source;   /* per face: face of the mesh */
+    uint32_t plane_count;    /* 0 unless made by hatch_surface_make_cut */
+    uint32_t *face_plane;    /* per face: its plane, or HATCH_NO_SIDE */
+    double *plane_direction; /* 3 per plane: unit tangent */
 
     /* The ring of point p: its neighbours, counter-clockwise seen from the outside of the ring, which is the outside
      * of p's first face. Entries are ring_first[p] .. ring_first[p + 1] - 1. The ring of a border point is open: its
@@ -72,6 +76,15 @@ struct hatch_surface_notes {
 enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_surface *surface,
                                      struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
+
+/* The same, with planes: the flat faces of a body. They consist of connected triangles in one plane and either are
+ * bounded by edges of over 75 degrees, or have at least 30 triangles with a point inside. Edges of over 20 degrees
+ * around them are cut, so that both sides have points, and directions, of their own. The direction of a plane is the
+ * one in which most of its border runs; or where no tenth of it is straight, as around a disc, the coordinate axis that
+ * lies nearest to the plane. */
+enum hatch_status hatch_surface_make_cut(const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, struct hatch_surface *surface,
+                                         struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Converts a surface back to a mesh with the same faces and corners and all attributes of the source. A vertex used by
  * several points is duplicated. At vertices whose faces were all reversed, NORMAL and with it w of TANGENT are negated.

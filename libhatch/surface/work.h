@@ -9,6 +9,7 @@
 struct hatch_surface_work {
     const struct hatch_mesh *mesh;
     struct hatch_arena *arena, *scratch;
+    bool planes;     /* whether planes are found */
     uint32_t *point; /* per corner: number of its position */
     uint32_t position_count;
     uint8_t *dropped, *flipped; /* per face: 1 if it is left out; 1 if it is reversed */
@@ -17,6 +18,10 @@ struct hatch_surface_work {
     uint32_t fan_count, component_count;
     struct hatch_edges edges;
     uint32_t *partner; /* per side: the side it is joined with, or HATCH_NO_EDGE */
+    uint32_t *body;    /* per component: of hatch_component; NULL: its own number */
+    uint32_t plane_count;
+    uint32_t *plane;         /* per face: its plane, or HATCH_NO_SIDE */
+    double *plane_direction; /* 3 per plane */
 };
 
 /* At each edge with more than two faces, joins faces two by two. Only faces with consistent orientations form a pair;
@@ -24,8 +29,11 @@ struct hatch_surface_work {
  * with more than 8 faces stay cut. Returns the number of pairs. */
 uint32_t hatch_surface_stitch_edges(const struct hatch_surface_work *work);
 
-/* Builds the faces, corners, points and opposite sides, component by component, with positions in mesh units. Leaves
- * border loops, orientability and rings unset. */
+/* Finds planes and their directions, cuts the creases around them and numbers the components anew. */
+enum hatch_status hatch_surface_find_planes(struct hatch_surface_work *work, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Builds the faces, corners, points, opposite sides and planes, component by component, with positions in mesh units.
+ * Leaves border loops, orientability and rings unset. */
 enum hatch_status hatch_surface_build_components(const struct hatch_surface_work *work, struct hatch_surface *surface,
                                                  struct hatch_err *err) HATCH_MUST_USE;
 

@@ -129,6 +129,22 @@ bad_row "no header line; want vertex, or x y z, and dx dy dz weight" ''
 try dirfield plane.glb --constraints nonesuch.tsv -o out.glb
 refused "a missing file of constraints" 4 1
 
+# A bracket of boxes that share faces' planes: each plane has one direction, along its longest edges.
+printf 'OFF\n12 8 0\n0 0 0\n4 0 0\n4 1 0\n1 1 0\n1 3 0\n0 3 0\n0 0 2\n4 0 2\n4 1 2\n1 1 2\n1 3 2\n0 3 2\n%s' \
+    '6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+' >bracket.off
+dirfield -q bracket.off -o bracket.glb
+is "the planes of a bracket are straight" \
+    "$(hatchstat field -q bracket.glb | tee figures.tsv | column singularities) $(column smoothness <figures.tsv | awk '{print ($1 < 1e-6)}') $(column components <figures.tsv)" \
+    "0 1 8"
+
 dirfield torus.glb --report report.tsv -o again.glb
 cmp -s again.glb max.glb
 is "a report changes nothing in the mesh" $? 0

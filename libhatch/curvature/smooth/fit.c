@@ -5,8 +5,8 @@
 #include "curvature/smooth/smooth.h"
 
 /* Supports of step n have a radius of RADIUS √2^n mean edges. From step 0 on they consist of nodes of graphs[n], about
- * the same number on each step, and are centred at nodes of graphs[n + 1] (step 0: graphs[2]). The supports of the last
- * step consist of points: means of points lie off a curved surface. */
+ * the same number each, and are centred at nodes of graphs[n + 1] (step 0: graphs[2]). The supports of the last step
+ * consist of points: means of points lie off a curved surface. */
 #define RADIUS 7.0
 #define STEP_FIRST 4
 #define STEP_LAST -1

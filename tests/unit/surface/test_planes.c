@@ -1,0 +1,158 @@
+#include "fail_alloc.h"
+#include "meshes.h"
+#include "run.h"
+#include "math/vector.h"
+#include "surface/surface.h"
+
+static struct hatch_surface cut(const struct hatch_mesh *mesh)
+{
+    struct hatch_surface made;
+    struct hatch_surface_notes notes;
+    HATCH_TEST_OK(hatch_surface_make_cut(mesh, &keep, &scratch, &made, &notes, &err), &err);
+    return made;
+}
+
+/* A box of 3 x 2 x 1 of twelve faces, one of which is turned over. */
+static struct hatch_mesh box(void)
+{
+    float positions[24];
+    static const uint32_t indices[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                         2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 5, 7};
+    for (int v = 0; v < 8; v++) {
+        positions[3 * v] = 3.0f * (float)(v & 1);
+        positions[3 * v + 1] = 2.0f * (float)(v >> 1 & 1);
+        positions[3 * v + 2] = (float)(v >> 2);
+    }
+    return mesh_of(positions, 8, indices, 12);
+}
+
+START_TEST(a_box_has_six_planes_along_their_longer_edges)
+{
+    struct hatch_mesh mesh = box();
+    struct hatch_surface s = cut(&mesh);
+    ck_assert_uint_eq(s.plane_count, 6);
+    ck_assert_uint_eq(s.component_count, 6);
+    ck_assert_uint_eq(s.point_count, 24);
+    for (uint32_t f = 0; f < 12; f++) {
+        double normal[3];
+        hatch_surface_face_normal(&s, f, normal);
+        hatch_vec_normalize(normal);
+        const double *line = &s.plane_direction[3 * (size_t)s.face_plane[f]];
+        int longest = fabs(normal[0]) > 0.5 ? 1 : 0;
+        ck_assert_double_eq_tol(fabs(line[longest]), 1, 1e-12);
+        ck_assert_uint_eq(s.components[f / 2].body, 0);
+    }
+}
+END_TEST
+
+START_TEST(without_planes_a_box_is_one_component)
+{
+    struct hatch_mesh mesh = box();
+    struct hatch_surface s;
+    struct hatch_surface_notes notes;
+    HATCH_TEST_OK(hatch_surface_make(&mesh, &keep, &scratch, &s, &notes, &err), &err);
+    ck_assert_uint_eq(s.plane_count, 0);
+    ck_assert_uint_eq(s.component_count, 1);
+    ck_assert_uint_eq(s.face_plane[5], HATCH_NO_SIDE);
+}
+END_TEST
+
+START_TEST(curved_shapes_have_no_planes)
+{
+    static const enum hatch_shape shapes[] = {HATCH_SHAPE_SPHERE,   HATCH_SHAPE_TORUS,  HATCH_SHAPE_ELLIPSOID,
+                                              HATCH_SHAPE_CYLINDER, HATCH_SHAPE_SADDLE, HATCH_SHAPE_FRUSTUM};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
+        for (int noisy = 0; noisy < 3; noisy++) {
+            struct hatch_mesh mesh = shape_with(
+                shapes[i], (struct hatch_shape_options){
+                               .faces = noisy ? 20000 : 300, .jitter = 1, .noise = 0.2f * (float)noisy, .seed = 2});
+            ck_assert_msg(cut(&mesh).plane_count == 0, "%s, noise %g", hatch_shape_name(shapes[i]), 0.2 * noisy);
+        }
+}
+END_TEST
+
+/* A sheet of 2 x 8 by 8 squares, folded in the middle. */
+static struct hatch_surface fold(double degrees)
+{
+    enum { SIZE = 8, ROW = 2 * SIZE + 1 };
+    static float positions[3 * ROW * (SIZE + 1)];
+    static uint32_t indices[6 * 2 * SIZE * SIZE];
+    double turn = degrees * 3.14159265358979 / 180;
+    for (int v = 0; v < ROW * (SIZE + 1); v++) {
+        double x = v % ROW - SIZE;
+        positions[3 * v] = (float)(x > 0 ? x * cos(turn) : x);
+        positions[3 * v + 1] = (float)(v / ROW);
+        positions[3 * v + 2] = (float)(x > 0 ? x * sin(turn) : 0);
+    }
+    for (uint32_t q = 0; q < 2 * SIZE * SIZE; q++) {
+        uint32_t a = q / (2 * SIZE) * ROW + q % (2 * SIZE), c = a + ROW;
+        const uint32_t faces[6] = {a, a + 1, c, a + 1, c + 1, c};
+        memcpy(&indices[6 * q], faces, sizeof faces);
+    }
+    struct hatch_mesh mesh = mesh_of(positions, ROW * (SIZE + 1), indices, 4 * SIZE * SIZE);
+    return cut(&mesh);
+}
+
+START_TEST(creases_around_planes_are_cut)
+{
+    struct hatch_surface sharp = fold(30), blunt = fold(10), flat = fold(0.01);
+    ck_assert_uint_eq(sharp.plane_count, 2);
+    ck_assert_uint_eq(sharp.component_count, 2);
+    ck_assert_uint_eq(sharp.point_count, blunt.point_count + 9);
+    ck_assert_uint_eq(blunt.plane_count, 2);
+    ck_assert_uint_eq(blunt.component_count, 1);
+    ck_assert_uint_eq(flat.plane_count, 1);
+}
+END_TEST
+
+/* An L of 3 x 3 squares without the last: 3 + 2 + 1 units of its border run either way; turned by 20 degrees. */
+START_TEST(directions_follow_straight_borders_however_they_lie)
+{
+    static const float outline[12] = {0, 0, 5, 0, 5, 1, 1, 1, 1, 3, 0, 3};
+    static const uint32_t indices[12] = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5};
+    float positions[18];
+    double turn = 0.349;
+    for (size_t v = 0; v < 6; v++) {
+        double x = (double)outline[2 * v], y = (double)outline[2 * v + 1];
+        positions[3 * v] = (float)(cos(turn) * x - sin(turn) * y);
+        positions[3 * v + 1] = 100;
+        positions[3 * v + 2] = (float)(sin(turn) * x + cos(turn) * y);
+    }
+    struct hatch_mesh mesh = mesh_of(positions, 6, indices, 4);
+    struct hatch_surface s = cut(&mesh);
+    ck_assert_uint_eq(s.plane_count, 1);
+    double along = cos(turn) * s.plane_direction[0] + sin(turn) * s.plane_direction[2];
+    ck_assert_double_eq_tol(fabs(along), 1, 1e-6);
+}
+END_TEST
+
+static enum hatch_status cut_with(void *context, struct hatch_arena *arena, struct hatch_arena *work,
+                                  struct hatch_err *error)
+{
+    struct hatch_mesh mesh = box();
+    struct hatch_surface_notes notes;
+    return hatch_surface_make_cut(&mesh, arena, work, context, &notes, error);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    struct hatch_surface made = {0};
+    hatch_test_fail_alloc(cut_with, &made, &made, sizeof made);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *all = suite_create("planes");
+    TCase *tests = tcase_create("planes");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_box_has_six_planes_along_their_longer_edges);
+    tcase_add_test(tests, without_planes_a_box_is_one_component);
+    tcase_add_test(tests, curved_shapes_have_no_planes);
+    tcase_add_test(tests, creases_around_planes_are_cut);
+    tcase_add_test(tests, directions_follow_straight_borders_however_they_lie);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    suite_add_tcase(all, tests);
+    return all;
+}
+HATCH_TEST_MAIN(suite)
