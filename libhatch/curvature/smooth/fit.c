@@ -4,7 +4,7 @@
 #include "math/vector.h"
 #include "curvature/smooth/smooth.h"
 
-/* Supports of step n have a radius of RADIUS √2^n mean edges. From step 0 on they consist of nodes of graphs[n], about
+/* Supports of step n have a radius of RADIUS √2^n mean edges. From step 0 on they are nodes of graphs[n], about
  * the same number each, and are centred at nodes of graphs[n + 1] (step 0: graphs[2]). The supports of the last step
  * consist of points: means of points lie off a curved surface. */
 #define RADIUS 7.0
