@@ -7,7 +7,7 @@
 #include "shapes/shapes.h"
 
 static int64_t faces = 10000;
-static double jitter, noise;
+static double jitter, noise, stretch = 1;
 static int uv;
 static bool field;
 
@@ -19,6 +19,8 @@ static const struct cmd_option options[] = {
     {'J', "jitter", CMD_REAL, 0, 1, "SHARE",
      "irregularity of the triangles; 1: vertices move by up to a quarter of a grid step (default 0)", &jitter, NULL,
      NULL},
+    {'S', "stretch", CMD_REAL, 1, 16, "RATIO", "ratio of the sides of the triangles, along u and v (default 1)",
+     &stretch, NULL, NULL},
     {'N', "noise", CMD_REAL, 0, 1, "SHARE",
      "noise along the normals: standard deviation in mean edge lengths (default 0)", &noise, NULL, NULL},
     {'u', "uv", CMD_CHOICE, 0, 0, "HOW",
@@ -61,6 +63,7 @@ int main(int argc, char **argv)
     const struct hatch_shape_options shape_options = {
         .faces = (uint32_t)faces,
         .jitter = (float)jitter,
+        .stretch = (float)stretch,
         .noise = (float)noise,
         .seed = args.seed,
         .uv = (enum hatch_shape_uv)uv,
@@ -74,10 +77,12 @@ int main(int argc, char **argv)
     struct hatch_err err;
     struct hatch_mesh mesh;
     cmd_check(hatch_shape_make(shape, &shape_options, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
-    char comment[160];
-    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g --noise %g --uv %s%s --seed %llu",
-             hatch_shape_name(shape), shape_options.faces, jitter, noise, uv_choices[uv], field ? " --field" : "",
-             (unsigned long long)args.seed);
+    char comment[180], stretched[32] = "";
+    if (stretch != 1)
+        snprintf(stretched, sizeof stretched, " --stretch %g", stretch);
+    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g%s --noise %g --uv %s%s --seed %llu",
+             hatch_shape_name(shape), shape_options.faces, jitter, stretched, noise, uv_choices[uv],
+             field ? " --field" : "", (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err), NULL, &err);
     cmd_note("%u faces, %u vertices", mesh.face_count, mesh.vertex_count);

@@ -33,6 +33,7 @@ const char *hatch_shape_name(enum hatch_shape shape)
 /* The surfaces of a shape and their grids. */
 struct surfaces {
     uint32_t count;
+    double stretch; /* of cells along u, by as much as they are narrower along v */
     struct hatch_grid grids[HATCH_SHAPE_SURFACES_MAX];
     struct hatch_parametric_size sizes[HATCH_SHAPE_SURFACES_MAX];
     double even[HATCH_SHAPE_SURFACES_MAX][HATCH_PARAMETRIC_PIECES_MAX * (HATCH_GRID_SAMPLES + 1)];
@@ -43,7 +44,7 @@ static double at_least(double least, double value)
     return value < least ? least : value;
 }
 
-/* Divides every surface into cells of about size by size; returns the number of faces. */
+/* Divides every surface into cells of about size * stretch by size / stretch; returns the number of faces. */
 static double set_cell_size(struct surfaces *s, double size)
 {
     double faces = 0;
@@ -52,11 +53,11 @@ static double set_cell_size(struct surfaces *s, double size)
         const struct hatch_parametric *surface = &grid->surface;
         uint32_t pieces = surface->u_pieces;
         double least = surface->wraps_u ? ceil(3.0 / pieces) : 1;
-        double columns = pieces * at_least(least, round(s->sizes[g].u / pieces / size));
+        double columns = pieces * at_least(least, round(s->sizes[g].u / pieces / size / s->stretch));
         double rows = 0;
         for (uint32_t p = 0; p < surface->v_pieces; p++) {
             double rows_min = surface->wraps_v ? 3 : surface->pole_first && surface->pole_last ? 2 : 1;
-            double here = at_least(rows_min, round(s->sizes[g].v[p] / size));
+            double here = at_least(rows_min, round(s->sizes[g].v[p] / size * s->stretch));
             grid->rows[p] = (uint32_t)here;
             rows += here;
         }
@@ -179,10 +180,12 @@ enum hatch_status hatch_shape_make(enum hatch_shape shape, const struct hatch_sh
     assert(options->faces >= 2 && options->faces <= HATCH_SHAPE_FACES_MAX);
     assert(options->jitter >= 0 && options->jitter <= 1);
     assert(options->noise >= 0 && options->noise <= 1);
+    assert(options->stretch >= 0 && options->stretch <= 16);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct surfaces *s;
     HATCH_TRY(HATCH_ALLOC(scratch, &s, 1, err));
     struct hatch_parametric parts[HATCH_SHAPE_SURFACES_MAX];
+    s->stretch = options->stretch > 0 ? sqrt((double)options->stretch) : 1;
     s->count = hatch_shape_surfaces(shape, parts);
     for (uint32_t g = 0; g < s->count; g++) {
         s->grids[g].surface = parts[g];

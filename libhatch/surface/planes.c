@@ -14,6 +14,8 @@
 #define CREASE_COSINE 0.9397 /* 20 degrees: around a plane, sharper edges are cut */
 #define FACES_MIN 30u        /* of a plane not bounded by hard edges all round; it has a point inside, */
 #define AREA_MIN 8.0         /* and an area of so many mean faces: slivers around a pole look flat */
+#define CREASE_MIN 0.5       /* share of its border that is open or a crease; */
+#define WIDTH_MIN 8.0        /* or else its area over its radius, in square roots of the mean area of faces */
 #define FLAT_MIN 0.3         /* share of the area of a component that is flat, or it has no facets */
 #define BINS 180u            /* of directions of its border */
 #define STRAIGHT_MIN 0.1     /* share of the border that runs along the direction of a plane with straight edges */
@@ -66,13 +68,18 @@ static double rounding_rad(const struct finder *f, uint32_t face)
     return ROUNDING * f->extent * longest / (2 * f->area[face]);
 }
 
+/* Returns whether a normal agrees with that of a face, to within PLANE_RAD and rounding. */
+static bool agrees(const struct finder *f, const double normal[3], uint32_t face)
+{
+    const double *own = &f->normal[3 * (size_t)face];
+    double turn[3];
+    hatch_vec_cross(normal, own, turn);
+    return hatch_vec_dot(normal, own) > 0 && hatch_vec_length(turn) <= PLANE_RAD + rounding_rad(f, face);
+}
+
 static bool is_coplanar(const struct finder *f, uint32_t a, uint32_t b)
 {
-    double turn[3];
-    if (!(hatch_vec_dot(&f->normal[3 * (size_t)a], &f->normal[3 * (size_t)b]) > 0))
-        return false;
-    hatch_vec_cross(&f->normal[3 * (size_t)a], &f->normal[3 * (size_t)b], turn);
-    return hatch_vec_length(turn) <= PLANE_RAD + rounding_rad(f, a) + rounding_rad(f, b);
+    return agrees(f, &f->normal[3 * (size_t)a], b) || agrees(f, &f->normal[3 * (size_t)b], a);
 }
 
 /* Lists the faces that are connected to a face through coplanar neighbours. */
@@ -113,6 +120,8 @@ static bool is_flat(struct finder *f)
     hatch_vec_normalize(f->plane_normal);
     for (uint32_t n = 3 * f->first; n < 3 * f->end; n++) {
         double p[3];
+        if (!agrees(f, f->plane_normal, f->list[n / 3]))
+            return false;
         corner(f, 3 * f->list[n / 3] + n % 3, p);
         hatch_vec_sub(p, f->center, p);
         farthest = fmax(farthest, fabs(hatch_vec_dot(p, f->plane_normal)));
@@ -138,12 +147,21 @@ static bool is_border(const struct finder *f, uint32_t side)
 
 enum kind { NO_PLANE, FACET, PLANE };
 
-/* Returns what the region is: a plane where it is large and has a point inside, a facet where it is not but hard edges
- * bound it all round. */
+static double length_of(const struct finder *f, uint32_t side)
+{
+    double p[2][3];
+    corner(f, side, p[0]);
+    corner(f, hatch_side_end(side), p[1]);
+    return hatch_vec_distance(p[0], p[1]);
+}
+
+/* Returns what the region is: a plane where it is large, has a point inside, and is bounded by creases or is wide:
+ * where a curved surface changes the sense of its curvature, strips look flat. A facet where it is not that but hard
+ * edges bound it all round. */
 static enum kind kind_of(struct finder *f, uint32_t region)
 {
     uint32_t borders = 0, points = 0;
-    double area = 0;
+    double area = 0, border = 0, crease = 0;
     bool hard = true;
     for (uint32_t n = 3 * f->first; n < 3 * f->end; n++) {
         uint32_t side = 3 * f->list[n / 3] + n % 3;
@@ -153,13 +171,17 @@ static enum kind kind_of(struct finder *f, uint32_t region)
         f->inside[ends[0]] = region + 1;
         if (!is_border(f, side))
             continue;
-        hard = hard && cosine_at(f, side) < HARD_COSINE;
+        double cosine = cosine_at(f, side), length = length_of(f, side);
+        hard = hard && cosine < HARD_COSINE;
+        border += length;
+        crease += cosine <= CREASE_COSINE ? length : 0;
         for (int k = 0; k < 2; k++) {
             borders += f->border[ends[k]] != region + 1;
             f->border[ends[k]] = region + 1;
         }
     }
-    if (f->end - f->first >= FACES_MIN && points > borders && area >= AREA_MIN * f->mean_area)
+    bool bounded = crease >= CREASE_MIN * border || area >= WIDTH_MIN * sqrt(f->mean_area) * f->radius;
+    if (f->end - f->first >= FACES_MIN && points > borders && area >= AREA_MIN * f->mean_area && bounded)
         return PLANE;
     return hard ? FACET : NO_PLANE;
 }

@@ -314,6 +314,23 @@ START_TEST(face_counts_are_near_the_requested)
 }
 END_TEST
 
+/* On a plane of 2 by 2 the sides of the triangles along x and along y are those of the grid. */
+START_TEST(cells_are_stretched)
+{
+    struct hatch_mesh mesh =
+        shape_with(HATCH_SHAPE_PLANE, (struct hatch_shape_options){.faces = 4800, .stretch = 6, .seed = 1});
+    double corners[3][3], low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    hatch_mesh_corners(&mesh, 0, corners);
+    for (int k = 0; k < 3; k++)
+        for (int c = 0; c < 3; c++) {
+            low[k] = fmin(low[k], corners[c][k]);
+            high[k] = fmax(high[k], corners[c][k]);
+        }
+    ck_assert_double_eq_tol((high[0] - low[0]) / (high[1] - low[1]), 6, 0.01);
+    ck_assert_uint_eq(mesh.face_count, 4800);
+}
+END_TEST
+
 START_TEST(the_same_seed_gives_the_same_shape)
 {
     struct hatch_mesh a = make(HATCH_SHAPE_TEAPOT, 2000, 0.5f, 0.1f, 7);
@@ -377,6 +394,7 @@ static Suite *suite(void)
     tcase_add_test(tests, handle_and_spout_are_not_inside_out);
     tcase_add_test(tests, even_texture_has_less_stretch_than_natural);
     tcase_add_test(tests, face_counts_are_near_the_requested);
+    tcase_add_test(tests, cells_are_stretched);
     tcase_add_test(tests, the_same_seed_gives_the_same_shape);
     tcase_add_test(tests, noise_has_the_requested_deviation);
     tcase_add_test(tests, failed_allocations_are_reported);
