@@ -232,6 +232,7 @@ enum hatch_status hatch_curvature_fit_small(const struct hatch_curvature_run *ru
 {
     struct work w = {.run = run, .samples = samples, .noise = noise};
     uint32_t points = run->graph.surface.point_count, count;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     memset(samples, 0, points * sizeof *samples);
     memset(noise, 0, points * sizeof *noise);
     HATCH_TRY(allocate(&w, scratch, err));
@@ -249,5 +250,6 @@ enum hatch_status hatch_curvature_fit_small(const struct hatch_curvature_run *ru
     for (uint32_t p = 0; p < points; p++)
         take_mean(&samples[p], w.weight[p]);
     hatch_curvature_for_each(run, points, refit_point, &w);
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

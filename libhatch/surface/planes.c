@@ -31,6 +31,8 @@ struct finder {
     uint32_t *border;                          /* per position: the region on whose border it was last seen, plus 1 */
     double extent;                             /* largest coordinate */
     double mean_area;                          /* of the faces */
+    bool *is_facet;                            /* per plane */
+    uint32_t capacity;                         /* of the arrays per plane */
     double center[3], plane_normal[3], radius; /* of the current region */
 };
 
@@ -187,7 +189,7 @@ static enum kind kind_of(struct finder *f, uint32_t region)
 }
 
 /* Drops the facets of components that do not mostly consist of planes and facets: noise makes hard edges, too. */
-static enum hatch_status drop_facets(struct finder *f, const bool *is_facet, struct hatch_err *err)
+static enum hatch_status drop_facets(struct finder *f, struct hatch_err *err)
 {
     struct hatch_surface_work *w = f->w;
     double *whole, *flat;
@@ -206,7 +208,7 @@ static enum hatch_status drop_facets(struct finder *f, const bool *is_facet, str
         uint32_t plane = w->plane[face], c = w->component[face];
         if (plane == HATCH_NO_SIDE)
             continue;
-        if (number[plane] == HATCH_NO_SIDE && (!is_facet[plane] || flat[c] >= FLAT_MIN * whole[c])) {
+        if (number[plane] == HATCH_NO_SIDE && (!f->is_facet[plane] || flat[c] >= FLAT_MIN * whole[c])) {
             hatch_vec_copy(&w->plane_direction[3 * (size_t)plane], &w->plane_direction[3 * (size_t)kept]);
             number[plane] = kept++;
         }
@@ -331,18 +333,39 @@ static enum hatch_status allocate(struct finder *f, struct hatch_err *err)
     HATCH_TRY(HATCH_ALLOC(w->scratch, &f->list, faces, err));
     HATCH_TRY(HATCH_ALLOC(w->scratch, &f->inside, w->position_count, err));
     HATCH_TRY(HATCH_ALLOC(w->scratch, &f->border, w->position_count, err));
-    HATCH_TRY(HATCH_ALLOC(w->scratch, &w->plane_direction, 3 * (size_t)faces, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(w->scratch, &w->plane, faces, err));
     memset(w->plane, 0xff, faces * sizeof *w->plane);
+    return HATCH_OK;
+}
+
+/* Makes the region a plane. */
+static enum hatch_status add_plane(struct finder *f, enum kind kind, struct hatch_err *err)
+{
+    struct hatch_surface_work *w = f->w;
+    uint32_t before = f->capacity;
+    if (w->plane_count == before) {
+        double *direction = w->plane_direction;
+        bool *is_facet = f->is_facet;
+        f->capacity = before > 0 ? 2 * before : 64;
+        HATCH_TRY(HATCH_ALLOC_UNSET(w->scratch, &w->plane_direction, 3 * (size_t)f->capacity, err));
+        HATCH_TRY(HATCH_ALLOC_UNSET(w->scratch, &f->is_facet, f->capacity, err));
+        if (before > 0) {
+            memcpy(w->plane_direction, direction, 3 * before * sizeof *direction);
+            memcpy(f->is_facet, is_facet, before * sizeof *is_facet);
+        }
+    }
+    find_direction(f, &w->plane_direction[3 * (size_t)w->plane_count]);
+    f->is_facet[w->plane_count] = kind == FACET;
+    for (uint32_t n = f->first; n < f->end; n++)
+        w->plane[f->list[n]] = w->plane_count;
+    w->plane_count++;
     return HATCH_OK;
 }
 
 enum hatch_status hatch_surface_find_planes(struct hatch_surface_work *w, struct hatch_err *err)
 {
     struct finder f = {.w = w};
-    bool *is_facet;
     HATCH_TRY(allocate(&f, err));
-    HATCH_TRY(HATCH_ALLOC(w->scratch, &is_facet, w->mesh->face_count, err));
     find_normals(&f);
     /* Regions have numbers from face_count on until they turn out to be planes; the others lose them at the end, so as
      * not to be grown again. */
@@ -353,17 +376,12 @@ enum hatch_status hatch_surface_find_planes(struct hatch_surface_work *w, struct
         uint32_t region = w->mesh->face_count + tried++;
         grow(&f, face, region);
         enum kind kind = is_flat(&f) ? kind_of(&f, region) : NO_PLANE;
-        if (kind == NO_PLANE)
-            continue;
-        is_facet[w->plane_count] = kind == FACET;
-        find_direction(&f, &w->plane_direction[3 * (size_t)w->plane_count]);
-        for (uint32_t n = f.first; n < f.end; n++)
-            w->plane[f.list[n]] = w->plane_count;
-        w->plane_count++;
+        if (kind != NO_PLANE)
+            HATCH_TRY(add_plane(&f, kind, err));
     }
     for (uint32_t face = 0; face < w->mesh->face_count; face++)
         if (w->plane[face] >= w->mesh->face_count)
             w->plane[face] = HATCH_NO_SIDE;
-    HATCH_TRY(drop_facets(&f, is_facet, err));
+    HATCH_TRY(drop_facets(&f, err));
     return w->plane_count > 0 && cut_creases(&f) ? number_components(&f, err) : HATCH_OK;
 }

@@ -218,6 +218,7 @@ static void move_nodes(struct fitting *f, struct hatch_smoothing *s)
 enum hatch_status hatch_smooth_fit(struct hatch_smoothing *s, struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct fitting f = {.s = s};
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t nodes = s->graphs[1].surface.point_count, points = s->run->graph.surface.point_count;
     int first = s->graph_count - 2 < STEP_FIRST ? (int)s->graph_count - 2 : STEP_FIRST;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &f.support_of, points, err));
@@ -232,5 +233,6 @@ enum hatch_status hatch_smooth_fit(struct hatch_smoothing *s, struct hatch_arena
     move_nodes(&f, s);
     for (int step = first; step >= STEP_LAST; step--)
         HATCH_TRY(run_step(&f, s, step, scratch, err));
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

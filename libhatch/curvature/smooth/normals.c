@@ -55,6 +55,7 @@ static enum hatch_status mean_normals(struct hatch_smoothing *s, double (*shape)
     struct hatch_curvature_graph *graph = s->nets[0].graph;
     size_t nodes = graph->surface.point_count;
     double *before;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &before, 3 * nodes, err));
     for (size_t n = 0; n < nodes; n++)
         if (s->variance[n] < INFINITY)
@@ -63,6 +64,7 @@ static enum hatch_status mean_normals(struct hatch_smoothing *s, double (*shape)
         memcpy(before, graph->normals, 3 * nodes * sizeof *before);
         average(s, shape, before);
     }
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
 

@@ -83,7 +83,7 @@ START_TEST(a_coarser_net_continues_linear_values)
         net->certainty[n] = 1;
     HATCH_TEST_OK(hatch_curvature_graph_coarsen(&plane.run.graph, &plane.nodes, &keep, &graph, &err), &err);
     HATCH_TEST_OK(hatch_curvature_net_coarsen(&plane.run, net, &graph, &keep, &coarser, &err), &err);
-    ck_assert_uint_lt(graph.surface.point_count, 0.7 * net->graph->surface.point_count);
+    ck_assert_double_lt(graph.surface.point_count, 0.7 * net->graph->surface.point_count);
     for (uint32_t n = 0; n < graph.surface.point_count; n++)
         for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
             coarser.z[HATCH_NET_CHANNELS * n + k] = linear(&coarser, n, k);
