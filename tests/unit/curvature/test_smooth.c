@@ -156,6 +156,22 @@ START_TEST(noisy_borders_are_followed)
 }
 END_TEST
 
+START_TEST(normals_are_those_of_the_surface_without_noise)
+{
+    struct field_case of = case_with_truth(HATCH_SHAPE_TORUS, 10000, 0.2f);
+    struct hatch_curvature found = estimate_case(&of, 0, 0);
+    struct angles angles = {HATCH_NEW(&keep, double, of.surface.point_count, &err), 0};
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        double at[3], normal[3], line[3], value[2];
+        hatch_surface_position(&of.surface, p, at);
+        hatch_shape_curvature(HATCH_SHAPE_TORUS, at, normal, line, value);
+        angles.degrees[angles.count++] = degrees_apart(&found.normal[3 * (size_t)p], normal);
+    }
+    ck_assert_msg(percentile(&angles, 0.5) < 1.1 && percentile(&angles, 0.95) < 2.4, "%g and %g degrees",
+                  percentile(&angles, 0.5), percentile(&angles, 0.95));
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *all = suite_create("smooth");
@@ -168,6 +184,7 @@ static Suite *suite(void)
     tcase_add_test(tests, values_change_sides);
     tcase_add_test(tests, noisy_lines_that_turn_are_followed);
     tcase_add_test(tests, noisy_borders_are_followed);
+    tcase_add_test(tests, normals_are_those_of_the_surface_without_noise);
     suite_add_tcase(all, tests);
     return all;
 }
