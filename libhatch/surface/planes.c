@@ -7,18 +7,19 @@
 #include "math/vector.h"
 #include "surface/work.h"
 
-#define PLANE_RAD 1e-3       /* largest angle between neighbouring triangles of a plane */
-#define FLATNESS 5e-4        /* largest distance from the plane, in radii */
-#define ROUNDING 0x1p-22     /* relative error of positions */
-#define HARD_COSINE 0.2588   /* 75 degrees: edges of a five-sided prism still count as round */
-#define CREASE_COSINE 0.9397 /* 20 degrees: around a plane, sharper edges are cut */
-#define FACES_MIN 30u        /* of a plane not bounded by hard edges all round; it has a point inside, */
-#define AREA_MIN 8.0         /* and an area of so many mean faces: slivers around a pole look flat */
-#define CREASE_MIN 0.5       /* share of its border that is open or a crease; */
-#define WIDTH_MIN 8.0        /* or else its area over its radius, in square roots of the mean area of faces */
-#define FLAT_MIN 0.3         /* share of the area of a component that is flat, or it has no facets */
-#define BINS 180u            /* of directions of its border */
-#define STRAIGHT_MIN 0.1     /* share of the border that runs along the direction of a plane with straight edges */
+#define PLANE_RAD 1e-3        /* largest angle between neighbouring triangles of a plane */
+#define FLATNESS 5e-4         /* largest distance from the plane, in radii */
+#define ROUNDING 0x1p-22      /* relative error of positions */
+#define ROUNDING_MAX_RAD 0.05 /* of normals; thinner faces are not compared */
+#define HARD_COSINE 0.2588    /* 75 degrees: edges of a five-sided prism still count as round */
+#define CREASE_COSINE 0.9397  /* 20 degrees: around a plane, sharper edges are cut */
+#define FACES_MIN 30u         /* of a plane not bounded by hard edges all round; it has a point inside, */
+#define AREA_MIN 8.0          /* and an area of so many mean faces: slivers around a pole look flat */
+#define CREASE_MIN 0.5        /* share of its border that is open or a crease; */
+#define WIDTH_MIN 8.0         /* or else its area over its radius, in square roots of the mean area of faces */
+#define FLAT_MIN 0.3          /* share of the area of a component that is flat, or it has no facets */
+#define BINS 180u             /* of directions of its border */
+#define STRAIGHT_MIN 0.1      /* share of the border that runs along the direction of a plane with straight edges */
 
 struct finder {
     struct hatch_surface_work *w;
@@ -76,7 +77,10 @@ static bool agrees(const struct finder *f, const double normal[3], uint32_t face
     const double *own = &f->normal[3 * (size_t)face];
     double turn[3];
     hatch_vec_cross(normal, own, turn);
-    return hatch_vec_dot(normal, own) > 0 && hatch_vec_length(turn) <= PLANE_RAD + rounding_rad(f, face);
+    double sine = hatch_vec_length(turn);
+    if (!(sine <= ROUNDING_MAX_RAD) || !(hatch_vec_dot(normal, own) > 0))
+        return false;
+    return sine <= PLANE_RAD || sine <= PLANE_RAD + rounding_rad(f, face);
 }
 
 static bool is_coplanar(const struct finder *f, uint32_t a, uint32_t b)
@@ -149,6 +153,17 @@ static bool is_border(const struct finder *f, uint32_t side)
 
 enum kind { NO_PLANE, FACET, PLANE };
 
+/* Returns whether hard edges bound the region all round. */
+static bool is_hard(const struct finder *f)
+{
+    for (uint32_t n = 3 * f->first; n < 3 * f->end; n++) {
+        uint32_t side = 3 * f->list[n / 3] + n % 3;
+        if (is_border(f, side) && !(cosine_at(f, side) < HARD_COSINE))
+            return false;
+    }
+    return true;
+}
+
 static double length_of(const struct finder *f, uint32_t side)
 {
     double p[2][3];
@@ -164,7 +179,6 @@ static enum kind kind_of(struct finder *f, uint32_t region)
 {
     uint32_t borders = 0, points = 0;
     double area = 0, border = 0, crease = 0;
-    bool hard = true;
     for (uint32_t n = 3 * f->first; n < 3 * f->end; n++) {
         uint32_t side = 3 * f->list[n / 3] + n % 3;
         const uint32_t ends[2] = {f->w->point[side], f->w->point[hatch_side_end(side)]};
@@ -173,10 +187,9 @@ static enum kind kind_of(struct finder *f, uint32_t region)
         f->inside[ends[0]] = region + 1;
         if (!is_border(f, side))
             continue;
-        double cosine = cosine_at(f, side), length = length_of(f, side);
-        hard = hard && cosine < HARD_COSINE;
+        double length = length_of(f, side);
         border += length;
-        crease += cosine <= CREASE_COSINE ? length : 0;
+        crease += cosine_at(f, side) <= CREASE_COSINE ? length : 0;
         for (int k = 0; k < 2; k++) {
             borders += f->border[ends[k]] != region + 1;
             f->border[ends[k]] = region + 1;
@@ -185,7 +198,7 @@ static enum kind kind_of(struct finder *f, uint32_t region)
     bool bounded = crease >= CREASE_MIN * border || area >= WIDTH_MIN * sqrt(f->mean_area) * f->radius;
     if (f->end - f->first >= FACES_MIN && points > borders && area >= AREA_MIN * f->mean_area && bounded)
         return PLANE;
-    return hard ? FACET : NO_PLANE;
+    return is_hard(f) ? FACET : NO_PLANE;
 }
 
 /* Drops the facets of components that do not mostly consist of planes and facets: noise makes hard edges, too. */
@@ -375,7 +388,8 @@ enum hatch_status hatch_surface_find_planes(struct hatch_surface_work *w, struct
             continue;
         uint32_t region = w->mesh->face_count + tried++;
         grow(&f, face, region);
-        enum kind kind = is_flat(&f) ? kind_of(&f, region) : NO_PLANE;
+        bool candidate = f.end - f.first >= FACES_MIN || is_hard(&f);
+        enum kind kind = candidate && is_flat(&f) ? kind_of(&f, region) : NO_PLANE;
         if (kind != NO_PLANE)
             HATCH_TRY(add_plane(&f, kind, err));
     }
