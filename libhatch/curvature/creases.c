@@ -23,6 +23,12 @@ void hatch_curvature_set_planes(const struct hatch_surface *surface, struct hatc
         size_t p = surface->corners[i];
         if (plane == HATCH_NO_SIDE)
             continue;
+        double normal[3], *out = &curvature->normal[3 * p];
+        hatch_surface_face_normal(surface, i / 3, normal);
+        hatch_vec_normalize(normal);
+        double side = hatch_vec_dot(normal, out) < 0 ? -1 : 1;
+        for (int k = 0; k < 3; k++)
+            out[k] = side * normal[k];
         hatch_vec_copy(&surface->plane_direction[3 * (size_t)plane], &curvature->direction[3 * p]);
         curvature->value[2 * p] = 1;
         curvature->value[2 * p + 1] = 0;

@@ -56,7 +56,7 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
 
 /* Gives the points of planes the direction of their plane with confidence 1, as if the plane were bent a little across
  * it: a convention, since a plane has no principal direction.
- *   curvature  changed: direction, value (1 and 0), confidence, standard_error_rad */
+ *   curvature  changed: normal, direction, value (1 and 0), confidence, standard_error_rad */
 void hatch_curvature_set_planes(const struct hatch_surface *surface, struct hatch_curvature *curvature);
 
 /* Lets the first direction go on where the absolute values of the curvatures cross: it would turn by a right angle

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
 #include "meshes.h"
 #include "surface_check.h"
 #include "curvature/curvature.h"
@@ -76,6 +77,34 @@ START_TEST(a_contrary_edge_is_no_crease)
 }
 END_TEST
 
+/* Both squares of a right-angled roof are planes, bounded by hard edges and borders. Whatever was measured at their
+ * points, in the end these have the planes' normals and directions. */
+START_TEST(points_of_planes_have_their_normal_and_direction)
+{
+    double direction[24], value[16], confidence[8] = {0}, error[8], normal[24];
+    struct hatch_curvature curvature = {.direction = direction,
+                                        .value = value,
+                                        .confidence = confidence,
+                                        .standard_error_rad = error,
+                                        .normal = normal};
+    struct hatch_mesh mesh = roof(90);
+    struct hatch_surface surface;
+    HATCH_TEST_OK(hatch_surface_make_cut(&mesh, &keep, &scratch, &surface, &notes, &err), &err);
+    ck_assert_uint_eq(surface.point_count, 8);
+    for (int i = 0; i < 24; i++)
+        normal[i] = 0.5;
+    hatch_curvature_set_planes(&surface, &curvature);
+    for (uint32_t i = 0; i < 3 * surface.face_count; i++) {
+        uint32_t p = surface.corners[i];
+        double face[3];
+        hatch_surface_face_normal(&surface, i / 3, face);
+        ck_assert_double_eq_tol(fabs(hatch_vec_dot(face, &normal[3 * p])), hatch_vec_length(face), 1e-12);
+        ck_assert_double_eq_tol(hatch_vec_dot(&normal[3 * p], &direction[3 * p]), 0, 1e-12);
+        ck_assert_double_eq(confidence[p], 1);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("creases");
@@ -83,6 +112,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, only_creases_lose_confidence);
     tcase_add_test(tests, a_contrary_edge_is_no_crease);
+    tcase_add_test(tests, points_of_planes_have_their_normal_and_direction);
     suite_add_tcase(made, tests);
     return made;
 }
