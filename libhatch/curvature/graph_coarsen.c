@@ -70,7 +70,8 @@ static enum hatch_status allocate(const struct coarsening *c, struct hatch_arena
 {
     struct hatch_curvature_graph *out = c->coarse;
     size_t nodes = c->count, entries = c->fine->surface.ring_first[c->fine->surface.point_count];
-    *out = (struct hatch_curvature_graph){.surface = {.point_count = c->count}};
+    *out = (struct hatch_curvature_graph){
+        .surface = {.point_count = c->count}, .parent = c->group, .parent_side = c->side};
     HATCH_TRY(HATCH_ALLOC(arena, &out->first, nodes + 1, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->points, c->finest->surface.point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->sides, c->finest->surface.point_count, err));
@@ -137,5 +138,7 @@ enum hatch_status hatch_curvature_graph_coarsen(const struct hatch_curvature_gra
         fill_node(&c, n);
         fill_ring(&c, n);
     }
+    for (uint32_t p = 0; p < fine->surface.point_count; p++)
+        coarse->parent[p]--; /* from numbers from 1 */
     return HATCH_OK;
 }

@@ -20,6 +20,8 @@ struct hatch_curvature_graph {
     double *weights;          /* per node: number of points */
     uint32_t *first, *points; /* points of node n: points[first[n]] .. points[first[n + 1] - 1] */
     int8_t *sides;            /* per entry of points: -1 where the point's outside is not that of the node, else 1 */
+    uint32_t *parent;         /* per node of the finer graph: its node here */
+    int8_t *parent_side;      /* per node of the finer graph: -1 where its outside is not that of its parent, else 1 */
 };
 
 /* Makes the graph of all points; it and temporary memory in arena. */

@@ -193,40 +193,16 @@ void hatch_curvature_net_slope(const struct hatch_curvature_net *net, uint32_t n
     }
 }
 
-/* Finds the parent of each node of the finer net: of its first point. */
-static enum hatch_status find_parents(const struct hatch_curvature_run *run, struct hatch_curvature_net *net,
-                                      struct hatch_arena *arena, struct hatch_err *err)
+/* Gives the nodes of a graph the mean normals of the finer net, weighted by area. */
+static void mean_normals(const struct hatch_curvature_net *finer, struct hatch_curvature_graph *graph)
 {
-    const struct hatch_curvature_graph *fine = net->finer->graph, *coarse = net->graph;
-    uint32_t nodes = fine->surface.point_count, *entry;
-    HATCH_TRY(HATCH_ALLOC(arena, &net->parent, nodes, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &net->parent_side, nodes, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &net->parent_turn, 2 * (size_t)nodes, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &entry, 2 * (size_t)run->graph.surface.point_count, err));
-    for (uint32_t c = 0; c < coarse->surface.point_count; c++)
-        for (uint32_t i = coarse->first[c]; i < coarse->first[c + 1]; i++) {
-            entry[2 * (size_t)coarse->points[i]] = c;
-            entry[2 * (size_t)coarse->points[i] + 1] = i;
-        }
-    for (uint32_t n = 0; n < nodes; n++) {
-        size_t point = fine->points[fine->first[n]];
-        net->parent[n] = entry[2 * point];
-        net->parent_side[n] = (int8_t)(fine->sides[fine->first[n]] * coarse->sides[entry[2 * point + 1]]);
-    }
-    return HATCH_OK;
-}
-
-/* Gives the nodes the mean normals of the finer net, weighted by area. */
-static void mean_normals(struct hatch_curvature_net *net)
-{
-    const struct hatch_curvature_net *finer = net->finer;
-    double *normals = net->graph->normals;
-    memset(normals, 0, 3 * sizeof *normals * net->graph->surface.point_count);
+    double *normals = graph->normals;
+    memset(normals, 0, 3 * sizeof *normals * graph->surface.point_count);
     for (uint32_t n = 0; n < finer->graph->surface.point_count; n++) {
-        double *sum = &normals[3 * (size_t)net->parent[n]];
-        hatch_vec_add_scaled(sum, net->parent_side[n] * finer->area[n], &finer->graph->normals[3 * (size_t)n], sum);
+        double *sum = &normals[3 * (size_t)graph->parent[n]];
+        hatch_vec_add_scaled(sum, graph->parent_side[n] * finer->area[n], &finer->graph->normals[3 * (size_t)n], sum);
     }
-    for (uint32_t n = 0; n < net->graph->surface.point_count; n++)
+    for (uint32_t n = 0; n < graph->surface.point_count; n++)
         hatch_vec_normalize(&normals[3 * (size_t)n]);
 }
 
@@ -234,12 +210,12 @@ static void mean_data(struct hatch_curvature_net *net)
 {
     const struct hatch_curvature_net *finer = net->finer;
     for (uint32_t n = 0; n < finer->graph->surface.point_count; n++) {
-        size_t parent = net->parent[n];
+        size_t parent = net->graph->parent[n];
         double value[HATCH_NET_CHANNELS];
-        find_turn(&finer->graph->normals[3 * (size_t)n], &finer->axis[3 * (size_t)n], net->parent_side[n],
+        find_turn(&finer->graph->normals[3 * (size_t)n], &finer->axis[3 * (size_t)n], net->graph->parent_side[n],
                   &net->graph->normals[3 * parent], &net->axis[3 * parent], &net->parent_turn[2 * (size_t)n]);
         hatch_curvature_net_carry(&finer->fit[HATCH_NET_CHANNELS * (size_t)n], &net->parent_turn[2 * (size_t)n],
-                                  net->parent_side[n], value);
+                                  net->graph->parent_side[n], value);
         for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
             net->fit[HATCH_NET_CHANNELS * parent + k] += finer->certainty[n] * value[k];
         net->certainty[parent] += finer->certainty[n];
@@ -253,18 +229,10 @@ enum hatch_status hatch_curvature_net_coarsen(const struct hatch_curvature_run *
                                               struct hatch_curvature_graph *graph, struct hatch_arena *arena,
                                               struct hatch_curvature_net *net, struct hatch_err *err)
 {
-    *net = (struct hatch_curvature_net){0};
-    net->graph = graph;
+    mean_normals(finer, graph);
+    HATCH_TRY(hatch_curvature_net_make(run, graph, arena, net, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &net->parent_turn, 2 * (size_t)finer->graph->surface.point_count, err));
     net->finer = finer;
-    HATCH_TRY(find_parents(run, net, arena, err));
-    mean_normals(net);
-    struct hatch_curvature_net made;
-    HATCH_TRY(hatch_curvature_net_make(run, graph, arena, &made, err));
-    made.finer = finer;
-    made.parent = net->parent;
-    made.parent_side = net->parent_side;
-    made.parent_turn = net->parent_turn;
-    *net = made;
     mean_data(net);
     return HATCH_OK;
 }
@@ -280,7 +248,7 @@ enum hatch_status hatch_curvature_net_prolong(const struct hatch_curvature_net *
     for (uint32_t c = 0; c < graph->surface.point_count; c++)
         hatch_curvature_net_slope(coarser, c, slopes[c]);
     for (uint32_t n = 0; n < finer->graph->surface.point_count; n++) {
-        size_t c = coarser->parent[n];
+        size_t c = graph->parent[n];
         double offset[3], at[2], value[HATCH_NET_CHANNELS];
         hatch_vec_sub(&finer->graph->surface.points[3 * (size_t)n], &graph->surface.points[3 * c], offset);
         hatch_curvature_net_local(coarser, (uint32_t)c, offset, at);
@@ -288,9 +256,9 @@ enum hatch_status hatch_curvature_net_prolong(const struct hatch_curvature_net *
             value[k] = coarser->z[HATCH_NET_CHANNELS * c + k] + slopes[c][k][0] * at[0] + slopes[c][k][1] * at[1];
         const double *turn = &coarser->parent_turn[2 * (size_t)n];
         double *z = &finer->z[HATCH_NET_CHANNELS * (size_t)n];
-        z[0] = coarser->parent_side[n] * (turn[0] * value[0] + turn[1] * value[1]);
+        z[0] = graph->parent_side[n] * (turn[0] * value[0] + turn[1] * value[1]);
         z[1] = turn[0] * value[1] - turn[1] * value[0];
-        z[2] = coarser->parent_side[n] * value[2];
+        z[2] = graph->parent_side[n] * value[2];
     }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;

@@ -28,9 +28,7 @@ struct hatch_curvature_net {
     double *z;         /* 3 per node: the solution */
     /* Only on a coarser net, otherwise NULL. */
     struct hatch_curvature_net *finer;
-    uint32_t *parent;    /* per node of the finer net: its node here */
-    int8_t *parent_side; /* per node of the finer net: -1 where its outside is not that of its parent, else 1 */
-    double *parent_turn; /* 2 per node of the finer net: carries Q from it to its parent */
+    double *parent_turn; /* 2 per node of the finer net: carries Q from it to its parent in the graph */
 };
 
 /* Makes a net of a graph whose normals are final; data, strengths and solution are 0.
