@@ -7,18 +7,24 @@
 #define STRETCH_MAX 2.0 /* of a steep offset laid into a plane */
 #define COLLINEAR 1e-6  /* added to the moments of a ring, in squared spacings: the nodes may lie on a line */
 
+void hatch_curvature_net_carry_tangent(const double from[3], const double to[3], double tangent[3])
+{
+    double sum[3], cosine = hatch_vec_dot(from, to);
+    for (int k = 0; k < 3; k++)
+        sum[k] = from[k] + to[k];
+    if (cosine > -0.999)
+        hatch_vec_add_scaled(tangent, -hatch_vec_dot(tangent, to) / (1 + cosine), sum, tangent);
+    hatch_vec_normalize(tangent);
+}
+
 /* Computes e^(2iφ), with φ the angle of a tangent after the smallest rotation between two planes.
  *   side  -1 where the normal `from` is on the other side, else 1 */
 static void find_turn(const double from[3], const double tangent[3], double side, const double to[3],
                       const double axis[3], double turn[2])
 {
-    double sum[3], moved[3], across[3];
-    for (int k = 0; k < 3; k++)
-        sum[k] = side * from[k] + to[k];
-    double cosine = side * hatch_vec_dot(from, to);
+    double turned[3] = {side * from[0], side * from[1], side * from[2]}, moved[3], across[3];
     hatch_vec_copy(tangent, moved);
-    if (cosine > -0.999)
-        hatch_vec_add_scaled(tangent, -hatch_vec_dot(tangent, to) / (1 + cosine), sum, moved);
+    hatch_curvature_net_carry_tangent(turned, to, moved);
     hatch_vec_cross(to, axis, across);
     double x = hatch_vec_dot(moved, axis), y = hatch_vec_dot(moved, across), square = x * x + y * y;
     turn[0] = square > 0 ? (x * x - y * y) / square : 1;

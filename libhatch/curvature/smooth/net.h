@@ -68,6 +68,9 @@ static inline void hatch_curvature_net_carry(const double from[HATCH_NET_CHANNEL
     to[2] = side * from[2];
 }
 
+/* Carries a tangent of one plane to another by the smallest rotation. Normals are unit. */
+void hatch_curvature_net_carry_tangent(const double from[3], const double to[3], double tangent[3]);
+
 /* Computes a tensor's matrix, times scale, from a value.
  *   axis  of angle 0 */
 void hatch_curvature_net_tensor(const double normal[3], const double axis[3], const double value[HATCH_NET_CHANNELS],

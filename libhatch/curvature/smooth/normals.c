@@ -6,16 +6,6 @@
 
 #define ROUNDS 2
 
-void hatch_smooth_carry_tangent(const double from[3], const double to[3], double tangent[3])
-{
-    double sum[3], cosine = hatch_vec_dot(from, to);
-    for (int k = 0; k < 3; k++)
-        sum[k] = from[k] + to[k];
-    if (cosine > -0.999)
-        hatch_vec_add_scaled(tangent, -hatch_vec_dot(tangent, to) / (1 + cosine), sum, tangent);
-    hatch_vec_normalize(tangent);
-}
-
 /* Adds to a normal half its change over an offset, by the shape operator: positive curvature bends it forwards. */
 static void bend(const double m[6], double side, const double d[3], double normal[3])
 {
@@ -97,6 +87,6 @@ enum hatch_status hatch_smooth_correct_normals(struct hatch_smoothing *s, struct
         hatch_curvature_net_tensor(&normals[3 * n], &net->axis[3 * n], &net->z[HATCH_NET_CHANNELS * n], 1, shape[n]);
     HATCH_TRY(mean_normals(s, shape, scratch, err));
     for (size_t n = 0; n < nodes; n++)
-        hatch_smooth_carry_tangent(&before[3 * n], &normals[3 * n], &net->axis[3 * n]);
+        hatch_curvature_net_carry_tangent(&before[3 * n], &normals[3 * n], &net->axis[3 * n]);
     return HATCH_OK;
 }

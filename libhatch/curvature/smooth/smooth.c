@@ -43,7 +43,7 @@ static void set_data(struct hatch_smoothing *s)
         if (!(s->variance[n] < INFINITY))
             continue;
         hatch_vec_copy(&net->axis[3 * n], axis);
-        hatch_smooth_carry_tangent(&net->graph->normals[3 * n], tensor->normal, axis);
+        hatch_curvature_net_carry_tangent(&net->graph->normals[3 * n], tensor->normal, axis);
         hatch_curvature_net_value(tensor, axis, &net->fit[HATCH_NET_CHANNELS * n]);
         net->certainty[n] = net->area[n] / s->variance[n];
     }

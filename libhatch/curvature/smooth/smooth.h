@@ -52,7 +52,4 @@ enum hatch_status hatch_smooth_solve(struct hatch_smoothing *s, struct hatch_are
 enum hatch_status hatch_smooth_spread(const struct hatch_smoothing *s, const bool *wanted, struct hatch_arena *scratch,
                                       struct hatch_curvature_sample *samples, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Carries a tangent of one plane to another by the smallest rotation. Normals are unit. */
-void hatch_smooth_carry_tangent(const double from[3], const double to[3], double tangent[3]);
-
 #endif

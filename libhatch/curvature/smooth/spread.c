@@ -66,7 +66,7 @@ static void add_model(const struct spreading *spread, uint32_t node, double weig
     hatch_vec_add_scaled(normal, (z[2] + z[0] / 2) * at[0] + z[1] / 2 * at[1], axis, up);
     hatch_vec_add_scaled(up, z[1] / 2 * at[0] + (z[2] - z[0] / 2) * at[1], across, up);
     hatch_vec_normalize(up);
-    hatch_smooth_carry_tangent(normal, up, axis);
+    hatch_curvature_net_carry_tangent(normal, up, axis);
     hatch_curvature_net_tensor(up, axis, value, side * weight, matrix);
     for (int k = 0; k < 6; k++)
         sample->tensor.matrix[k] += matrix[k];
