@@ -111,6 +111,8 @@ unprivileged() {
     fi
 }
 
+. "$TOP/tests/soon.sh"
+
 finish() {
     [ $tap_count -gt 0 ] || skip "nothing to test" "no command was built yet"
     echo "1..$tap_count"

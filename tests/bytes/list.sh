@@ -465,7 +465,7 @@ window-deep open_window lapped.glb -t rptam --zoom 100000 --samples 1; shot; sho
 window-close open_window ball.glb -t rptam --camera 0,0,1.3:0,0,-3; shot; shot plus; shot Left; shot minus; close_window
 window-params open_window teapot.glb -t rptam --stroke 20x2 --overlap 0.5; shot p period period; shot p comma; shot d; shot p p p p p comma comma comma comma comma comma; shot P comma; shot 7; close_window
 window-reload open_window lapped.glb -T map.exr --shadows 0.05 --haloes 3; shot; shot r; shot 4 r; shot space; xdotool key Escape; wait "$window"
-window-folder open_window ring.obj -t gouraud -o gone/shot%d.png; xdotool key s; soon grep -q cannot .err; close_window
+window-folder open_window ring.obj -t gouraud -o gone/shot%d.png; xdotool key s; soon $window grep -q cannot .err; close_window
 window-volume open_window lapped.glb -t volume -T volume.ktx2; shot; shot p p period; shot t; shot t; shot 1; close_window
 window-camera open_window cameras.gltf -t gouraud --camera 1 --shadows 0.05; shot; shot l; shot plus; shot p period period; shot p p p period; close_window
 window-bare open_window bare.obj -t gouraud --haloes 3; shot 1; shot 8; shot l; close_window

@@ -13,6 +13,7 @@ LC_ALL=C
 export LC_ALL
 # shellcheck source-path=SCRIPTDIR
 . "$(dirname "$0")/list.sh"
+. "$(dirname "$0")/../soon.sh"
 
 # Functions for the commands in list.sh.
 
@@ -51,28 +52,18 @@ mesh() {
     draw directions.glb --show field
 }
 
-# soon COMMAND ...: repeats a command until it succeeds, for about a minute
-soon() {
-    tries=0
-    until "$@"; do
-        [ $tries -lt 600 ] || return 1
-        sleep 0.1
-        tries=$((tries + 1))
-    done
-}
-
 # open_window SCENE [OPTION ...]: opens a window on a screen of its own and of the same size, so that the pointer is
 # always in it, and waits for its first frame, which sets its title
 open_window() {
     Xvfb -noreset -displayfd 3 -screen 0 200x150x24 3>.display >/dev/null 2>&1 &
     server=$!
-    soon [ -s .display ]
+    soon $server [ -s .display ]
     DISPLAY=:$(cat .display)
     export DISPLAY
     render-gl --window --size 200x150 -o shot%d.png "$@" &
     window=$!
     trap 'kill $server $window 2>/dev/null; wait; rm -f .display' EXIT
-    soon xdotool search --name '^render-gl: ' >/dev/null
+    soon $window xdotool search --name '^render-gl: ' >/dev/null
     shots=0
 }
 
@@ -80,7 +71,7 @@ open_window() {
 shot() {
     shots=$((shots + 1))
     xdotool key "$@" s
-    soon [ -s shot$shots.png ]
+    soon $window [ -s shot$shots.png ]
 }
 
 drag() {

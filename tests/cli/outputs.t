@@ -39,7 +39,8 @@ mkfifo pipe
 tampack --layout array -o crashed.ktx2 <pipe 2>.err &
 process=$!
 exec 3>pipe
-until ls -A | grep -q '^\.tampack'; do sleep 0.05; done
+has_temporary() { ls -A | grep -q '^\.tampack'; }
+soon "$process" has_temporary
 kill -ABRT "$process"
 wait "$process" 2>.err
 is "a crash leaves no file" "$? $(ls -A | grep -c '^\.tampack\|crashed')" "134 0"

@@ -12,16 +12,7 @@ server=$!
 trap 'kill $server $window 2>/dev/null; rm -rf "$WORK"' EXIT
 window=
 
-# soon COMMAND ...: repeats a command until it succeeds, for a minute or more, since machines may be busy
-soon() {
-    tries=0
-    until "$@"; do
-        [ $tries -lt 600 ] || return 1
-        sleep 0.1
-        tries=$((tries + 1))
-    done
-}
-soon [ -s display ]
+soon $server [ -s display ]
 DISPLAY=:$(cat display)
 export DISPLAY
 
@@ -56,7 +47,7 @@ open_window() {
     shift 2
     timeout 1200 render-gl "$scene" --window --size 320x240 --samples 1 -o "$pictures%d.png" "$@" 2>err &
     window=$!
-    soon shown
+    soon $window shown
 }
 
 shown() {
@@ -70,16 +61,14 @@ gone() {
 # closed: waits until the window is closed, for the server too, so that a search finds only the next one; returns the
 # exit status
 closed() {
+    soon $server gone || kill $window
     wait $window
-    status=$?
-    soon gone
-    return $status
 }
 
 # shot NAME: presses s and waits for NAME.png
 shot() {
     xdotool key s
-    (soon [ -s "$1.png" ]) || fail "$1.png is saved" "$(cat err)"
+    (soon $window [ -s "$1.png" ]) || fail "$1.png is saved" "$(cat err)"
 }
 
 # changed A B: whether two pictures differ in more than a hundredth of the pixels
@@ -99,7 +88,7 @@ moves() {
 plays() {
     taken=0
     moves "$3"
-    ok "$1" soon moves "$3"
+    ok "$1" soon $window moves "$3"
     xdotool key space
     taken=$(ls "$3"*.png | wc -l) # ok runs moves in a subshell
     shot "$3$((taken + 1))"
@@ -140,7 +129,7 @@ ok "7 shows the tone alone" changed shot7 shot8
 titled_by() {
     xdotool search --name render-gl getwindowname | grep -qE "$1"
 }
-ok "the title shows technique and milliseconds" soon titled_by '^render-gl: gouraud, [0-9]+\.[0-9] ms$'
+ok "the title shows technique and milliseconds" soon $window titled_by '^render-gl: gouraud, [0-9]+\.[0-9] ms$'
 xdotool key t
 shot shot9
 ok "t shows the next technique" changed shot8 shot9
@@ -171,7 +160,7 @@ has_title() {
     [ "$title" = "$1" ]
 }
 titled() {
-    soon has_title "$2"
+    soon $window has_title "$2"
     is "$1" "$title" "$2"
 }
 open_window teapot.glb set --technique rptam --tam map.exr --stroke 20x2 --overlap 0.5
@@ -222,7 +211,7 @@ mkdir gone
 open_window teapot.glb gone/shot --tam map.exr
 rmdir gone
 xdotool key s
-soon grep -q 'cannot be saved' err
+soon $window grep -q 'cannot be saved' err
 xdotool key q
 closed
 is "a picture that cannot be saved does not end the window" \
