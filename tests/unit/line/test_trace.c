@@ -99,6 +99,63 @@ START_TEST(smooth_and_faceted_silhouettes_join)
 }
 END_TEST
 
+/* Returns the depth of a triangle along the view through a point in it, by clipping a line at its sides. */
+static double depth_at(double p[3][3], const double at[3], const double back[3])
+{
+    double normal[3], line[3], reach[2] = {-INFINITY, INFINITY};
+    hatch_vec_triangle(p[0], p[1], p[2], normal);
+    hatch_vec_normalize(normal);
+    hatch_vec_add_scaled(back, -hatch_vec_dot(back, normal), normal, line);
+    for (int k = 0; k < 3; k++) {
+        double side[3], inward[3], away[3];
+        hatch_vec_sub(p[(k + 1) % 3], p[k], side);
+        hatch_vec_cross(normal, side, inward);
+        hatch_vec_sub(at, p[k], away);
+        double rate = hatch_vec_dot(line, inward), s = -hatch_vec_dot(away, inward) / rate;
+        if (rate > 0)
+            reach[0] = fmax(reach[0], s);
+        else
+            reach[1] = fmin(reach[1], s);
+    }
+    return (reach[1] - reach[0]) * fabs(hatch_vec_dot(line, back));
+}
+
+/* A silhouette across a coarse face has half of the face's depth as slack, beside two pixels: the polygon lies that
+ * much before or behind the smooth surface. The face's vertices are not the first ones of the mesh. */
+START_TEST(a_silhouette_across_a_face_has_half_its_depth_as_slack)
+{
+    static const float positions[18] = {9,    9,    9,    9.1f, 9,    9,    9,    9.1f, 9,
+                                        0.1f, 0.2f, 0.3f, 1.3f, 0.4f, 0.9f, 0.5f, 1.1f, -0.6f};
+    static const float turned[9] = {0.3f, 0.1f, -0.9f, -0.4f, 0.3f, 0.8f, 0.2f, -0.3f, 0.9f};
+    static const uint32_t indices[6] = {0, 1, 2, 3, 4, 5};
+    struct hatch_mesh mesh = mesh_of(positions, 6, indices, 2);
+    float *normals;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "NORMAL", 3, &normals, &err), &err);
+    for (int i = 0; i < 18; i++)
+        normals[i] = i < 9 ? (float)(i % 3 == 2) : turned[i - 9];
+    struct hatch_view view = view_from(0.4, -0.2, 1, true);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_SILHOUETTES, CREASE_RAD);
+    struct hatch_line_shape shape = shape_in_place(&lines);
+    struct hatch_line_trace trace = silhouettes_of(&shape, &view);
+    ck_assert_uint_eq(trace.segment_count, 1);
+    double p[3][3], facing[3], at[3] = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        double n[3];
+        hatch_vec_of(&positions[9 + 3 * k], p[k]);
+        hatch_vec_of(&turned[3 * k], n);
+        facing[k] = hatch_vec_dot(n, view.back);
+    }
+    for (int k = 1; k < 3; k++) {
+        double t = facing[0] / (facing[0] - facing[k]);
+        hatch_vec_add_scaled(at, 0.5 * (1 - t), p[0], at);
+        hatch_vec_add_scaled(at, 0.5 * t, p[k], at);
+    }
+    double depth = depth_at(p, at, view.back);
+    ck_assert_double_gt(depth, 0.1);
+    ck_assert_double_eq_tol((double)trace.slack[0], 0.5 * depth + 2 * view.half_height / 200, 1e-6);
+}
+END_TEST
+
 static int by_place(const void *a, const void *b)
 {
     return memcmp(a, b, 3 * sizeof(int64_t));
@@ -285,6 +342,7 @@ static Suite *suite(void)
     tcase_add_test(tests, nothing_is_seen_of_a_sphere_from_its_inside);
     tcase_add_test(tests, the_silhouette_of_a_cube_runs_along_its_edges);
     tcase_add_test(tests, smooth_and_faceted_silhouettes_join);
+    tcase_add_test(tests, a_silhouette_across_a_face_has_half_its_depth_as_slack);
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
     tcase_add_test(tests, the_matrix_of_a_shape_is_applied);
     tcase_add_test(tests, curves_go_through_the_nodes);

@@ -224,6 +224,19 @@ START_TEST(angles_are_measured_to_rising_u)
 }
 END_TEST
 
+/* A corner whose direction is zero counts for nothing: the angle is that of the others. */
+START_TEST(corners_without_a_direction_are_left_out)
+{
+    struct made turned = plain;
+    turned.field_deg = 10;
+    add_patch(&turned);
+    memset(hatch_mesh_find(&patches[0].mesh, "_HATCH_DIR", 4), 0, 3 * sizeof(float));
+    measure();
+    ck_assert_double_eq_tol(figures.angle_deg[HATCH_LAPPED_P50], 10, 1e-5);
+    ck_assert_double_eq_tol(figures.angle_deg[HATCH_LAPPED_MAX], 10, 1e-5);
+}
+END_TEST
+
 /* Two faces of area 1/2 at 0 degrees, one of a sixteenth of that at 30 degrees. */
 START_TEST(angles_are_also_weighted_by_area)
 {
@@ -319,6 +332,7 @@ static Suite *suite(void)
     tcase_add_test(tests, stretch_is_the_ratio_of_singular_values);
     tcase_add_test(tests, mirrored_and_flat_faces_are_flipped);
     tcase_add_test(tests, angles_are_measured_to_rising_u);
+    tcase_add_test(tests, corners_without_a_direction_are_left_out);
     tcase_add_test(tests, angles_are_also_weighted_by_area);
     tcase_add_test(tests, rising_u_keeps_v_constant);
     tcase_add_test(tests, coincident_meshes_of_two_nodes_stay_separate);

@@ -227,22 +227,6 @@ START_TEST(the_error_is_the_area_between)
 }
 END_TEST
 
-START_TEST(fitted_bins_have_a_smaller_error_than_even_ones)
-{
-    static const float even[] = {0, 1 / 7.0f, 2 / 7.0f, 3 / 7.0f, 4 / 7.0f, 5 / 7.0f, 6 / 7.0f, 1};
-    struct test_map map;
-    map_style("ink", "darkest 1", &map);
-    map.options.tones = 255;
-    map.options.size_px = 128;
-    map_fill(&map);
-    make(&map.tam, 7, even);
-    double of_even = figures->error;
-    make(&map.tam, 7, NULL);
-    ck_assert_double_lt(figures->error, 0.95 * of_even);
-    ck_assert_double_lt((double)(1 - made.border[6]), 0.7 * (double)made.border[1]);
-}
-END_TEST
-
 START_TEST(a_constant_map_has_one_step)
 {
     struct hatch_tam tam = made_map(64, 16, 1, "Y", constant);
@@ -421,7 +405,6 @@ static Suite *suite(void)
     tcase_add_test(tests, merged_steps_keep_their_height_and_mean_tone);
     tcase_add_test(tests, crossing_strokes_use_one_random_number);
     tcase_add_test(tests, the_error_is_the_area_between);
-    tcase_add_test(tests, fitted_bins_have_a_smaller_error_than_even_ones);
     tcase_add_test(tests, a_constant_map_has_one_step);
     tcase_add_test(tests, pictures_are_stored_in_the_spare_channels);
     tcase_add_test(tests, a_pixel_that_gets_lighter_is_named);
