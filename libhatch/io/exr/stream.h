@@ -10,10 +10,10 @@
 struct hatch_exr_stream {
     struct hatch_bytes file;     /* input, when reading */
     struct hatch_buffer *buffer; /* output, when writing */
-    struct hatch_err first;      /* the core's first message, or why the buffer did not grow */
+    struct hatch_err first;      /* the core's first message when reading, or why the buffer did not grow */
 };
 
-/* Open a context on a stream. The stream must outlive the context. */
+/* Open a context on a stream. The stream must outlive the context, and one thread uses both. */
 exr_result_t hatch_exr_open_read(struct hatch_exr_stream *stream, exr_context_t *context);
 exr_result_t hatch_exr_open_write(struct hatch_exr_stream *stream, exr_context_t *context);
 
