@@ -5,8 +5,8 @@
 
 #include "filter/pyramid.h"
 
-enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
-                                        struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
+enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t tones, uint32_t levels, uint64_t seed,
+                                        float growth, struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
                                         struct hatch_err *err)
 {
     char text[24];
@@ -14,7 +14,7 @@ enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_
     const char *kept = hatch_arena_text(arena, text, (size_t)digits, err);
     if (!kept)
         return HATCH_LIMIT;
-    *metadata = (struct hatch_tam_metadata){levels, kept, style->name, growth};
+    *metadata = (struct hatch_tam_metadata){tones, levels, kept, style->name, growth};
     return HATCH_OK;
 }
 

@@ -11,8 +11,8 @@
  *   growth    of struct hatch_fill_options
  *   arena     receives seed as text; it must outlive the attributes, which a sink may keep longer than the pixels
  *   metadata  out: refers to style */
-enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t levels, uint64_t seed, float growth,
-                                        struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
+enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t tones, uint32_t levels, uint64_t seed,
+                                        float growth, struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Completes the mip chain below the drawn levels by box filtering and calls sink.

@@ -226,7 +226,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
     struct hatch_tam_metadata metadata;
-    HATCH_TRY(hatch_column_metadata(style, options->levels, options->seed, options->growth, arena, &metadata, err));
+    HATCH_TRY(hatch_column_metadata(style, options->tones, options->levels, options->seed, options->growth, arena,
+                                    &metadata, err));
     const struct hatch_canvas_options canvas = {style,           options->brush, options->size_px,
                                                 options->levels, options->color, options->ids};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

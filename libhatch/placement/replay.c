@@ -317,7 +317,8 @@ enum hatch_status hatch_tam_replay(const struct hatch_replay_options *options, s
         return hatch_fail(err, HATCH_BAD_INPUT, "the drawing has no strokes");
     struct replay r = {.options = options, .strokes = strokes->items, .count = strokes->count};
     struct hatch_tam_metadata metadata;
-    HATCH_TRY(hatch_column_metadata(options->style, options->levels, options->seed, 0, arena, &metadata, err));
+    HATCH_TRY(hatch_column_metadata(options->style, options->tones, options->levels, options->seed, 0, arena, &metadata,
+                                    err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = replay(&r, &metadata, scratch, sink, err);
     if (status == HATCH_OK) {

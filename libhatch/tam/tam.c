@@ -8,6 +8,7 @@ void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t 
 {
     snprintf(column->name, sizeof column->name, "tone.%03u", tone);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TONE, (double)target, HATCH_ATTRIBUTE_FLOAT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TONES, metadata->tones, HATCH_ATTRIBUTE_INT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_LEVELS, metadata->levels, HATCH_ATTRIBUTE_INT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)metadata->growth, HATCH_ATTRIBUTE_FLOAT);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, metadata->seed);
@@ -68,6 +69,18 @@ static enum hatch_status check_pixels(const struct hatch_mipmap *part, struct ha
     return HATCH_OK;
 }
 
+/* Checks the number of columns against the one that a column names, if it does. */
+static enum hatch_status check_count(const struct hatch_mipmap *part, uint32_t count, struct hatch_err *err)
+{
+    const struct hatch_attribute *tones = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_TONES);
+    if (tones && tones->type != HATCH_ATTRIBUTE_INT)
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_TONES " is not a whole number");
+    if (tones && tones->number != count)
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_TAM_ATTR_TONES " %g, but the file has %u parts", tones->number,
+                          count);
+    return HATCH_OK;
+}
+
 static enum hatch_status check_attributes(const struct hatch_mipmap *part, struct hatch_tam *tam, uint32_t tone,
                                           struct hatch_err *err)
 {
@@ -106,6 +119,7 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
             return hatch_fail(err, HATCH_BAD_INPUT, "part %u is named '%s', want %s: not a tonal art map", tone,
                               parts[tone].name, name);
         if (check_shape(&parts[tone], &parts[0], err) != HATCH_OK ||
+            check_count(&parts[tone], count, err) != HATCH_OK ||
             check_attributes(&parts[tone], &made, tone, err) != HATCH_OK || check_pixels(&parts[tone], err) != HATCH_OK)
             return hatch_fail_at(err, "%s: ", name);
     }

@@ -27,13 +27,15 @@ struct hatch_tam {
 
 /* Attributes of the file format, tam(5). */
 #define HATCH_TAM_ATTR_TONE "hatch:tone"
+#define HATCH_TAM_ATTR_TONES "hatch:tones"
 #define HATCH_TAM_ATTR_LEVELS "hatch:levels"
 #define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, random seeds 64 */
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 
 /* Interprets the parts of a file as a tonal art map. Checks that they are named tone.000, tone.001 and so on, and that
- * they have equal square sizes (powers of two or not), full mip chains, targets that never fall, and finite pixels.
+ * they have equal square sizes (powers of two or not), full mip chains, targets that never fall, and finite pixels, and
+ * that there are as many as they say.
  *   parts  count parts in file order; kept by reference
  *   tam    out; unchanged on failure
  * HATCH_BAD_INPUT with the name of the part. */
@@ -55,6 +57,7 @@ float hatch_tam_sample(const struct hatch_tam *tam, int column, float u, float v
 
 /* Metadata of a map, written to each column. Texts are kept by reference. */
 struct hatch_tam_metadata {
+    uint32_t tones;    /* number of columns */
     uint32_t levels;   /* number of drawn levels */
     const char *seed;  /* random seed, decimal */
     const char *style; /* name of the style */

@@ -25,7 +25,8 @@ static void check(enum hatch_status status)
 /* Column t of four darkens the first t + 1 quarters of each row. */
 static void make_map(const char *channels)
 {
-    static const struct hatch_tam_metadata label = {.levels = 2, .growth = 1, .seed = "1", .style = "none"};
+    static const struct hatch_tam_metadata label = {
+        .tones = TONES, .levels = 2, .growth = 1, .seed = "1", .style = "none"};
     memset(map, 0, sizeof map);
     for (uint32_t t = 0; t < TONES; t++) {
         map[t].level_count = hatch_mip_chain_length(SIZE, SIZE);
@@ -70,6 +71,11 @@ static void set_tone(uint32_t column, double tone)
     hatch_mipmap_set_number(&map[column], HATCH_TAM_ATTR_TONE, tone, HATCH_ATTRIBUTE_FLOAT);
 }
 
+static void set_count(uint32_t column, double count)
+{
+    hatch_mipmap_set_number(&map[column], HATCH_TAM_ATTR_TONES, count, HATCH_ATTRIBUTE_INT);
+}
+
 static void set_levels(uint32_t column, double levels)
 {
     hatch_mipmap_set_number(&map[column], HATCH_TAM_ATTR_LEVELS, levels, HATCH_ATTRIBUTE_INT);
@@ -112,6 +118,19 @@ static void save_tones(const char *folder)
     save(folder, "too-many-levels");
     set_levels(2, 3);
     save(folder, "levels-unequal");
+}
+
+/* Sound files with fewer or more parts than they say. */
+static void save_counts(const char *folder)
+{
+    save_parts(folder, "half-the-parts", 0, TONES / 2);
+    for (uint32_t t = 0; t < TONES; t++)
+        set_count(t, TONES - 1);
+    save(folder, "a-part-too-many");
+    set_count(TONES - 1, TONES + 1);
+    save(folder, "counts-unequal");
+    hatch_mipmap_set_text(&map[1], HATCH_TAM_ATTR_TONES, "four");
+    save(folder, "count-is-text");
 }
 
 static void save_pixels(const char *folder)
@@ -175,6 +194,7 @@ int main(int argc, char **argv)
     save(argv[1], "good");
     save_parts_missing(argv[1]);
     save_tones(argv[1]);
+    save_counts(argv[1]);
     save_pixels(argv[1]);
     save_broken_nesting(argv[1]);
     save_unequal(argv[1], "sizes-unequal", 2, "Y");

@@ -35,6 +35,10 @@ reason() {
     no-levels) echo "tone.000: hatch:levels 0, want 1 to 5" ;;
     too-many-levels) echo "tone.003: hatch:levels 99, want 1 to 5" ;;
     levels-unequal) echo "tone.002: 3 drawn levels, but the first column has 2" ;;
+    half-the-parts) echo "tone.000: hatch:tones 4, but the file has 2 parts" ;;
+    a-part-too-many) echo "tone.000: hatch:tones 3, but the file has 4 parts" ;;
+    counts-unequal) echo "tone.003: hatch:tones 5, but the file has 4 parts" ;;
+    count-is-text) echo "tone.001: hatch:tones is not a whole number" ;;
     pixel-nan) echo "tone.002: level 1: a pixel is not a finite number" ;;
     pixel-infinite) echo "tone.003: level 0: a pixel is not a finite number" ;;
     last-pixel-infinite) echo "tone.000: level 4: a pixel is not a finite number" ;;
