@@ -2,6 +2,7 @@
 
 #include <png.h>
 #include <setjmp.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define SIDE_MAX (1u << 24)
@@ -16,14 +17,36 @@ struct reading {
     struct hatch_arena *arena, *scratch;
     struct hatch_err *err;
     enum hatch_status status; /* HATCH_OK, or the status of the failure that err describes */
+    bool out_of_memory;       /* an allocation of libpng has failed */
     struct hatch_image image;
     uint32_t depth, passes;
     uint8_t **rows;
 };
 
+static enum hatch_status fail_allocating(struct reading *r)
+{
+    return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading PNG");
+}
+
+static void *allocate_block(png_structp png, size_t size)
+{
+    struct reading *r = png_get_mem_ptr(png);
+    void *block = malloc(size);
+    r->out_of_memory |= !block;
+    return block;
+}
+
+static void free_block(png_structp png, void *block)
+{
+    (void)png;
+    free(block);
+}
+
 static void fail_decoding(png_structp png, png_const_charp message)
 {
     struct reading *r = png_get_error_ptr(png);
+    if (r->status == HATCH_OK && r->out_of_memory)
+        r->status = fail_allocating(r);
     if (r->status == HATCH_OK)
         r->status = hatch_fail(r->err, HATCH_BAD_INPUT, "%s at byte %zu of %zu", message, r->at, r->file.size);
     longjmp(png_jmpbuf(png), 1);
@@ -143,14 +166,16 @@ static enum hatch_status convert_to_floats(struct reading *r)
 
 static enum hatch_status decode(struct reading *r)
 {
-    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning);
+    png_structp png = png_create_read_struct_2(PNG_LIBPNG_VER_STRING, r, fail_decoding, ignore_warning, r,
+                                               allocate_block, free_block);
     if (!png)
-        return hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading PNG");
+        return fail_allocating(r);
     png_infop info = png_create_info_struct(png);
     if (info)
         read_or_fail(png, info);
-    else
-        r->status = hatch_fail(r->err, HATCH_LIMIT, "out of memory for reading PNG");
+    /* libpng only warns of a chunk for which it had no memory, such as the transparent colours. */
+    if (r->status == HATCH_OK && r->out_of_memory)
+        r->status = fail_allocating(r);
     png_destroy_read_struct(&png, &info, NULL);
     return r->status == HATCH_OK ? convert_to_floats(r) : r->status;
 }

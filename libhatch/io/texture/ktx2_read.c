@@ -1,4 +1,5 @@
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include "io/texture/container.h"
 #include "io/texture/parts.h"
@@ -133,6 +134,8 @@ static enum hatch_status decompress(struct hatch_bytes packed, uint8_t *texels, 
                                     struct hatch_err *err)
 {
     size_t got = ZSTD_decompress(texels, size, packed.data, packed.size);
+    if (ZSTD_getErrorCode(got) == ZSTD_error_memory_allocation)
+        return hatch_fail(err, HATCH_LIMIT, "level %u: out of memory in Zstandard", level);
     if (ZSTD_isError(got))
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level, ZSTD_getErrorName(got));
     if (got != size)
