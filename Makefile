@@ -34,10 +34,10 @@ LINK_tamgen    := exr png foreign svg
 LINK_tampack   := exr png texture
 LINK_tamvol    := exr texture
 LINK_tamthresh := exr png foreign texture
-LINK_hatchstat := exr png foreign gltf texture
-LINK_render-gl := exr png foreign gltf texture gl
-LINK_dirfield  := gltf openmesh cholmod
-LINK_lapped-param := gltf png cholmod
+LINK_hatchstat := exr png foreign gltf cxx texture
+LINK_render-gl := exr png foreign gltf cxx texture gl
+LINK_dirfield  := gltf openmesh cxx cholmod
+LINK_lapped-param := gltf cxx png cholmod
 libs_exr       := -lOpenEXRCore-3_1 -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
@@ -49,7 +49,7 @@ libs_svg       := -lexpat
 libs_gl        := -lepoxy -lglfw
 
 # A package's archive holds its folder of libhatch; all else of libhatch is C alone and one archive.
-PACKAGES := exr png foreign gltf openmesh texture cholmod svg
+PACKAGES := exr png foreign gltf openmesh cxx texture cholmod svg
 SRC := $(wildcard libhatch/*/*.c libhatch/*/*/*.c libhatch/*/*/*.cc)
 PLUGIN_SRC := libhatch/io/foreign/oiio_plugin.cc
 FOLDER_cholmod := libhatch/sparse

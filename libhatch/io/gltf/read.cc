@@ -84,6 +84,17 @@ std::string keep_path(const std::string &path, void *)
     return path;
 }
 
+enum hatch_status copy_bytes(struct hatch_bytes bytes, const std::string &uri, std::vector<unsigned char> *out,
+                             struct hatch_err *err)
+{
+    try {
+        out->assign(bytes.data, bytes.data + bytes.size);
+    } catch (const std::bad_alloc &) {
+        return hatch_fail(err, HATCH_LIMIT, "out of memory for the %zu bytes of %.100s", bytes.size, uri.c_str());
+    }
+    return HATCH_OK;
+}
+
 bool read_file(std::vector<unsigned char> *out, std::string *, const std::string &uri, void *data)
 {
     Files &files = *static_cast<Files *>(data);
@@ -99,10 +110,10 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
                    "uri %.100s: not found, since the glTF comes from standard input: give its path instead",
                    uri.c_str());
     } else if (find_file(files, uri, &bytes, &err) == HATCH_OK &&
-               fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK) {
-        out->assign(bytes.data, bytes.data + bytes.size);
+               fit_length(files, uri.c_str(), &bytes, &err) == HATCH_OK &&
+               copy_bytes(bytes, uri, out, &err) == HATCH_OK) {
         return true;
-    } else {
+    } else if (err.status != HATCH_LIMIT) {
         err.status = HATCH_BAD_INPUT; /* without its companion, a glTF is incomplete */
     }
     if (files.err.status == HATCH_OK || files.left_folder)
@@ -125,6 +136,11 @@ enum hatch_status fail_with(const std::string &text, struct hatch_err *err)
     while (!line.empty() && (line.back() == '.' || line.back() == ' '))
         line.pop_back();
     return hatch_fail(err, HATCH_BAD_INPUT, "%s", line.empty() ? "not glTF" : line.c_str());
+}
+
+enum hatch_status fail_memory(struct hatch_err *err)
+{
+    return hatch_fail(err, HATCH_LIMIT, "out of memory while parsing glTF");
 }
 
 bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &parts, tinygltf::Model *model,
@@ -159,8 +175,11 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
     parser.SetFsCallbacks({file_exists, keep_path, read_file, nullptr, &files});
     std::string text;
     bool parsed = parse_parts(parser, parts, model, &text);
-    if (files.left_folder || (!parsed && files.err.status != HATCH_OK))
+    /* An image that cannot be read may be missing, but not for lack of memory. */
+    if (files.left_folder || files.err.status == HATCH_LIMIT || (!parsed && files.err.status != HATCH_OK))
         return hatch_fail(err, files.err.status, "%s", files.err.text);
+    if (!parsed && text.find(std::bad_alloc().what()) != std::string::npos)
+        return fail_memory(err); /* tinygltf passes on what the JSON parser throws as text */
     return parsed ? HATCH_OK : fail_with(text, err);
 }
 
@@ -231,7 +250,7 @@ extern "C" enum hatch_status hatch_gltf_read(struct hatch_bytes file, const stru
     try {
         status = hatch::read_file_bytes(file, resolver, arena, scratch, scene, notes, err);
     } catch (const std::bad_alloc &) {
-        status = hatch_fail(err, HATCH_LIMIT, "out of memory while parsing glTF");
+        status = hatch::fail_memory(err);
     } catch (const std::exception &e) {
         status = hatch::fail_with(e.what(), err);
     }
