@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/load.h"
+
 #ifdef __SANITIZE_ADDRESS__
 /* Drivers hold memory until the process ends, but are unloaded before the leak check, so that suppressions cannot match
  * them by name. Programs that draw therefore turn leak detection off. */
@@ -20,12 +22,15 @@ int __lsan_is_turned_off(void)
 #define DEVICES_MAX 16
 
 /* libepoxy aborts when the library that it forwards to is missing, so this is checked first. */
-static bool library_exists(const char *name)
+static enum hatch_status check_library(const char *name, struct hatch_err *err)
 {
-    void *handle = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
-    if (handle)
-        dlclose(handle);
-    return handle != NULL;
+    void *object;
+    enum hatch_status status = hatch_load(name, &object, err);
+    if (status == HATCH_OK)
+        dlclose(object);
+    if (status != HATCH_IO)
+        return status;
+    return hatch_fail(err, HATCH_IO, "%s is missing: install EGL (libegl1) and OpenGL (libgl1-mesa-dri)", name);
 }
 
 static void close_headless(struct gpu_context *context)
@@ -104,10 +109,8 @@ enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct ha
 enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_t threads, struct hatch_err *err)
 {
     char number[16];
-    if (!library_exists("libEGL.so.1") || !library_exists("libGL.so.1"))
-        return hatch_fail(err, HATCH_IO,
-                          "libEGL.so.1 or libGL.so.1 is missing: install EGL "
-                          "(libegl1) and OpenGL (libgl1-mesa-dri)");
+    HATCH_TRY(check_library("libEGL.so.1", err));
+    HATCH_TRY(check_library("libGL.so.1", err));
     /* Keeps Mesa from printing messages about devices that it has no permission to open. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     /* Mesa's software renderer reads its number of threads from this variable only. */

@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "base/load.h"
 #include "io/exr/exr.h"
 #include "io/foreign/header.h"
 #include "io/foreign/plugin.h"
@@ -23,10 +25,12 @@ static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t wi
 
 static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_plugin **plugin, struct hatch_err *err)
 {
-    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-    if (!object)
+    void *object;
+    if (access(path, F_OK) != 0)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "neither PNG nor OpenEXR, and the plugin for other formats cannot be loaded: %s", dlerror());
+                          "neither PNG nor OpenEXR, and the plugin for other formats is missing: %s", path);
+    if (hatch_load(path, &object, err) != HATCH_OK)
+        return hatch_fail_at(err, "neither PNG nor OpenEXR, and the plugin for other formats cannot be loaded: ");
     const struct hatch_oiio_plugin *(*table)(void) = NULL;
     void *symbol = dlsym(object, HATCH_OIIO_PLUGIN_TABLE);
     memcpy(&table, &symbol, sizeof table); /* ISO C has no cast from object to function pointers */
