@@ -2,8 +2,10 @@
 
 #include <dlfcn.h>
 #include <stdbool.h>
-#include <stddef.h>
+#include <stdint.h>
 #include <string.h>
+
+#include "base/arena.h"
 
 /* Returns whether a message of the loader is about memory; the loader gives no number. "failed to map segment" is not
  * among them: it may be for lack of memory, and on a file system without programs (noexec). */
@@ -16,12 +18,28 @@ static bool is_about_memory(const char *message)
     return false;
 }
 
+/* Fails when no memory is left at all. */
+static enum hatch_status probe_memory(struct hatch_err *err)
+{
+    struct hatch_arena arena;
+    uint8_t *byte;
+    hatch_arena_init(&arena, SIZE_MAX);
+    enum hatch_status status = HATCH_ALLOC(&arena, &byte, 1, err);
+    hatch_arena_free(&arena);
+    return status;
+}
+
+/* The loader tells of some failed allocations as of missing files. So a failure is tried once more, and memory that is
+ * used up is noticed whatever the loader says. */
 enum hatch_status hatch_load(const char *name, void **object, struct hatch_err *err)
 {
-    *object = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-    if (*object)
-        return HATCH_OK;
+    for (int attempt = 0; attempt < 2; attempt++) {
+        *object = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (*object)
+            return HATCH_OK;
+    }
     const char *message = dlerror();
+    HATCH_TRY(probe_memory(err));
     bool memory = !message || is_about_memory(message);
     return hatch_fail(err, memory ? HATCH_LIMIT : HATCH_IO, "%s", message ? message : "out of memory");
 }

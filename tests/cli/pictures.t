@@ -78,8 +78,23 @@ printf 'neither this nor that' >text.foo
 try hatchstat diff text.foo text.foo
 refused "an unknown format" 3 1
 
-mkdir -p bin
+# A plugin for which there is no room; without the limit of the address space, it is opened.
+if [ -z "$SANITIZE" ]; then
+    for limit in 150000 400000 440000; do
+        try sh -c "ulimit -v $limit && exec hatchstat diff grey.ppm grey.ppm"
+        refused "an address space of $limit KiB" 5 1
+        ok "an address space of $limit KiB: the message says so" grep -q 'the plugin .* needs 512 MB of address' .err
+    done
+    try sh -c "ulimit -v 700000 && exec hatchstat diff grey.ppm grey.ppm"
+    is "an address space of 700000 KiB is enough" $status 0
+fi
+
+mkdir -p bin lib/hatch
+echo 'no plugin' >lib/hatch/hatch-oiio.so
 cp "$BIN/hatchstat" bin
+try bin/hatchstat diff grey.ppm grey.ppm
+refused "the plugin is damaged" 4 1
+rm lib/hatch/hatch-oiio.so
 try bin/hatchstat diff grey.ppm grey.ppm
 refused "the plugin is missing" 3 1
 finish

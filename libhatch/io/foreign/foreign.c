@@ -1,7 +1,9 @@
+#define _GNU_SOURCE
 #include "io/foreign/foreign.h"
 
 #include <dlfcn.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "base/load.h"
@@ -12,6 +14,7 @@
 
 #define SIDE_MAX (1u << 24)
 #define SRGB_CODES 65536u
+#define PLUGIN_BYTES ((size_t)512 << 20) /* address space for the plugin, docs/notes/io.md */
 
 static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width, uint64_t height, uint64_t channels,
                                     struct hatch_err *err)
@@ -23,12 +26,32 @@ static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t wi
     return HATCH_OK;
 }
 
+/* Fails when the limit of address space (ulimit -v) leaves too little for the plugin: some of the libraries that it
+ * needs end the process if they cannot start threads or have no memory. */
+static enum hatch_status check_address_space(const char *plugin, struct hatch_err *err)
+{
+    void *loaded = dlopen(plugin, RTLD_NOW | RTLD_NOLOAD);
+    if (loaded) {
+        dlclose(loaded);
+        return HATCH_OK;
+    }
+    void *range = mmap(NULL, PLUGIN_BYTES, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (range == MAP_FAILED)
+        return hatch_fail(err, HATCH_LIMIT,
+                          "neither PNG nor OpenEXR, and the plugin for other formats needs %zu MB of address space: "
+                          "raise the limit (ulimit -v), or convert the image to PNG",
+                          PLUGIN_BYTES >> 20);
+    munmap(range, PLUGIN_BYTES);
+    return HATCH_OK;
+}
+
 static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_plugin **plugin, struct hatch_err *err)
 {
     void *object;
     if (access(path, F_OK) != 0)
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "neither PNG nor OpenEXR, and the plugin for other formats is missing: %s", path);
+    HATCH_TRY(check_address_space(path, err));
     if (hatch_load(path, &object, err) != HATCH_OK)
         return hatch_fail_at(err, "neither PNG nor OpenEXR, and the plugin for other formats cannot be loaded: ");
     const struct hatch_oiio_plugin *(*table)(void) = NULL;
