@@ -170,14 +170,14 @@ dist:
 TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
-include tests/steps.mk
+include tests/steps.mk tests/memory/library.mk
 $(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom stability/test_rptam_limits bench/%): GL := $(libs_gl)
 $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl prop stability bad fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
@@ -209,7 +209,7 @@ $(B)/interop/node_modules: tests/interop/package.json
 	@mkdir -p $(@D)
 	cp $< $(@D) && cd $(@D) && npm install --no-audit --no-fund && touch node_modules
 check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $(wildcard tests/interop/*.t)
-check: all $(TESTS) $(REPLAYS) $(INTEROP)
+check: all $(TESTS) $(REPLAYS) $(INTEROP) $(FAIL_MALLOC)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 
