@@ -133,6 +133,8 @@ static char *final_path(const char *path, bool exists)
         resolved = realpath(path, NULL);
     else if (lstat(path, &info) == 0)
         die_errno(path, "symbolic link to nothing", ENOENT);
+    if (!resolved && exists && errno == ENOMEM)
+        die_errno(path, "cannot write", errno);
     return resolved ? resolved : copy_text(path);
 }
 

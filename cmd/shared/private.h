@@ -27,7 +27,8 @@ void cmd_close_stdout(void);
 /* Erases the progress line. */
 void cmd_clear_progress(void);
 
-/* Fills err with HATCH_IO and "sentence: the system's message for error_number"; returns HATCH_IO. */
+/* Fills err with HATCH_IO and "sentence: the system's message for error_number"; returns HATCH_IO. When the system has
+ * no memory (ENOMEM), the status is HATCH_LIMIT. */
 enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, int error_number);
 
 #endif

@@ -72,7 +72,7 @@ enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, in
     char reason[HATCH_ERR_TEXT_MAX];
     snprintf(reason, sizeof reason, "%s", strerror(error_number));
     reason[0] = (char)tolower((unsigned char)reason[0]);
-    return hatch_fail(err, HATCH_IO, "%s: %s", sentence, reason);
+    return hatch_fail(err, error_number == ENOMEM ? HATCH_LIMIT : HATCH_IO, "%s: %s", sentence, reason);
 }
 
 /* Prints a line to standard error, in one write, so that lines of several processes do not mix. Control characters

@@ -40,7 +40,7 @@ sub files {
     my ($folder) = @_;
     opendir my $handle, $folder or die "$folder: $!\n";
     my @names = sort grep { !/^\.\.?$/ } readdir $handle;
-    return map { my $path = "$folder/$_"; -d $path ? files($path) : ($path, content($path)) } @names;
+    return map { my $path = "$folder/$_"; -d $path ? files($path) : ($path, readlink $path || '', content($path)) } @names;
 }
 
 sub remove_files {
@@ -55,6 +55,12 @@ sub remove_files {
 sub run {
     my ($command, $number, $forever) = @_;
     remove_files('out');
+    mkdir 'out/old';
+    open my $old, '>', 'out/old/file' or die "out/old/file: $!\n";
+    print $old "old\n";
+    close $old;
+    symlink 'old/file', 'out/link' or die "out/link: $!\n";
+    my @before = files('out');
     open my $count, '>:raw', 'count' or die "count: $!\n";
     print $count "\0" x 8;
     close $count;
@@ -76,7 +82,7 @@ sub run {
     my $ended = $?;
     alarm 0;
     my %run = (status => $hung ? 'hangs' : WIFSIGNALED($ended) ? 'signal ' . WTERMSIG($ended) : WEXITSTATUS($ended),
-        output => join("\0", content('stdout'), files('out')), said => content('stderr'),
+        output => join("\0", content('stdout'), files('out')), nothing => join("\0", '', @before), said => content('stderr'),
         allocations => unpack 'Q', content('count'));
     return \%run;
 }
@@ -92,7 +98,7 @@ sub fault {
     return "$status: $said" if $status ne '5';
     $said = substr $said, length $whole->{said} if index($said, $whole->{said}) == 0;
     return "says: $said" if $said !~ /^[^\n]+\n\z/;
-    return $run->{output} eq '' ? '' : 'leaves files or output';
+    return $run->{output} eq $run->{nothing} ? '' : 'leaves files or output';
 }
 
 # numbers LAST, FIRST, GROWTH: all numbers up to FIRST, then each GROWTH times the one before
