@@ -1,6 +1,5 @@
 #include "render-gl/gpu/context.h"
 
-#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <stdbool.h>
@@ -21,16 +20,16 @@ int __lsan_is_turned_off(void)
 
 #define DEVICES_MAX 16
 
-/* libepoxy aborts when the library that it forwards to is missing, so this is checked first. */
-static enum hatch_status check_library(const char *name, struct hatch_err *err)
+/* Opens a library. libepoxy, which opens it again, aborts when it is missing or when memory does not suffice, so that
+ * it is opened first, and stays open. */
+static enum hatch_status open_library(const char *name, struct hatch_err *err)
 {
     void *object;
-    enum hatch_status status = hatch_load(name, &object, err);
-    if (status == HATCH_OK)
-        dlclose(object);
-    if (status != HATCH_IO)
-        return status;
-    return hatch_fail(err, HATCH_IO, "%s is missing: install EGL (libegl1) and OpenGL (libgl1-mesa-dri)", name);
+    struct hatch_err why;
+    enum hatch_status status = hatch_load(name, &object, &why);
+    if (status == HATCH_IO)
+        return hatch_fail(err, status, "%.200s: install EGL (libegl1) and OpenGL (libgl1-mesa-dri)", why.text);
+    return status == HATCH_OK ? status : hatch_fail(err, status, "%s", why.text);
 }
 
 static void close_headless(struct gpu_context *context)
@@ -109,8 +108,8 @@ enum hatch_status gpu_context_read_limits(struct gpu_context *context, struct ha
 enum hatch_status gpu_context_open_headless(struct gpu_context *context, uint32_t threads, struct hatch_err *err)
 {
     char number[16];
-    HATCH_TRY(check_library("libEGL.so.1", err));
-    HATCH_TRY(check_library("libGL.so.1", err));
+    HATCH_TRY(open_library("libEGL.so.1", err));
+    HATCH_TRY(open_library("libGL.so.1", err));
     /* Keeps Mesa from printing messages about devices that it has no permission to open. */
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     /* Mesa's software renderer reads its number of threads from this variable only. */
