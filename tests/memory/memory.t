@@ -9,10 +9,13 @@ mkdir in
 (
     cd in || exit
     perl "$TOP/tests/bytes/scenes.pl"
-    cp "$TOP"/tests/fuzz/corpus/foreign/a.* "$TOP/tests/drawings/hatching.svg" .
+    cp "$TOP"/tests/fuzz/corpus/foreign/a.* .
     echo '<svg viewBox="0 0 9 9"><style>path{stroke:red}</style><path d="m1,4q3-5,6,1m-6,2h8" fill="none"
         stroke-dasharray="2 .5"/></svg>' >drawing.svg
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >a.obj
+    printf 'vertex\tdx\tdy\tdz\tweight\n7\t1\t1\t0\t10\n' >hand.tsv
+    printf 'brush pencil\nwidth 3\nlength 0.2 0.5\n' >own.style
+    printf 'tone 0..0.6 turn 30 length 30 width 3 ink 0.6 stroke pencil\ntone 0.4..1 length 6 width 6\n' >two.layers
     tamgen -n 64 -l 2 -t 3 -o map.exr
     tamgen -n 64 -l 1 -t 2 --set 'darkest 1' -r strokes.tsv -o fine.exr
     tamgen -n 64 -l 1 -t 2 -p dusk --set 'darkest 1' -o colour.exr
