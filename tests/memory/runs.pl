@@ -113,7 +113,7 @@ sub numbers {
 
 open my $list, '<', $cases or die "$cases: $!\n";
 mkdir 'out';
-while (<$list>) {
+for (<$list>) {
     chomp;
     my ($name, $pace, $command) = split /\t/;
     next if /^#/ || $name !~ ($ENV{ONLY} // '.');
