@@ -1,8 +1,8 @@
 #!/usr/bin/env perl
-# runs.pl LIBRARY CASES: runs each case of CASES (cases.tsv) again and again in the working folder, each time with another
-# allocation failing, by LIBRARY (fail_malloc.c). Each run must end with 0 and the whole result, or with 5, one line on
-# standard error and no output. Prints a line for each case, separated by tabs: its name, the number of allocations, the
-# runs, those that ended with 5, and what was wrong with up to five of the others.
+# runs.pl LIBRARY CASES: runs each case of CASES (cases.tsv) again and again in the working folder, each time with
+# another allocation failing, by LIBRARY (fail_malloc.c). Each run must end with 0 and the whole result, or with 5, one
+# line on standard error and no output. Prints a line for each case, separated by tabs: its name, the number of
+# allocations, the runs, those that ended with 5, and what was wrong with up to five of the others.
 #
 # LONG=1: every allocation of every case fails once. Otherwise the first ones do, and of the later ones fewer and fewer.
 # Some runs have all later allocations fail, too. ONLY, a regular expression, selects cases by name.
@@ -40,7 +40,7 @@ sub files {
     my ($folder) = @_;
     opendir my $handle, $folder or die "$folder: $!\n";
     my @names = sort grep { !/^\.\.?$/ } readdir $handle;
-    return map { my $path = "$folder/$_"; -d $path ? files($path) : ($path, readlink $path || '', content($path)) } @names;
+    return map { -d $_ ? files($_) : ($_, readlink $_ || '', content($_)) } map { "$folder/$_" } @names;
 }
 
 sub remove_files {
@@ -82,7 +82,8 @@ sub run {
     my $ended = $?;
     alarm 0;
     my %run = (status => $hung ? 'hangs' : WIFSIGNALED($ended) ? 'signal ' . WTERMSIG($ended) : WEXITSTATUS($ended),
-        output => join("\0", content('stdout'), files('out')), nothing => join("\0", '', @before), said => content('stderr'),
+        output => join("\0", content('stdout'), files('out')), nothing => join("\0", '', @before),
+        said => content('stderr'),
         allocations => unpack 'Q', content('count'));
     return \%run;
 }
