@@ -29,17 +29,19 @@ static enum hatch_status probe_memory(struct hatch_err *err)
     return status;
 }
 
-/* The loader tells of some failed allocations as of missing files. So a failure is tried once more, and memory that is
- * used up is noticed whatever the loader says. */
+/* The loader tells of some failed allocations as of missing files. So a failure that is not about memory is tried once
+ * more, and memory that is used up is noticed whatever the loader says. */
 enum hatch_status hatch_load(const char *name, void **object, struct hatch_err *err)
 {
     for (int attempt = 0; attempt < 2; attempt++) {
         *object = dlopen(name, RTLD_NOW | RTLD_LOCAL);
         if (*object)
             return HATCH_OK;
+        const char *message = dlerror();
+        if (!message || is_about_memory(message))
+            return hatch_fail(err, HATCH_LIMIT, "%s", message ? message : "out of memory");
+        hatch_fail(err, HATCH_IO, "%s", message);
     }
-    const char *message = dlerror();
     HATCH_TRY(probe_memory(err));
-    bool memory = !message || is_about_memory(message);
-    return hatch_fail(err, memory ? HATCH_LIMIT : HATCH_IO, "%s", message ? message : "out of memory");
+    return HATCH_IO;
 }
