@@ -3,20 +3,20 @@
 #include <assert.h>
 #include <math.h>
 
+#include "base/json.h"
+
 static void add_text(struct cmd_report *report, const char *text)
 {
     struct hatch_err err;
     cmd_check(hatch_buffer_print(&report->text, &err, "%s", text), NULL, &err);
 }
 
-/* Adds the text of a cell: escapes quotes and backslashes for JSON, and replaces control characters by '?'. */
-static void add_escaped(struct cmd_report *report, const char *text)
+/* Adds a text with control characters replaced by '?'. */
+static void add_plain(struct cmd_report *report, const char *text)
 {
     for (; *text; text++) {
         unsigned char c = (unsigned char)*text;
         char plain[] = {c < 0x20 || c == 0x7f ? '?' : *text, '\0'};
-        if (report->json && (c == '"' || c == '\\'))
-            add_text(report, "\\");
         add_text(report, plain);
     }
 }
@@ -62,10 +62,12 @@ static void end_cell(struct cmd_report *report)
 
 void cmd_report_text(struct cmd_report *report, const char *text)
 {
+    struct hatch_err err;
     begin_cell(report);
-    add_text(report, report->json ? "\"" : "");
-    add_escaped(report, text);
-    add_text(report, report->json ? "\"" : "");
+    if (report->json)
+        cmd_check(hatch_json_add_string(&report->text, text, &err), NULL, &err);
+    else
+        add_plain(report, text);
     end_cell(report);
 }
 

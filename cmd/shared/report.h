@@ -18,8 +18,9 @@ struct cmd_report {
  *   columns  names, NULL-terminated; kept by reference */
 void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns);
 
-/* Each function adds the next cell, row by row. Control characters in texts become '?'. Numbers have nine significant
- * digits; those that are not finite are nan, inf or -inf in TSV and null in JSON. */
+/* Each function adds the next cell, row by row. Control characters in texts become '?' in TSV; in JSON texts are
+ * escaped, and bytes that are not UTF-8 become U+FFFD. Numbers have nine significant digits; those that are not finite
+ * are nan, inf or -inf in TSV and null in JSON. */
 void cmd_report_text(struct cmd_report *report, const char *text);
 void cmd_report_number(struct cmd_report *report, double number);
 void cmd_report_numbers(struct cmd_report *report, const double *numbers, uint32_t count); /* NULL: all are nan */

@@ -1,3 +1,4 @@
+#include "base/json.h"
 #include "io/glb/parts.h"
 
 enum hatch_status hatch_glb_comma(struct hatch_glb *glb)
@@ -25,28 +26,11 @@ enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key)
     return hatch_glb_put(glb, "[");
 }
 
-enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *text)
-{
-    struct hatch_buffer *json = &glb->json;
-    HATCH_TRY(hatch_buffer_add(json, "\"", 1, glb->err));
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            HATCH_TRY(hatch_buffer_add(json, "\\", 1, glb->err));
-        HATCH_TRY(hatch_buffer_add(json, *text >= 0x20 && *text < 0x7f ? text : "?", 1, glb->err));
-    }
-    return hatch_buffer_add(json, "\"", 1, glb->err);
-}
-
 enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key)
 {
     HATCH_TRY(hatch_glb_comma(glb));
-    HATCH_TRY(hatch_glb_put(glb, "\""));
-    for (; *key; key++)
-        if ((unsigned char)*key < 0x20 || *key == '"' || *key == '\\')
-            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\\u%04x", (unsigned)*key));
-        else
-            HATCH_TRY(hatch_buffer_add(&glb->json, key, 1, glb->err));
-    return hatch_glb_put(glb, "\":");
+    HATCH_TRY(hatch_json_add_string(&glb->json, key, glb->err));
+    return hatch_glb_put(glb, ":");
 }
 
 /* Returns value, but 0 for -0. JSON readers read -0 as the integer 0, so a file with -0 would change when it is read

@@ -63,8 +63,6 @@ enum hatch_status hatch_glb_comma(struct hatch_glb *glb);
 enum hatch_status hatch_glb_put(struct hatch_glb *glb, const char *json);       /* json as it is */
 enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key); /* key and bracket */
 enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);        /* key and colon */
-/* Appends a string; bytes other than printable ASCII become question marks. */
-enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *text);
 /* Appends key and colon; key is UTF-8 from a file and is escaped. */
 enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key);
 /* Append key and value; floats have nine significant digits, which identify them exactly. */

@@ -1,6 +1,7 @@
 /* Prints the JSON of nodes, meshes, skins and animations; default values are left out. */
 #include <string.h>
 
+#include "base/json.h"
 #include "io/glb/parts.h"
 
 /* Writes a comma where one is needed, and an opening brace. */
@@ -13,7 +14,7 @@ static enum hatch_status open_item(struct hatch_glb *glb)
 static enum hatch_status print_name(struct hatch_glb *glb)
 {
     HATCH_TRY(hatch_glb_key(glb, "name"));
-    return hatch_glb_string(glb, glb->name);
+    return hatch_json_add_string(&glb->json, glb->name, glb->err);
 }
 
 /* The children of each node as a list in ascending order: first child, then next sibling, or HATCH_NONE. The list of

@@ -1,6 +1,7 @@
 /* Writes the GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
 #include <assert.h>
 
+#include "base/json.h"
 #include "io/glb/parts.h"
 
 enum { GLB_HEADER = 12, CHUNK_HEADER = 8 };
@@ -11,7 +12,7 @@ static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
     HATCH_TRY(hatch_buffer_print(json, glb->err, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hatch\""));
     if (comment) {
         HATCH_TRY(hatch_buffer_print(json, glb->err, ",\"extras\":{\"hatch\":"));
-        HATCH_TRY(hatch_glb_string(glb, comment));
+        HATCH_TRY(hatch_json_add_string(json, comment, glb->err));
         HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
     }
     HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
