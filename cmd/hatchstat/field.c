@@ -46,7 +46,7 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
             hatch_measure_field_add(&sum, &scene.meshes[i].mesh, reference ? &reference->meshes[i].mesh : NULL, &err);
         if (status != HATCH_OK && scene.mesh_count > 1)
             hatch_fail_at(&err, "primitive %u: ", i);
-        cmd_check(status, name, &err);
+        cmd_check(status, sum.reference_failed ? cmd_input_name(options->reference) : name, &err);
     }
     cmd_check(hatch_measure_field_end(&sum, options->share, &figures, &err), name, &err);
     report_row(report, name, &figures);

@@ -159,9 +159,13 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
 /* Dies with HATCH_USAGE. */
 noreturn void cmd_usage(const char *format, ...) HATCH_PRINTF(1, 2);
 
-/* Prints "tamgen: FILE: warning: sentence" to standard error, unless --quiet.
+/* Keeps "tamgen: FILE: warning: sentence" for standard error, unless --quiet. Warnings are printed when the command has
+ * succeeded; one that fails prints its refusal alone.
  *   file  may be NULL */
 void cmd_warn(const char *file, const char *format, ...) HATCH_PRINTF(2, 3);
+
+/* Prints the warnings so far: for a command that goes on for as long as its user likes. cmd_end prints the others. */
+void cmd_show_warnings(void);
 
 /* Prints "tamgen: sentence" to standard error with --verbose. */
 void cmd_note(const char *format, ...) HATCH_PRINTF(1, 2);

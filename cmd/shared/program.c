@@ -16,6 +16,11 @@
 const struct cmd_program *cmd_current_program;
 bool cmd_is_quiet, cmd_is_verbose;
 
+/* Warnings that wait for cmd_show_warnings, as lines; NULL: none came yet. */
+static FILE *held;
+static char *held_lines;
+static size_t held_bytes;
+
 static struct timespec begun, last_progress;
 static bool progress_shown;
 
@@ -64,6 +69,7 @@ int cmd_end(struct cmd_args *args, enum hatch_status status)
     hatch_arena_free(&args->keep);
     cmd_discard_outputs();
     cmd_close_stdout();
+    cmd_show_warnings();
     return (int)status;
 }
 
@@ -75,9 +81,9 @@ enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, in
     return hatch_fail(err, error_number == ENOMEM ? HATCH_LIMIT : HATCH_IO, "%s: %s", sentence, reason);
 }
 
-/* Prints a line to standard error, in one write, so that lines of several processes do not mix. Control characters
- * become '?'. */
-static void print_line(const char *file, const char *kind, const char *sentence)
+/* Writes a line to a stream, in one write, so that lines of several processes do not mix. Control characters become
+ * '?'. */
+static void print_line(FILE *stream, const char *file, const char *kind, const char *sentence)
 {
     char line[PATH_MAX + 2 * HATCH_ERR_TEXT_MAX];
     cmd_clear_progress();
@@ -88,13 +94,24 @@ static void print_line(const char *file, const char *kind, const char *sentence)
         if ((unsigned char)line[i] < 0x20 || line[i] == 0x7f)
             line[i] = '?';
     line[size] = '\n';
-    fwrite(line, 1, size + 1, stderr);
+    fwrite(line, 1, size + 1, stream);
+}
+
+void cmd_show_warnings(void)
+{
+    if (!held)
+        return;
+    cmd_clear_progress();
+    if (fclose(held) == 0)
+        fwrite(held_lines, 1, held_bytes, stderr);
+    free(held_lines);
+    held = NULL;
 }
 
 noreturn void cmd_die(const char *file, const struct hatch_err *err)
 {
     cmd_discard_outputs();
-    print_line(file, "", err->text);
+    print_line(stderr, file, "", err->text);
     if (err->status == HATCH_USAGE)
         fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
     exit((int)err->status);
@@ -106,11 +123,11 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
         cmd_die(file, err);
 }
 
-static void print_formatted(const char *file, const char *kind, const char *format, va_list args)
+static void print_formatted(FILE *stream, const char *file, const char *kind, const char *format, va_list args)
 {
     struct hatch_err sentence;
     vsnprintf(sentence.text, sizeof sentence.text, format, args);
-    print_line(file, kind, sentence.text);
+    print_line(stream, file, kind, sentence.text);
 }
 
 noreturn void cmd_usage(const char *format, ...)
@@ -127,8 +144,10 @@ void cmd_warn(const char *file, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
+    if (!held && !cmd_is_quiet)
+        held = open_memstream(&held_lines, &held_bytes);
     if (!cmd_is_quiet)
-        print_formatted(file, "warning: ", format, args);
+        print_formatted(held ? held : stderr, file, "warning: ", format, args);
     va_end(args);
 }
 
@@ -137,7 +156,7 @@ void cmd_note(const char *format, ...)
     va_list args;
     va_start(args, format);
     if (cmd_is_verbose)
-        print_formatted(NULL, "", format, args);
+        print_formatted(stderr, NULL, "", format, args);
     va_end(args);
 }
 
@@ -145,7 +164,7 @@ void cmd_say(const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    print_formatted(NULL, "", format, args);
+    print_formatted(stderr, NULL, "", format, args);
     va_end(args);
 }
 

@@ -42,6 +42,12 @@ enum hatch_status hatch_fail(struct hatch_err *err, enum hatch_status status, co
 /* Puts a formatted prefix before err's message ("tone.003: "); returns err's status. */
 enum hatch_status hatch_fail_at(struct hatch_err *err, const char *format, ...) HATCH_PRINTF(2, 3);
 
+/* Like hatch_fail, with the message of another library after a sentence of one's own: "the PNG is damaged: CRC error".
+ * Of that message, only the first line is taken, with a small first letter and without a full stop.
+ *   text  the message; NULL or empty: the sentence stands alone */
+enum hatch_status hatch_fail_quoting(struct hatch_err *err, enum hatch_status status, const char *text,
+                                     const char *format, ...) HATCH_PRINTF(4, 5);
+
 /* Evaluates expr and returns its status from the calling function, unless the status is HATCH_OK. */
 #define HATCH_TRY(expr)                                                                                                \
     do {                                                                                                               \

@@ -158,14 +158,13 @@ static void compare_points(const struct subject *s, const struct subject *refere
     }
 }
 
-static enum hatch_status compare(const struct hatch_field_sum *sum, const struct subject *s,
-                                 const struct hatch_mesh *mesh, struct hatch_field_samples *samples,
-                                 struct hatch_err *err)
+static enum hatch_status compare(struct hatch_field_sum *sum, const struct subject *s, const struct hatch_mesh *mesh,
+                                 struct hatch_field_samples *samples, struct hatch_err *err)
 {
     struct subject reference;
     enum hatch_status status = read_subject(sum, mesh, &reference, err);
-    if (status != HATCH_OK)
-        return hatch_fail_at(err, "reference: ");
+    sum->reference_failed = status != HATCH_OK;
+    HATCH_TRY(status);
     uint32_t *match, *first_vertex;
     HATCH_TRY(HATCH_ALLOC(sum->arena, &samples->angles, s->surface.point_count, err));
     HATCH_TRY(HATCH_ALLOC(sum->scratch, &match, s->mesh->vertex_count, err));

@@ -28,6 +28,7 @@ struct hatch_field_sum {
     struct hatch_arena *arena, *scratch; /* arena: keeps the samples until hatch_measure_field_end */
     struct hatch_field_figures figures;
     struct hatch_field_samples *samples; /* list of one entry per mesh */
+    bool reference_failed;               /* the error of hatch_measure_field_add concerns the reference */
 };
 
 /* Adds a mesh and its field, and compares it with a reference. Points are matched by exact position; where

@@ -59,13 +59,13 @@ sub bombs {
     png('claims-10000x10000', 'ERR', 'claims 400 MB in 100 bytes', "10000x10000 $short",
         ihdr(10_000, 10_000, 8, $RGBA), $idat, $end);
     png('claims-16777216x1', 'ERR', 'claims one row of 2^24 pixels', $short, ihdr(1 << 24, 1, 8, $GREY), $idat, $end);
-    png('claims-1x16777217', 'ERR', 'claims 2^24 + 1 rows', 'Invalid IHDR|limit', ihdr(1, (1 << 24) + 1, 8, $GREY),
+    png('claims-1x16777217', 'ERR', 'claims 2^24 + 1 rows', '[Ii]nvalid IHDR|limit', ihdr(1, (1 << 24) + 1, 8, $GREY),
         $idat, $end);
     for (['2e31', 1 << 31], ['2e32', 0xffffffff], ['0', 0]) {
         my ($name, $side) = @$_;
-        png("width-$name", 'ERR', "claims a width of $side", 'Invalid IHDR|out of range', ihdr($side, 8, 8, $GREY),
+        png("width-$name", 'ERR', "claims a width of $side", '[Ii]nvalid IHDR|out of range', ihdr($side, 8, 8, $GREY),
             $idat, $end);
-        png("height-$name", 'ERR', "claims a height of $side", 'Invalid IHDR|out of range', ihdr(8, $side, 8, $GREY),
+        png("height-$name", 'ERR', "claims a height of $side", '[Ii]nvalid IHDR|out of range', ihdr(8, $side, 8, $GREY),
             $idat, $end);
     }
     my $text = zeros(50_000_000);
@@ -85,7 +85,7 @@ sub headers {
     for (@fields) {
         my ($width, $height, $depth, $type, $compression, $filter, $interlace) = map { $_ // 0 } @$_[0 .. 6];
         png("header-depth-$depth-type-$type-methods-$compression$filter$interlace", 'ERR',
-            "depth $depth, colour type $type, methods $compression, $filter, $interlace", 'Invalid IHDR', ihdr(@$_),
+            "depth $depth, colour type $type, methods $compression, $filter, $interlace", '[Ii]nvalid IHDR', ihdr(@$_),
             $idat, $end);
     }
     png('header-missing', 'ERR', 'no header', '-', $idat, $end);

@@ -41,6 +41,54 @@ try seedgen -v -n 16 --method backtrack -o four.seeds
 is "seedgen -v reports the smallest distances" "$(sed 's/[0-9][0-9.]*/N/g' .err | tr '\n' '|')" \
     "seedgen: smallest distances, relative to the largest possible: N within a set, N among all sets|seedgen: N search steps|"
 
+# A refusal is one line alone: warnings that came before it are not printed.
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 2\n' >dirty.obj
+says "warnings before a refusal" 3 1 "no direction field" hatchstat field dirty.obj
+for refused in "hatchstat mesh dirty.obj nonesuch.obj" "dirfield dirty.obj -c nonesuch.tsv" \
+    "render-gl dirty.obj --technique gouraud --camera 7" "tamgen --size 64 --palette ink.style --set width"; do
+    try $refused
+    count_lines .err
+    is "$refused: no warning before the refusal" "$(grep -c warning .err) $((tap_lines <= 2))" "0 1"
+done
+try hatchstat mesh dirty.obj
+is "warnings of a command that succeeds are printed" "$status $(grep -c warning .err)" "0 2"
+
+# The file that is at fault is named.
+dirfield mesh.glb -o a.glb
+says "a reference without a field" 3 1 "hatchstat: mesh.glb: no direction field" hatchstat field a.glb -R mesh.glb
+says "a file without a field" 3 1 "hatchstat: mesh.glb: no direction field" hatchstat field mesh.glb -R a.glb
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
+says "the second of two scenes" 3 1 "render-gl: plain.obj: primitive 0 has no texture coordinates" \
+    render-gl mesh.glb plain.obj --tam map.exr
+
+# What other libraries say stands behind a sentence that names the fault.
+echo '{"asset":{"version":"2.0",},"meshes":3}' >bad.gltf
+says "JSON with a comma too many" 3 1 "bad.gltf: JSON line 1, column 27: not valid: unexpected '}'" \
+    hatchstat mesh bad.gltf
+echo '{"asset":{"version":2}}' >bad.gltf
+says "JSON that is not glTF" 3 1 "bad.gltf: not valid glTF: \"asset\"" hatchstat mesh bad.gltf
+render-gl mesh.glb --technique gouraud --size 32x24 -o whole.png
+head -c 100 whole.png >bad.png
+says "half a PNG" 3 1 "bad.png: the PNG is damaged at byte " hatchstat ink bad.png
+head -c 60 map.exr >bad.exr
+says "the beginning of an OpenEXR file" 3 1 "bad.exr: the OpenEXR file is damaged: end of file" hatchstat tam bad.exr
+printf '\377\330\377\340\000\020JFIF\0%060d\377\331' 0 >bad.jpg
+says "a damaged JPEG" 3 1 "bad.jpg: the picture cannot be read: " hatchstat ink bad.jpg
+echo '<svg><path></svg>' >bad.svg
+says "XML with a wrong tag" 3 1 "bad.svg: line 1: not valid XML: mismatched tag" tamgen --replay bad.svg
+cp -r "$TOP/cmd/render-gl/shaders" shaders
+sed -i 's/void main()/void main(/' shaders/frame/tone.frag
+says "a shader with an error" 3 1 "shader frame/tone.frag, line " \
+    render-gl mesh.glb --technique gouraud --shader-dir shaders
+for file in bad.*; do
+    case $file in
+    *.gltf) try hatchstat mesh $file ;;
+    *.svg) try tamgen --replay $file ;;
+    *) try hatchstat ink $file ;;
+    esac
+    is "$file: no name or mark that only a library knows" "$(grep -c -e 'exception' -e 'memory\.' -e '::' .err)" 0
+done
+
 # Commands need no environment variables, and file names are bytes.
 try env -i "$BIN/tamgen" --size 64 -o "$(printf 'm\377 p.exr')"
 is "an empty environment and a file name that is not UTF-8" "$status $(cat .err)" "0 "

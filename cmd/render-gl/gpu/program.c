@@ -88,17 +88,20 @@ static enum hatch_status add_file(struct stage_text *stage, const char *name, st
     return HATCH_OK;
 }
 
-/* Fails with the first line of the compiler's log. It begins with the number of the file, as in "0:12(5): error".
- *   stage  NULL: the log is the linker's */
+/* Fails with the first line of the compiler's log. It may begin with the numbers of the file and of the line there, as
+ * in "0:12(5): error: ..." (Mesa) or "0(12) : error C0000: ..." (NVIDIA), and names the severity, both of which are cut
+ * off. stage  NULL: the log is the linker's */
 static enum hatch_status fail_with_log(const struct stage_text *stage, const char *what, const char *log,
                                        struct hatch_err *err)
 {
-    unsigned file = 0;
-    int length = (int)strcspn(log, "\n");
-    const char *name = what;
-    if (sscanf(log, "%u", &file) == 1 && stage && file < stage->file_count)
-        name = stage->files[file];
-    return hatch_fail(err, HATCH_BAD_INPUT, "shader %s: %.*s", name, length, log);
+    unsigned file = 0, line = 0;
+    const char *error = strstr(log, "error"), *colon = error ? strchr(error, ':') : NULL;
+    const char *reason = colon && colon < log + strcspn(log, "\n") ? colon + 1 + strspn(colon + 1, " ") : log;
+    bool placed = stage && sscanf(log, "%u%*[:(]%u", &file, &line) == 2 && file < stage->file_count;
+    if (placed)
+        return hatch_fail_quoting(err, HATCH_BAD_INPUT, reason, "shader %s, line %u: the driver refuses it",
+                                  stage->files[file], line);
+    return hatch_fail_quoting(err, HATCH_BAD_INPUT, reason, "shader %s: the driver refuses it", what);
 }
 
 static enum hatch_status compile(const struct gpu_programs *programs, GLenum kind, const char *name,

@@ -14,28 +14,54 @@
 #define TWO_PI 6.28318530717958648
 #define SPAN_MOMENTS 9 /* times at which the bounds of an animation are measured */
 
-static const char *scene_name(const struct job *job)
+/* Names the scene after its file; a row of several is named after the first. */
+static void name_scene(struct job *job)
 {
-    return cmd_input_name(job->options->scene_path);
+    struct cmd_args *args = &job->args;
+    struct hatch_buffer name = {.arena = &args->keep};
+    struct hatch_err err;
+    int others = args->operand_count - 1;
+    job->name = cmd_input_name(job->options->scene_path);
+    if (others < 1)
+        return;
+    cmd_check(hatch_buffer_print(&name, &err, "%s and %d more%c", job->name, others, '\0'), NULL, &err);
+    job->name = (const char *)name.data;
+}
+
+/* Finds the file of a mesh: returns its name, and in *index the number of the mesh there. */
+static const char *file_of(const struct job *job, uint32_t *index)
+{
+    uint32_t file = 0;
+    if (!job->mesh_end)
+        return job->name;
+    while (*index >= job->mesh_end[file])
+        file++;
+    *index -= file ? job->mesh_end[file - 1] : 0;
+    return cmd_input_name(job->args.operands[file]);
 }
 
 /* Fails if a mesh has no texture coordinates, which strokes follow. */
-static enum hatch_status check_texcoords(const struct hatch_scene *scene, struct hatch_err *err)
+static enum hatch_status check_texcoords(const struct job *job, const char **file, struct hatch_err *err)
 {
+    const struct hatch_scene *scene = &job->values;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2))
+        if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2)) {
+            *file = file_of(job, &i);
             return hatch_fail(err, HATCH_BAD_INPUT,
                               "primitive %u has no texture coordinates, which strokes follow; "
                               "add them with dirfield FILE | lapped-param -o NEW.glb",
                               i);
+        }
     return HATCH_OK;
 }
 
-enum hatch_status job_check(const struct job *job, const struct technique *technique, struct hatch_err *err)
+enum hatch_status job_check(const struct job *job, const struct technique *technique, const char **file,
+                            struct hatch_err *err)
 {
+    *file = job->name;
     if (technique->check)
         HATCH_TRY(technique->check(&job->values, job->patches, err));
-    return technique->features & TECHNIQUE_STROKES ? check_texcoords(&job->values, err) : HATCH_OK;
+    return technique->features & TECHNIQUE_STROKES ? check_texcoords(job, file, err) : HATCH_OK;
 }
 
 static void check_animation(const struct job *job)
@@ -45,7 +71,7 @@ static void check_animation(const struct job *job)
     if (options->animation_given && options->animation >= job->values.animation_count) {
         hatch_fail(&err, HATCH_BAD_INPUT, "animation %u does not exist: the scene has %u, numbered from 0",
                    options->animation, job->values.animation_count);
-        cmd_die(scene_name(job), &err);
+        cmd_die(job->name, &err);
     }
 }
 
@@ -53,7 +79,7 @@ static void warn_if_still(const struct job *job)
 {
     const struct options *options = job->options;
     if (options->frames > 1 && !options->turntable && !options->change_count && !job->values.animation_count)
-        cmd_warn(scene_name(job), "the scene has no animation: all frames are alike without --turntable or --animate");
+        cmd_warn(job->name, "the scene has no animation: all frames are alike without --turntable or --animate");
 }
 
 /* Warns of strokes that do not nest, and of columns and colours that the technique does not draw. */
@@ -128,15 +154,20 @@ static void open_techniques(struct job *job)
                 cmd_check(job_open(job, techniques[i], &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
 }
 
-static void load_row(struct cmd_args *args, uint32_t count, bool stand, struct hatch_scene *scene,
-                     struct hatch_mesh_notes *notes)
+static void load_row(struct job *job, uint32_t count, bool stand, struct hatch_mesh_notes *notes)
 {
+    struct cmd_args *args = &job->args;
     struct hatch_err err;
-    struct hatch_scene *scenes = HATCH_NEW(&args->keep, struct hatch_scene, count, &err);
-    cmd_check(scenes ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t i = 0; i < count; i++)
+    struct hatch_scene *scenes;
+    uint32_t meshes = 0;
+    cmd_check(HATCH_ALLOC(&args->keep, &scenes, count, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &job->mesh_end, count, &err), NULL, &err);
+    for (uint32_t i = 0; i < count; i++) {
         cmd_read_scene_silently(args, args->operands[i], CMD_SCENE_CLEANED, &scenes[i], notes);
-    cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, scene, &err), NULL, &err);
+        job->mesh_end[i] = meshes += scenes[i].mesh_count;
+    }
+    cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, &job->values, &err), job->name,
+              &err);
 }
 
 /* Removes the faces of meshes whose base colour has an alpha below the cutoff, since no part of them is visible. */
@@ -158,12 +189,12 @@ static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
 {
     struct cmd_args *args = &job->args;
     struct hatch_scene *scene = &job->values;
-    const char *name = scene_name(job);
+    const char *name = job->name;
     uint32_t count = (uint32_t)args->operand_count;
     double ground = job->options->ground;
     struct hatch_err err;
     if (count > 1)
-        load_row(args, count, ground > 0, scene, notes);
+        load_row(job, count, ground > 0, notes);
     else
         cmd_read_scene_silently(args, job->options->scene_path, CMD_SCENE_CLEANED, scene, notes);
     drop_transparent(scene, notes);
@@ -180,18 +211,21 @@ void job_read(struct job *job)
     const struct options *options = job->options;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
+    const char *file;
     job->context = (struct technique_context){.frame = &job->frame,
                                               .assets = &job->assets,
                                               .args = &job->args,
                                               .view = &job->first_view,
                                               .height_px = options->height};
+    name_scene(job);
     load_scene(job, &notes);
     open_techniques(job);
     if (options->map_path)
         read_asset(job);
-    cmd_check(job_check(job, options->technique, &err), scene_name(job), &err);
+    enum hatch_status status = job_check(job, options->technique, &file, &err);
+    cmd_check(status, file, &err);
     check_animation(job);
-    cmd_warn_mesh(scene_name(job), &notes);
+    cmd_warn_mesh(job->name, &notes);
     warn_if_still(job);
 }
 
@@ -241,7 +275,7 @@ static void upload_scene(struct job *job)
 {
     const struct options *options = job->options;
     struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
-    const char *name = scene_name(job);
+    const char *name = job->name;
     struct hatch_bounds bounds;
     struct hatch_pose pose;
     struct hatch_err err;
@@ -326,11 +360,11 @@ void job_prepare(struct job *job)
     set_darkest(job);
     job_set_frame(job, 0, &job->first_view);
     if (!(options->exposure > 0))
-        cmd_check(hatch_auto_exposure(&job->scene.unit, &job->first_view, scratch, &options->exposure, &err),
-                  scene_name(job), &err);
+        cmd_check(hatch_auto_exposure(&job->scene.unit, &job->first_view, scratch, &options->exposure, &err), job->name,
+                  &err);
     options_style(options, &job->frame.style);
     if (options->map_path)
-        cmd_check(set_repeats(job, &err), scene_name(job), &err);
+        cmd_check(set_repeats(job, &err), job->name, &err);
     job_use(job, options->technique);
 }
 
@@ -342,10 +376,10 @@ void job_view(struct job *job, double time_s, struct hatch_view *view)
     struct hatch_err err;
     *view = job->fixed_view;
     if (!hatch_view_is_fixed(&choice, &job->values))
-        cmd_check(make_view(job, &unit->pose, &unit->bounds, view, &err), scene_name(job), &err);
+        cmd_check(make_view(job, &unit->pose, &unit->bounds, view, &err), job->name, &err);
     if (job->options->zoom < 1 || job->options->zoom > 1)
         cmd_check(hatch_view_zoom(&unit->pose, &now, &unit->bounds, job->options->zoom, &job->args.scratch, view, &err),
-                  scene_name(job), &err);
+                  job->name, &err);
 }
 
 enum hatch_status job_refresh(struct job *job, struct technique_instance *instance, uint32_t subjects,
@@ -375,7 +409,7 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
     uint32_t subjects = options->frames > 1 ? params_move(options, (double)frame / (options->frames - 1)) : 0;
     cmd_check(job_refresh(job, instance, subjects, &err), NULL, &err);
     cmd_check(scene_set_pose(&job->scene, job->span.animation, time_of(job, frame), &job->args.scratch, &err),
-              scene_name(job), &err);
+              job->name, &err);
     job_view(job, time_of(job, frame), view);
     if (options->turntable)
         hatch_view_turn(view, -TWO_PI * frame / options->frames);

@@ -11,6 +11,8 @@ struct job {
     struct options *options;
     struct hatch_scene values;        /* the scene as read from files, in memory */
     struct hatch_patch_mesh *patches; /* one per mesh of values */
+    const char *name;                 /* name of the scene, for messages */
+    uint32_t *mesh_end;               /* per operand: number of meshes of its file and those before; NULL: one file */
     struct asset asset;               /* the file of --tam; zeroed: none */
     struct gpu_context gpu;
     enum hatch_status (*open_window)(struct gpu_context *context, uint32_t width, uint32_t height,
@@ -51,8 +53,9 @@ struct picture job_picture(struct job *job, struct technique_instance *instance)
  *   kinds  bits of enum hatch_line_kind */
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fails with HATCH_BAD_INPUT if the scene lacks something that the technique draws. */
-enum hatch_status job_check(const struct job *job, const struct technique *technique,
+/* Fails with HATCH_BAD_INPUT if the scene lacks something that the technique draws.
+ *   file  out: on failure, the name of the file that lacks it */
+enum hatch_status job_check(const struct job *job, const struct technique *technique, const char **file,
                             struct hatch_err *err) HATCH_MUST_USE;
 
 /* Recomputes everything that depends on changed parameters.

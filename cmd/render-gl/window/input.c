@@ -34,12 +34,13 @@ static void set_technique(struct window *window, uint32_t index)
     struct job *job = window->job;
     const struct technique *technique = techniques[index];
     struct technique_instance *instance;
+    const char *file;
     struct hatch_err err;
     if (!assets_have(&job->assets, technique->asset)) {
         cmd_say("%s needs %s: --tam FILE", technique->name, technique->asset->name);
         return;
     }
-    if (job_check(job, technique, &err) != HATCH_OK || !(instance = job_open(job, technique, &err)) ||
+    if (job_check(job, technique, &file, &err) != HATCH_OK || !(instance = job_open(job, technique, &err)) ||
         technique_prepare(&job->context, instance, &err) != HATCH_OK) {
         cmd_say("%s", err.text);
         return;

@@ -148,6 +148,7 @@ void window_run(struct job *job)
                              .last_s = gpu_timer_now_s(),
                              .stale = true};
     gpu_timer_make(&window.timer);
+    cmd_show_warnings();
     window_listen(&window);
     while (!glfwWindowShouldClose(window.handle)) {
         bool moves = job->span.animation != HATCH_NONE || job->options->change_count;

@@ -117,5 +117,7 @@ enum hatch_status hatch_exr_fail(const struct hatch_exr_stream *stream, exr_resu
     else if (out_of_memory)
         return hatch_fail(err, HATCH_LIMIT, "out of memory in OpenEXR");
     const char *text = stream->first.text;
-    return hatch_fail(err, status, "%s", *text ? text : exr_get_default_error_message(result));
+    return hatch_fail_quoting(err, status, *text ? text : exr_get_default_error_message(result),
+                              status == HATCH_LIMIT ? "the OpenEXR file needs too much memory"
+                                                    : "the OpenEXR file is damaged");
 }

@@ -66,8 +66,9 @@ static enum hatch_status open_plugin(const char *path, const struct hatch_oiio_p
 /* Fails with the plugin's message: with HATCH_LIMIT when memory ran out, else with HATCH_BAD_INPUT. */
 static enum hatch_status fail_plugin(const char *message, struct hatch_err *err)
 {
-    bool out_of_memory = strcmp(message, HATCH_OIIO_OUT_OF_MEMORY) == 0;
-    return hatch_fail(err, out_of_memory ? HATCH_LIMIT : HATCH_BAD_INPUT, "%s", message);
+    if (strcmp(message, HATCH_OIIO_OUT_OF_MEMORY) == 0)
+        return hatch_fail(err, HATCH_LIMIT, "%s", message);
+    return hatch_fail_quoting(err, HATCH_BAD_INPUT, message, "the picture cannot be read");
 }
 
 /* Decodes sRGB by table: the file's values have 8 or 16 bits, so each is a multiple of 1 / 65535. */

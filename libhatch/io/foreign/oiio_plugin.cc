@@ -1,5 +1,6 @@
 #include "io/foreign/plugin.h"
 
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -21,10 +22,20 @@ struct Image {
     std::unique_ptr<OIIO::ImageInput> reader;
 };
 
+/* Name by which readers that want one know the file in memory. */
+const std::string name_in_memory = "memory.";
+
+/* Replaces the name of the file in memory, which the user does not know. */
 void set_message(const std::string &text, char *message, size_t size)
 {
-    std::string line = text.substr(0, text.find('\n'));
-    std::snprintf(message, size, "%s", line.empty() ? "the image cannot be decoded" : line.c_str());
+    std::string shown = text;
+    for (size_t at; (at = shown.find(name_in_memory)) != std::string::npos;) {
+        size_t end = at + name_in_memory.size();
+        while (end < shown.size() && std::isalnum(static_cast<unsigned char>(shown[end])))
+            end++;
+        shown.replace(at, end - at, "the file");
+    }
+    std::snprintf(message, size, "%s", shown.c_str());
 }
 
 /* Returns the extension of a name without its dot, in lower case, or "". */
@@ -78,7 +89,7 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
         config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
         image->reader->set_ioproxy(proxy);
         OIIO::ImageSpec opened;
-        if (!image->reader->open("memory." + format, opened, config)) {
+        if (!image->reader->open(name_in_memory + format, opened, config)) {
             set_message(image->reader->geterror(), message, size);
             return nullptr;
         }

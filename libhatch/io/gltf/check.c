@@ -200,9 +200,10 @@ static enum hatch_status check_value(struct scan *s, struct text word, struct ha
     if (good)
         return HATCH_OK;
     struct text key = level->object ? level->key : level->name;
-    return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s, want an integer, 0 .. %llu",
+    return hatch_fail(err, HATCH_BAD_INPUT, "JSON byte %zu: %.*s is %.*s%s, want an integer, 0 .. %llu",
                       (size_t)(word.start - s->text), (int)(key.length < 32 ? key.length : 32), key.start,
-                      (int)(word.length < 32 ? word.length : 32), word.start, (unsigned long long)largest);
+                      (int)(word.length < 32 ? word.length : 32), word.start, word.start[0] == '"' ? "\"" : "",
+                      (unsigned long long)largest);
 }
 
 static enum hatch_status open_level(struct scan *s, bool object, struct hatch_err *err)

@@ -130,12 +130,21 @@ bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *,
     return true;
 }
 
+/* Translates a message of the parsers. That of nlohmann's for JSON reads "[json.exception.parse_error.101] parse error
+ * at line 1, column 27: syntax error while parsing object key - unexpected '}'; expected string literal". */
 enum hatch_status fail_with(const std::string &text, struct hatch_err *err)
 {
-    std::string line = text.substr(0, text.find('\n'));
-    while (!line.empty() && (line.back() == '.' || line.back() == ' '))
-        line.pop_back();
-    return hatch_fail(err, HATCH_BAD_INPUT, "%s", line.empty() ? "not glTF" : line.c_str());
+    const std::string mark = "[json.exception.", place_mark = " at line ", reason_mark = " - ";
+    if (text.compare(0, mark.size(), mark) != 0)
+        return hatch_fail_quoting(err, HATCH_BAD_INPUT, text.c_str(), "not valid glTF");
+    size_t place = text.find(place_mark), colon = text.find(':', place), reason = text.find(reason_mark, colon);
+    if (place == std::string::npos || colon == std::string::npos)
+        return hatch_fail(err, HATCH_BAD_INPUT, "not valid glTF: a value in the JSON has the wrong type");
+    std::string where = text.substr(place + 4, colon - place - 4), what;
+    if (reason != std::string::npos)
+        what = text.substr(reason + reason_mark.size());
+    return hatch_fail_quoting(err, HATCH_BAD_INPUT, what.substr(0, what.find(';')).c_str(), "JSON %s: not valid",
+                              where.c_str());
 }
 
 enum hatch_status fail_memory(struct hatch_err *err)

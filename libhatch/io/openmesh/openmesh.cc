@@ -162,9 +162,9 @@ template <typename Body> enum hatch_status guarded(struct hatch_arena *scratch, 
     try {
         status = body();
     } catch (const std::bad_alloc &) {
-        status = hatch_fail(err, HATCH_LIMIT, "out of memory in OpenMesh");
+        status = hatch_fail(err, HATCH_LIMIT, "out of memory while simplifying a mesh");
     } catch (const std::exception &e) {
-        status = hatch_fail(err, HATCH_BAD_INPUT, "OpenMesh: %s", e.what());
+        status = hatch_fail_quoting(err, HATCH_BAD_INPUT, e.what(), "the mesh cannot be simplified");
     }
     hatch_arena_rewind(scratch, mark);
     return status;

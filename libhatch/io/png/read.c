@@ -48,7 +48,8 @@ static void fail_decoding(png_structp png, png_const_charp message)
     if (r->status == HATCH_OK && r->out_of_memory)
         r->status = fail_allocating(r);
     if (r->status == HATCH_OK)
-        r->status = hatch_fail(r->err, HATCH_BAD_INPUT, "%s at byte %zu of %zu", message, r->at, r->file.size);
+        r->status = hatch_fail_quoting(r->err, HATCH_BAD_INPUT, message, "the PNG is damaged at byte %zu of %zu", r->at,
+                                       r->file.size);
     longjmp(png_jmpbuf(png), 1);
 }
 

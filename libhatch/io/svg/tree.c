@@ -138,8 +138,8 @@ static enum hatch_status parse(struct reading *r, struct hatch_bytes file, struc
     if (ended == XML_STATUS_OK)
         return HATCH_OK;
     enum XML_Error code = XML_GetErrorCode(r->parser);
-    return hatch_fail(err, code == XML_ERROR_NO_MEMORY ? HATCH_LIMIT : HATCH_BAD_INPUT, "line %lu: %s",
-                      (unsigned long)XML_GetCurrentLineNumber(r->parser), XML_ErrorString(code));
+    return hatch_fail_quoting(err, code == XML_ERROR_NO_MEMORY ? HATCH_LIMIT : HATCH_BAD_INPUT, XML_ErrorString(code),
+                              "line %lu: not valid XML", (unsigned long)XML_GetCurrentLineNumber(r->parser));
 }
 
 static const char *id_of(const struct hatch_svg_node *node)

@@ -137,7 +137,8 @@ static enum hatch_status decompress(struct hatch_bytes packed, uint8_t *texels, 
     if (ZSTD_getErrorCode(got) == ZSTD_error_memory_allocation)
         return hatch_fail(err, HATCH_LIMIT, "level %u: out of memory in Zstandard", level);
     if (ZSTD_isError(got))
-        return hatch_fail(err, HATCH_BAD_INPUT, "level %u: Zstandard: %s", level, ZSTD_getErrorName(got));
+        return hatch_fail_quoting(err, HATCH_BAD_INPUT, ZSTD_getErrorName(got),
+                                  "level %u: its Zstandard data is damaged", level);
     if (got != size)
         return hatch_fail(err, HATCH_BAD_INPUT, "level %u: unpacked to %zu bytes, want %zu", level, got, size);
     return HATCH_OK;

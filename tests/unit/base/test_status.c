@@ -25,6 +25,23 @@ START_TEST(control_characters_are_replaced)
 }
 END_TEST
 
+START_TEST(messages_of_libraries_are_quoted_in_one_clear_line)
+{
+    static const char *const cases[][2] = {
+        {"Corrupt tile.\nSee the log.", "the file is damaged: corrupt tile"},
+        {"IHDR: CRC error", "the file is damaged: IHDR: CRC error"},
+        {"mismatched tag. ", "the file is damaged: mismatched tag"},
+        {"", "the file is damaged"},
+        {NULL, "the file is damaged"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct hatch_err err;
+        ck_assert_int_eq(hatch_fail_quoting(&err, HATCH_LIMIT, cases[i][0], "the %s is damaged", "file"), HATCH_LIMIT);
+        ck_assert_str_eq(err.text, cases[i][1]);
+    }
+}
+END_TEST
+
 START_TEST(long_messages_are_cut)
 {
     char text[2 * HATCH_ERR_TEXT_MAX];
@@ -64,6 +81,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("status");
     tcase_add_test(tests, messages_are_formatted_and_the_status_is_returned);
     tcase_add_test(tests, control_characters_are_replaced);
+    tcase_add_test(tests, messages_of_libraries_are_quoted_in_one_clear_line);
     tcase_add_test(tests, long_messages_are_cut);
     tcase_add_test(tests, try_returns_at_once);
     suite_add_tcase(suite, tests);

@@ -335,9 +335,9 @@ END_TEST
 static const struct {
     const char *text, *message;
 } bad[] = {
-    {"", "line 1: no element found"},
-    {"<svg viewBox='0 0 1 1'>", "line 1: no element found"},
-    {"<svg viewBox='0 0 1 1'>\n</g>", "line 2: mismatched tag"},
+    {"", "line 1: not valid XML: no element found"},
+    {"<svg viewBox='0 0 1 1'>", "line 1: not valid XML: no element found"},
+    {"<svg viewBox='0 0 1 1'>\n</g>", "line 2: not valid XML: mismatched tag"},
     {"<html/>", "line 1: the root element is <html>, want <svg>"},
     {"<svg viewBox='0 0 1'/>", "line 1: viewBox: want four numbers"},
     {"<svg viewBox='0 0 210 297'/>", "line 1: the page is 210 x 297, want a square"},
