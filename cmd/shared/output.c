@@ -1,4 +1,5 @@
 #define _GNU_SOURCE
+#include "base/random.h"
 #include "shared/private.h"
 
 #include <assert.h>
@@ -10,17 +11,28 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* An output is either a descriptor (standard output, a device, a pipe) or a hidden file beside the target, which is
- * closed until it is written, so that thousands of outputs do not need thousands of descriptors. */
+/* Hidden files with fixed names that one target may have at the same time, each with a living writer. */
+#define SLOTS 8
+
+/* An output is either a descriptor (standard output, a device, a pipe) or a hidden file beside the target.
+ *
+ * The hidden file has one of SLOTS names that follow from the target's, and is locked for as long as its writer lives.
+ * Where a process was killed, its file stays, and the next writer of the target locks and overwrites it. A file with
+ * such a name that is locked, is no plain file, has a second name or belongs to another user is left alone. A process
+ * with so many outputs that half of its descriptors are in use gives the others a random name, and closes them until
+ * they are written; nothing removes such a file when the process is killed. */
 struct cmd_output {
-    char *name;   /* for messages */
-    char *hidden; /* path of the hidden file; NULL: write to descriptor */
-    char *target; /* path to which the hidden file is renamed */
-    bool filled;  /* the content is already in the hidden file */
-    int descriptor;
+    char *name;     /* for messages */
+    char *hidden;   /* path of the hidden file; NULL: write to descriptor */
+    char *target;   /* path to which the hidden file is renamed */
+    bool filled;    /* the content is already in the hidden file */
+    bool locked;    /* the hidden file is locked through descriptor */
+    int descriptor; /* -1: the hidden file is closed */
 };
 
 /* Paths of the hidden files that exist, or NULL; read by a signal handler. */
@@ -169,31 +181,112 @@ static void refuse_second(const struct location *location, const char *name)
             cmd_usage("two outputs go to %s", name);
 }
 
+/* Makes the path of a hidden file of a target: the target's folder and a hash of its name, so that the length of the
+ * path is limited.
+ *   ending  number of the slot, or XXXXXX for mkstemp */
+static char *hidden_path(const char *target, const char *ending)
+{
+    const char *slash = strrchr(target, '/');
+    int folder_length = slash ? (int)(slash - target) + 1 : 0;
+    uint64_t hash = 0;
+    for (const char *c = target + folder_length; *c; c++)
+        hash = hatch_random_mix(hash + (unsigned char)*c + 1);
+    size_t size = (size_t)folder_length + 40;
+    char *path = allocate(size);
+    snprintf(path, size, "%.*s.hatch-%016llx-%s", folder_length, target, (unsigned long long)hash, ending);
+    return path;
+}
+
+/* Returns whether a path still names the open file, and this is a plain file of this user with no second name. */
+static bool is_ours(int descriptor, const char *path)
+{
+    struct stat opened, named;
+    return fstat(descriptor, &opened) == 0 && lstat(path, &named) == 0 && opened.st_dev == named.st_dev &&
+           opened.st_ino == named.st_ino && S_ISREG(opened.st_mode) && opened.st_nlink == 1 &&
+           opened.st_uid == geteuid();
+}
+
+/* Opens and locks a hidden file, unless it has a living writer or is not ours; returns its descriptor, or -1. Another
+ * process may open, lock, rename or remove it at any moment, so that its name is compared again under the lock. */
+static int lock_hidden(const char *path, bool create)
+{
+    const int flags = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+    int descriptor = create ? open(path, flags | O_CREAT | O_EXCL, 0600) : -1;
+    bool created = descriptor >= 0;
+    if (!created)
+        descriptor = open(path, flags);
+    if (descriptor < 0)
+        return -1;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_ours(descriptor, path))
+        return descriptor;
+    if (created && errno != EWOULDBLOCK && is_ours(descriptor, path)) /* a file system without locks */
+        unlink(path);
+    close(descriptor);
+    return -1;
+}
+
+/* Removes the hidden files of killed writers from the slots that are not in use. */
+static void remove_stale(const char *target)
+{
+    for (int slot = 0; slot < SLOTS; slot++) {
+        char *path = hidden_path(target, (char[]){(char)('0' + slot), '\0'});
+        int descriptor = lock_hidden(path, false);
+        if (descriptor >= 0) {
+            unlink(path);
+            close(descriptor);
+        }
+        free(path);
+    }
+}
+
+static bool has_spare_descriptors(void)
+{
+    static rlim_t locked;
+    struct rlimit limit;
+    return getrlimit(RLIMIT_NOFILE, &limit) == 0 && locked++ < limit.rlim_cur / 2;
+}
+
+/* Makes the hidden file of an output: in a slot, or with a random name. Returns its descriptor, or -1 with errno. */
+static int make_file(struct cmd_output *output)
+{
+    int descriptor = -1;
+    bool lock = has_spare_descriptors();
+    for (int slot = 0; slot < SLOTS && lock && descriptor < 0; slot++) {
+        free(output->hidden);
+        output->hidden = hidden_path(output->target, (char[]){(char)('0' + slot), '\0'});
+        descriptor = lock_hidden(output->hidden, true);
+    }
+    output->locked = descriptor >= 0;
+    if (output->locked)
+        return descriptor;
+    free(output->hidden);
+    output->hidden = hidden_path(output->target, "XXXXXX");
+    return mkstemp(output->hidden);
+}
+
 static void make_hidden(struct cmd_output *output, const struct stat *existing)
 {
-    const char *slash = strrchr(output->target, '/');
-    int folder_length = slash ? (int)(slash - output->target) + 1 : 0;
     struct location location = locate(output->target);
     refuse_second(&location, output->name);
-    size_t size = (size_t)folder_length + strlen(cmd_current_program->name) + 16;
-    char *hidden = allocate(size);
-    snprintf(hidden, size, "%.*s.%s-XXXXXX", folder_length, output->target, cmd_current_program->name);
     size_t slot = 0;
     while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
         slot++;
     assert(slot < CMD_OUTPUTS_MAX);
     locations[slot] = location;
     cmd_block_signals(true);
-    int descriptor = mkstemp(hidden);
+    int descriptor = make_file(output);
     int error_number = errno;
     if (descriptor >= 0)
-        unfinished[slot] = hidden;
+        unfinished[slot] = output->hidden;
     cmd_block_signals(false);
     if (descriptor < 0)
         die_errno(output->name, "cannot write", error_number);
-    if (fchmod(descriptor, mode_for(existing)) < 0 || close(descriptor) < 0)
+    if (fchmod(descriptor, mode_for(existing)) < 0 || ftruncate(descriptor, 0) < 0 ||
+        (!output->locked && close(descriptor) < 0))
         die_errno(output->name, "cannot write", errno);
-    output->hidden = hidden;
+    output->descriptor = output->locked ? descriptor : -1;
+    if (output->locked)
+        remove_stale(output->target);
 }
 
 static bool is_listed(const char *list, const char *word)
@@ -269,15 +362,16 @@ static void write_file(const struct cmd_file *file)
     struct cmd_output *output = file->output;
     if (output->filled)
         return;
-    if (output->hidden) {
+    if (output->hidden && !output->locked)
         output->descriptor = open(output->hidden, O_WRONLY | O_CLOEXEC);
-        if (output->descriptor < 0)
-            die_errno(output->name, "cannot write", errno);
-    }
+    if (output->descriptor < 0)
+        die_errno(output->name, "cannot write", errno);
     write_all(output, file->data, file->size);
     for (size_t i = 0; i < file->piece_count; i++)
         write_all(output, (const char *)file->pieces[i].data, file->pieces[i].size);
-    if (output->descriptor != STDOUT_FILENO && close(output->descriptor) < 0)
+    /* Closing reports errors that writing did not. A locked file stays open until it is renamed: a copy is closed. */
+    int closed = output->locked ? dup(output->descriptor) : output->descriptor;
+    if (closed < 0 || (closed != STDOUT_FILENO && close(closed) < 0))
         die_errno(output->name, "cannot write", errno);
 }
 
@@ -297,6 +391,8 @@ static void rename_hidden(const struct cmd_output *output)
     for (size_t i = 0; i < CMD_OUTPUTS_MAX; i++)
         if (unfinished[i] == output->hidden)
             unfinished[i] = NULL;
+    if (output->locked)
+        close(output->descriptor);
 }
 
 static void free_output(struct cmd_output *output)

@@ -159,7 +159,7 @@ check_refused_output() {
     with_input "$arguments" >/dev/full 2>.err
     is "$label >/dev/full" "$? $(wc -l <.err)" "4 1"
     (ulimit -f 0; try run small; exit $status)
-    is "$label: a file size limit" "$? $(ls -A | grep -c -e small -e '^\.'"$command")" "4 0"
+    is "$label: a file size limit" "$? $(ls -A | grep -c -e small -e '^\.hatch')" "4 0"
     try run missing/folder/x
     refused "$label: missing output folder" 4 1
     try run "$WORK"

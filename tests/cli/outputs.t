@@ -9,7 +9,7 @@ refused "the last of three outputs is a full disk" 4 1
 is "the other outputs stay as they were" "$(cat map.exr strokes.tsv)" "$(printf 'old\nold')"
 try sh -c 'tamgen --size 64 --strokes strokes.tsv >/dev/full'
 is "standard output is a full disk: the other output stays" "$status $(cat strokes.tsv)" "4 old"
-is "no temporary file is left" "$(ls -A | grep -c '^\.tamgen')" 0
+is "no temporary file is left" "$(ls -A | grep -c '^\.hatch')" 0
 
 ln -s map.exr link
 for second in map.exr ./map.exr "$WORK/map.exr" link; do
@@ -39,12 +39,79 @@ mkfifo pipe
 tampack --layout array -o crashed.ktx2 <pipe 2>.err &
 process=$!
 exec 3>pipe
-has_temporary() { ls -A | grep -q '^\.tampack'; }
-soon "$process" has_temporary
+# has_hidden NUMBER: whether this many hidden files exist
+has_hidden() { [ "$(ls -A | grep -c '^\.hatch')" -ge "$1" ]; }
+soon "$process" has_hidden 1
 kill -ABRT "$process"
 wait "$process" 2>.err
-is "a crash leaves no file" "$? $(ls -A | grep -c '^\.tampack\|crashed')" "134 0"
+is "a crash leaves no file" "$? $(ls -A | grep -c '^\.hatch\|crashed')" "134 0"
 exec 3>&-
+
+# A killed process cannot remove its hidden file: the next one that writes the same output does, and only this file.
+# start FILE NUMBER: starts a writer of FILE that waits for its input; waits until NUMBER hidden files exist
+start() {
+    hatchstat mesh - -o "$1" <pipe 2>.err 3>&- &
+    process=$!
+    soon $process has_hidden "$2"
+}
+hidden() {
+    ls -A | grep -c '^\.hatch'
+}
+meshgen plane --faces 2 -o plane.glb
+exec 3<>pipe
+start report.tsv 1
+kill -KILL "$process"
+wait "$process" 2>.err
+is "a killed process leaves its hidden file" "$(hidden) $([ -e report.tsv ] && echo written)" "1 "
+stale=$(ls -A | grep '^\.hatch')
+ok "another output beside it" hatchstat mesh plane.glb -o other.tsv
+is "another output leaves it alone" "$(ls -A | grep '^\.hatch')" "$stale"
+printf 'longer than the report, so that a rest of it would be seen %0999d' 0 >"$stale"
+ok "the same output again" hatchstat mesh plane.glb -o ./report.tsv
+is "the same output removes it" "$(hidden)" 0
+cmp -s report.tsv other.tsv
+is "nothing of it is left in the output" $? 0
+
+# Writers of one output at the same time do not disturb each other.
+start report.tsv 1
+first=$process
+start report.tsv 2
+second=$process
+start report.tsv 3
+kill -KILL "$second" "$process"
+wait "$second" "$process" 2>.err
+echo old >report.tsv
+ok "a third writer of one output, while the first one lives" hatchstat mesh plane.glb -o report.tsv
+is "it removes the hidden files of the killed, not that of the living" "$(hidden)" 1
+cmp -s report.tsv other.tsv
+is "its output is whole" $? 0
+echo old >report.tsv
+cat plane.glb >pipe
+exec 3>&-
+wait "$first"
+is "the first writer's output is whole" "$? $(hidden) $(cmp report.tsv other.tsv)" "0 0 "
+
+# Files with the names of hidden ones that are no hidden files stay as they are.
+stem=${stale%-*}
+echo mine >precious
+for number in 0 1 2; do
+    rm -rf "$stem"-*
+    case $number in
+    0) ln -s precious "$stem-0" ;;
+    1) ln precious "$stem-0" ;;
+    2) mkdir "$stem-0" ;;
+    esac
+    echo mine >"$stem-x"
+    echo mine >.hatch-0
+    ok "an output beside a decoy ($number)" hatchstat mesh plane.glb -o report.tsv
+    is "the decoys stay ($number)" "$(cat precious "$stem-x" .hatch-0) $(ls -d "$stem-0")" "mine
+mine
+mine $stem-0"
+done
+rm -rf .hatch-*
+is "outputs beyond half of the descriptors" \
+    "$(ulimit -n 32; tampack --quiet --layout png map.exr -o many.png && ls many.* | wc -l) $(hidden)" \
+    "$(ls tiles.* many.* 2>/dev/null | grep -c many) 0"
 
 # File name extensions of other formats are refused.
 for line in "meshgen plane -o plane.obj" "tamgen --size 64 -o map.png" "tampack map.exr -o map.dds" \
