@@ -62,7 +62,7 @@ archive = $(patsubst %,$(B)/lib/libhatch-%.a,$(1))
 # A command is cmd/NAME.c, or a folder cmd/NAME whose main.c holds main.
 FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
 COMMANDS := $(patsubst cmd/%.c,%,$(wildcard cmd/*.c)) $(FOLDERS)
-SRC_cmd := $(wildcard cmd/shared/*.c)
+SRC_cmd := $(wildcard cmd/shared/*.c cmd/shared/*/*.c)
 SHADERS := $(wildcard cmd/render-gl/shaders/*/*)
 $(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c))))
 

@@ -12,11 +12,11 @@
 #define ERROR_WARNED 0.02
 
 static const char *bins = "7", *modulation_path, *mask_path;
-static bool bins_given, exact;
+static bool exact;
 
 static const struct cmd_option options[] = {
     {'b', "bins", CMD_TEXT, 0, 0, "BINS",
-     "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, &bins_given},
+     "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, NULL},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "write all changes of every texel, run-length encoded, instead of thresholds",
      &exact, NULL, NULL},
     {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image that multiplies the light (modulation)",
@@ -24,6 +24,11 @@ static const struct cmd_option options[] = {
     {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, the opacity of a lapped patch", &mask_path,
      NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"bins modulate mask seed", "!exact", NULL},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -38,6 +43,7 @@ static const struct cmd_program program = {
     .summary = "make threshold textures of a tonal art map: the tones at which each texel darkens",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .seeded = true,
@@ -75,8 +81,6 @@ static uint32_t parse_bins(float *border, bool *listed)
 
 static void check_options(const struct cmd_args *args)
 {
-    if (exact && (bins_given || modulation_path || mask_path))
-        cmd_usage("--exact cannot be combined with --bins, --modulate or --mask");
     if (exact && cmd_is_exr_path(args->output))
         cmd_usage("--exact needs KTX2: its numbers do not fit the pixels of EXR");
     cmd_check_ending(args->output, "ktx2 exr");

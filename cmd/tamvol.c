@@ -23,6 +23,11 @@ static const struct cmd_option options[] = {
     {0},
 };
 
+static const struct cmd_rule rules[] = {
+    {"alpha", "!compress", "compressed blocks have no choice of it"},
+    {NULL, NULL, NULL},
+};
+
 static const char *const examples[] = {
     "tamgen --tones 128 --set 'darkest 1' | tamvol -o ink.ktx2",
     "tamgen --tones 255 -o tam.exr && tamvol --compress tam.exr -o ink.ktx2",
@@ -35,6 +40,7 @@ static const struct cmd_program program = {
     .summary = "make a volume of a tonal art map: a 3D texture over u, v and tone",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .binary = true,

@@ -9,7 +9,6 @@
 #define DESCENT_TOLERANCE 1e-5 /* radians */
 
 static int method, solver;
-static bool solver_given, fit_given;
 static double smooth = CMD_FIELD_SMOOTH, radius;
 static int64_t degree, coarse;
 static const char *direction = "max", *constraints, *report_path, *arrows_path;
@@ -21,7 +20,7 @@ static const struct cmd_option options[] = {
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "linear (default) or hz (Hertzmann and Zorin)", &method, method_choices,
      NULL},
     {0, "solver", CMD_CHOICE, 0, 0, "SOLVER", "solver of --method linear: multigrid (default) or cholesky", &solver,
-     solver_choices, &solver_given},
+     solver_choices, NULL},
     {'S', "smooth", CMD_REAL, 0, 1, "X", "amount of smoothing; 0: none (default 0.35)", &smooth, NULL, NULL},
     {'d', "direction", CMD_TEXT, 0, 0, "WHICH",
      "max (of largest absolute curvature; default), min (across it), or degrees from max", &direction, NULL, NULL},
@@ -30,13 +29,20 @@ static const struct cmd_option options[] = {
     {0, "coarse", CMD_INT, 1, 20000000, "FACES", "fit curvature to a mesh simplified to FACES faces", &coarse, NULL,
      NULL},
     {0, "radius", CMD_REAL, 0.5, 100, "EDGES", "radius of the fits, in mean edge lengths (default: chosen per point)",
-     &radius, NULL, &fit_given},
+     &radius, NULL, NULL},
     {0, "degree", CMD_INT, 2, 4, "N", "degree of the fitted polynomials (default: chosen per point)", &degree, NULL,
-     &fit_given},
+     NULL},
     {'r', "report", CMD_TEXT, 0, 0, "FILE", "write a table of singularities and confidence", &report_path, NULL, NULL},
     {'a', "arrows", CMD_TEXT, 0, 0, "FILE.ply", "write the field as a mesh of coloured slivers", &arrows_path, NULL,
      NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"solver", "method=linear", NULL},
+    {"radius degree", "!coarse", "it fits to the neighbours of each face"},
+    {"json", "report", "it is the form of that table"},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -51,6 +57,7 @@ static const struct cmd_program program = {
     .summary = "find the direction in which strokes should run over a surface",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .reports = true,
@@ -71,10 +78,6 @@ static double turn_of(const char *text)
 
 static void read_options(struct dirfield_options *parsed)
 {
-    if (solver_given && method == HATCH_FIELD_HZ)
-        cmd_usage("--solver needs --method linear");
-    if (fit_given && coarse)
-        cmd_usage("--coarse cannot be combined with --radius and --degree: it fits to the neighbours of each face");
     *parsed = (struct dirfield_options){
         .turn_deg = turn_of(direction),
         .constraints = constraints,

@@ -33,22 +33,34 @@ static const struct cmd_option options[] = {
     {0},
 };
 
+static const struct cmd_rule rules[] = {
+    {"max-difference", "SUBJECT=diff", NULL},
+    {"srgb", "SUBJECT=diff,frames,ink", NULL},
+    {"strokes", "SUBJECT=tam", NULL},
+    {"style set brush", "SUBJECT=tam strokes", "they describe its strokes"},
+    {"throws", "SUBJECT=tam,seeds SUBJECT=seeds|strokes", NULL},
+    {"check", "SUBJECT=tam,lapped,seeds", NULL},
+    {"reference", "SUBJECT=field,ink,tones", NULL},
+    {"share", "SUBJECT=field reference", NULL},
+    {"samples", "SUBJECT=lapped,tones", NULL},
+    {NULL, NULL, NULL},
+};
+
 static const struct {
     const char *name;
     int files_min, files_max; /* files_max -1: any number */
     const char *want;         /* files_min and files_max in words, for messages */
-    bool has_check;           /* supports --check */
     stat_measure measure;
 } subjects[] = {
-    {"diff", 2, 2, "2", false, stat_diff},
-    {"field", 0, -1, "any number", false, stat_field},
-    {"frames", 2, -1, "2 or more", false, stat_frames},
-    {"ink", 1, -1, "1 or more", false, stat_ink},
-    {"lapped", 0, 1, "1 at most", true, stat_lapped},
-    {"mesh", 0, -1, "any number", false, stat_mesh},
-    {"seeds", 0, 1, "1 at most", true, stat_seeds},
-    {"tam", 0, 1, "1 at most", true, stat_tam},
-    {"tones", 0, 1, "1 at most", false, stat_tones},
+    {"diff", 2, 2, "2", stat_diff},
+    {"field", 0, -1, "any number", stat_field},
+    {"frames", 2, -1, "2 or more", stat_frames},
+    {"ink", 1, -1, "1 or more", stat_ink},
+    {"lapped", 0, 1, "1 at most", stat_lapped},
+    {"mesh", 0, -1, "any number", stat_mesh},
+    {"seeds", 0, 1, "1 at most", stat_seeds},
+    {"tam", 0, 1, "1 at most", stat_tam},
+    {"tones", 0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
@@ -71,6 +83,7 @@ static const struct cmd_program program = {
                "  seeds FILE                                  seed sets",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 1,
     .operands_max = -1,
     .reports = true,
@@ -87,11 +100,6 @@ int main(int argc, char **argv)
         if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
             cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_plural((uint64_t)files, "file", "files"),
                       subjects[i].want);
-        /* An option that decides the exit status must not be ignored silently. */
-        if (values.check && !subjects[i].has_check)
-            cmd_usage("%s: --check is for tam, lapped and seeds", subjects[i].name);
-        if (values.max_difference >= 0 && subjects[i].measure != stat_diff)
-            cmd_usage("%s: --max-difference is for diff", subjects[i].name);
         struct cmd_output *output = cmd_open_output(args.output, false);
         return cmd_end(&args, subjects[i].measure(&args, &values, output));
     }

@@ -161,8 +161,6 @@ enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *opt
     struct subject subject = {.has_strokes = false};
     struct summary summary = {.hue_error = NAN};
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL;
-    if (!options->strokes && (options->style || options->settings || options->brush))
-        cmd_usage("--style, --set and --brush describe strokes and need --strokes");
     for (uint32_t level = 0; level < HATCH_MIP_LEVELS_MAX; level++)
         subject.stroke_darkness[level] = NAN;
     cmd_read_map(args, path, &subject.tam);

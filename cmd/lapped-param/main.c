@@ -10,7 +10,7 @@
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
 static int64_t mask_size = 1024;
-static bool atlas, mask_given, tile_given;
+static bool atlas;
 
 static const struct cmd_option options[] = {
     {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
@@ -22,16 +22,21 @@ static const struct cmd_option options[] = {
     {'a', "turn", CMD_REAL, 0.6, 90, "DEGREES", "limit of the angle between strokes and field (default 14)", &turn_deg,
      NULL, NULL},
     {'t', "tile", CMD_REAL, 1e-30, 1e30, "LENGTH",
-     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, &tile_given},
+     "side of a tile of hatching, in the scene's units (default: 1/4 of the diagonal)", &tile, NULL, NULL},
     {'r', "roughness", CMD_REAL, 0, 1, "SHARE", "irregularity of the outline; 0: a circle (default 0.3)", &roughness,
      NULL, NULL},
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE",
      "width of a patch's soft border, as a fraction of the mask's width (default 0.045)", &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the mask, the image of the outline (default 1024)",
-     &mask_size, NULL, &mask_given},
+     &mask_size, NULL, NULL},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh instead of patches", &atlas,
      NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"tile mask-size", "!atlas", NULL},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -46,6 +51,7 @@ static const struct cmd_program program = {
     .summary = "cover surfaces with overlapping patches whose texture coordinates follow a direction field",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .seeded = true,
@@ -54,8 +60,6 @@ static const struct cmd_program program = {
 
 static void read_options(const struct cmd_args *args, struct lapped_param_options *settings)
 {
-    if (atlas && (mask_given || tile_given))
-        cmd_usage("--atlas cannot be combined with --%s", mask_given ? "mask-size" : "tile");
     *settings = (struct lapped_param_options){
         .lapped = {.size = size,
                    .curved = curved,

@@ -27,6 +27,11 @@ static const struct cmd_option options[] = {
     {0},
 };
 
+static const struct cmd_rule rules[] = {
+    {"max-nodes", "method=backtrack", NULL},
+    {NULL, NULL, NULL},
+};
+
 static const char *const examples[] = {
     "seedgen -n 64 --layers 4 --candidates 1000 -o four.seeds",
     "seedgen -n 16 --plot sixteen.svg | hatchstat seeds",
@@ -39,6 +44,7 @@ static const struct cmd_program program = {
     .summary = "make seed sets: self-similar sets of points at which strokes are drawn at every scale",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .seeded = true,
 };
 

@@ -54,12 +54,25 @@ struct cmd_option {
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };
 
+/* What options need to have an effect; without it they are refused. An option that is given with its default value
+ * counts as given. A table of rules ends with an entry without options.
+ *
+ * The conditions of a rule are separated by spaces, and all must hold; the alternatives of a condition are separated by
+ * '|', and one must hold: "NAME", option NAME is given; "!NAME", it is not given; "NAME=A,B", the value of NAME, a
+ * choice or a text, is A or B; "NAME!=A", it is not A. A name in capitals is that of the first operand. */
+struct cmd_rule {
+    const char *options; /* names, separated by spaces */
+    const char *needs;   /* conditions */
+    const char *reason;  /* ends the message: "which computes the share"; may be NULL */
+};
+
 struct cmd_program {
     const char *name;            /* such as "tamgen" */
     const char *operands;        /* such as "[FILE]" or "A B"; "": none; several forms are separated by newlines */
     const char *summary;         /* one line or several */
     const char *const *examples; /* shell commands, NULL-terminated; about two */
     const struct cmd_option *options;
+    const struct cmd_rule *rules;   /* may be NULL */
     int operands_min, operands_max; /* operands_max -1: any number */
     bool seeded;                    /* has -s --seed */
     bool reports;                   /* has --json */

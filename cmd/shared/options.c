@@ -18,7 +18,8 @@
 
 struct table {
     struct cmd_option options[OPTIONS_MAX];
-    size_t own, count; /* the first own entries are the command's options, the others are the common options */
+    bool given[OPTIONS_MAX]; /* per option: whether it is on the command line */
+    size_t own, count;       /* the first own entries are the command's options, the others are the common options */
 };
 
 /* Values of the common options, copied to struct cmd_args after parsing. */
@@ -39,7 +40,6 @@ static void add(struct table *table, struct cmd_option option)
 
 static void make_table(const struct cmd_program *program, struct table *table)
 {
-    table->count = 0;
     for (const struct cmd_option *own = program->options; own && own->name; own++)
         add(table, *own);
     table->own = table->count;
@@ -125,7 +125,8 @@ static bool parse_size(const char *text, int64_t *value)
 
 static bool parse_pair(const struct cmd_option *option, const char *text)
 {
-    size_t first_length = strcspn(text, ":x");
+    const char separator[] = {strchr(option->metavariable, ':') ? ':' : 'x', '\0'};
+    size_t first_length = strcspn(text, separator);
     if (!text[first_length])
         return false;
     const char *second = text + first_length + 1;
@@ -332,10 +333,10 @@ static void print_default(const struct cmd_option *option)
     }
 }
 
-static noreturn void print_table(const struct table *table)
+static noreturn void print_table(const struct cmd_program *program, const struct table *table)
 {
     static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
-    printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\tdefault\n");
+    printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\tdefault\tneeds\n");
     for (size_t i = 0; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];
         char letter[2] = {option->letter, 0};
@@ -345,6 +346,8 @@ static noreturn void print_table(const struct table *table)
             printf("%s%s", c ? "," : "", option->choices[c]);
         printf("\t%s\t%s\t", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
         print_default(option);
+        printf("\t");
+        cmd_print_needs(program->rules, option->name);
         printf("\n");
     }
     cmd_close_stdout();
@@ -405,7 +408,7 @@ static void refuse_abbreviation(const struct cmd_option *option, const char *wor
         cmd_usage("unknown option %.*s (is it --%s?)", (int)length, word, option->name);
 }
 
-static void parse_words(const struct table *table, int argc, char **argv, struct cmd_args *args)
+static void parse_words(struct table *table, int argc, char **argv, struct cmd_args *args)
 {
     struct option longs[OPTIONS_MAX + 1];
     char letters[2 * OPTIONS_MAX + 3];
@@ -424,6 +427,7 @@ static void parse_words(const struct table *table, int argc, char **argv, struct
         if (code == ':')
             cmd_usage("--%s needs a value: %s", option->name, option->metavariable);
         cmd_set_option(option, optarg);
+        table->given[option - table->options] = true;
     }
     while (optind < argc)
         argv[args->operand_count++] = argv[optind++];
@@ -431,7 +435,7 @@ static void parse_words(const struct table *table, int argc, char **argv, struct
 
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args)
 {
-    struct table table;
+    struct table table = {.count = 0};
     make_table(program, &table);
     common.seed = 1;
     common.max_memory = (uint64_t)4 << 30;
@@ -442,11 +446,14 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
     if (common.version)
         print_version(program);
     if (common.options_table)
-        print_table(&table);
+        print_table(program, &table);
     if (args->operand_count < program->operands_min)
         cmd_usage("too few operands, want %s", program->operands);
     if (program->operands_max >= 0 && args->operand_count > program->operands_max)
         cmd_usage("one operand too many: %s", args->operands[program->operands_max]);
+    const struct cmd_line line = {table.options, table.given, table.count,
+                                  args->operand_count ? args->operands[0] : NULL};
+    cmd_check_rules(program->rules, &line);
     args->output = common.output;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     if (common.threads == 0)

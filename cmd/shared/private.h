@@ -12,6 +12,20 @@ extern bool cmd_is_quiet, cmd_is_verbose;
  * --options-table; dies on wrong usage. */
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
 
+/* A command line that has been parsed. */
+struct cmd_line {
+    const struct cmd_option *options; /* count entries: the command's own and the common ones */
+    const bool *given;                /* per option: whether it is on the command line */
+    size_t count;
+    const char *operand; /* the first one, or NULL */
+};
+
+/* Dies with HATCH_USAGE for the first option that is given without what it needs. */
+void cmd_check_rules(const struct cmd_rule *rules, const struct cmd_line *line);
+
+/* Prints the conditions of all rules for an option, separated by spaces. */
+void cmd_print_needs(const struct cmd_rule *rules, const char *name);
+
 /* Installs handlers that remove unfinished outputs when a signal ends the process. */
 void cmd_install_signal_handlers(void);
 

@@ -8,7 +8,7 @@
 static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path;
 static int64_t tones = 6, size_px = 256, levels;
 static double candidates[2], growth;
-static bool candidates_given, method_given, growth_given, keep_given;
+static bool candidates_given;
 static int method;
 static struct replay_job replay = {.keep = 1};
 static bool ids;
@@ -28,20 +28,26 @@ static const struct cmd_option options[] = {
     {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "candidates per stroke, in the lightest and darkest column",
      candidates, NULL, &candidates_given},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD",
-     "how the best candidate is found: field (default) or exhaustive (Praun et al. 2001)", &method, methods,
-     &method_given},
+     "how the best candidate is found: field (default) or exhaustive (Praun et al. 2001)", &method, methods, NULL},
     {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes start shorter by SHARE and grow over darker tones (default 0)",
-     &growth, NULL, &growth_given},
+     &growth, NULL, NULL},
     {'R', "replay", CMD_TEXT, 0, 0, "FILE", "replay the strokes of a script or an SVG drawing", &replay.path, NULL,
      NULL},
     {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "replay: share of strokes kept from level to level (default 1)",
-     &replay.keep, NULL, &keep_given},
+     &replay.keep, NULL, NULL},
     {'f', "fit", CMD_FLAG, 0, 0, NULL, "replay: compute the share to keep per image, report errors", &replay.fit, NULL,
      NULL},
     {'i', "ids", CMD_FLAG, 0, 0, NULL, "store the number of each pixel's stroke", &ids, NULL, NULL},
     {'r', "strokes", CMD_TEXT, 0, 0, "FILE", "write the strokes as a script (TSV)", &strokes_path, NULL, NULL},
     {'x', "contact-sheet", CMD_TEXT, 0, 0, "PNG", "draw the grid of tones and levels", &sheet_path, NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"keep fit", "replay", NULL},
+    {"keep", "!fit", "which computes the share"},
+    {"method growth candidates", "!replay", "its strokes are given"},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -57,6 +63,7 @@ static const struct cmd_program program = {
     .summary = "make a tonal art map: each stroke stays in all darker tones and finer mip levels",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .seeded = true,
     .binary = true,
 };
@@ -75,16 +82,6 @@ static void check_sizes(void)
                   SMALLEST_LEVEL_PX, (int)deepest);
     if (levels == 0)
         levels = deepest;
-}
-
-static void check_replay(void)
-{
-    if (!replay.path && (keep_given || replay.fit))
-        cmd_usage("--keep and --fit need --replay");
-    if (keep_given && replay.fit)
-        cmd_usage("--keep cannot be combined with --fit, which computes the share");
-    if (replay.path && (method_given || growth_given || candidates_given))
-        cmd_usage("--replay cannot be combined with --method, --growth or --candidates: its strokes are given");
 }
 
 /* Reads the drawing first, because its format decides the default style. */
@@ -129,7 +126,6 @@ int main(int argc, char **argv)
     static struct job job;
     cmd_begin(&program, argc, argv, &job.args);
     check_sizes();
-    check_replay();
     job.size_px = (uint32_t)size_px;
     job.tones = (uint32_t)tones;
     job.levels = (uint32_t)levels;

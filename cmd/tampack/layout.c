@@ -118,12 +118,12 @@ static enum hatch_status encode_exr(const struct pack_job *job, uint32_t index, 
 }
 
 const struct pack_layout pack_layouts[] = {
-    {"rgb", ".ktx2", NULL, false, true, false, hatch_tam_rgb_count, suffix_index, encode_rgb},
+    {"rgb", ".ktx2", NULL, false, false, hatch_tam_rgb_count, suffix_index, encode_rgb},
     {"array", ".ktx2", "three.js reads a KTX2 array as a plain texture and Godot rejects it: see --layout rgb and dds",
-     false, true, true, count_one, suffix_index, encode_array},
-    {"dds", ".dds", NULL, false, true, true, count_one, suffix_index, encode_dds},
-    {"png", ".png", "importers make their own mip levels, which thins the strokes: see --layout rgb", false, true,
-     false, count_pictures, suffix_picture, encode_png},
+     false, true, count_one, suffix_index, encode_array},
+    {"dds", ".dds", NULL, false, true, count_one, suffix_index, encode_dds},
+    {"png", ".png", "importers make their own mip levels, which thins the strokes: see --layout rgb", false, false,
+     count_pictures, suffix_picture, encode_png},
     {"exr", ".exr", "three.js and most importers read the finest level only and make their own mip levels", true, false,
-     false, count_tones, suffix_tone, encode_exr},
+     count_tones, suffix_tone, encode_exr},
 };

@@ -17,7 +17,6 @@ struct pack_layout {
     const char *ending;  /* ending of file names, with the dot */
     const char *warning; /* message about importers that misread this layout; NULL: none is known */
     bool keeps_ids;
-    bool takes_ink; /* allows --ink */
     bool is_single; /* always makes one file */
 
     /* Returns the number of files that a map is packed into. */

@@ -8,15 +8,19 @@
 
 static int layout;
 static int64_t ink;
-static bool ink_given;
 
 static const char *const layout_choices[] = {"rgb", "array", "dds", "png", "exr", NULL};
 
 static const struct cmd_option options[] = {
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "rgb (default), array (KTX2), dds, png or exr: see the manual", &layout,
      layout_choices, NULL},
-    {'i', "ink", CMD_INT, 0, 1, "N", "value of ink, 0 or 1; paper has the other (default 0)", &ink, NULL, &ink_given},
+    {'i', "ink", CMD_INT, 0, 1, "N", "value of ink, 0 or 1; paper has the other (default 0)", &ink, NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"ink", "layout=rgb,array,dds,png", "in OpenEXR ink is always 0"},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -31,6 +35,7 @@ static const struct cmd_program program = {
     .summary = "pack a tonal art map into the textures that engines load",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .binary = true,
@@ -172,8 +177,6 @@ int main(int argc, char **argv)
     cmd_begin(&program, argc, argv, &args);
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
-    if (ink_given && !how->takes_ink)
-        cmd_usage("--ink cannot be combined with --layout %s, in which ink is always 0", how->name);
     cmd_check_ending(args.output, how->ending + 1);
     struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
 

@@ -276,19 +276,29 @@ static enum hatch_status check_ranges(const struct hatch_style *style, struct ha
     return HATCH_OK;
 }
 
+static bool has_words(struct hatch_text line)
+{
+    struct hatch_text word;
+    return hatch_text_word(&line, &word);
+}
+
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style, struct hatch_err *err)
 {
     struct reading r = {.style = *style};
     struct hatch_text rest = hatch_text_of(text), line;
+    bool empty = true;
     for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
         const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
         if (comment)
             line.length = (size_t)(comment - line.at);
         if (read_line(line, &r, err) != HATCH_OK)
             return hatch_fail_at(err, "line %u: ", number);
+        empty = empty && !has_words(line);
         if (check_ranges(&r.style, err) != HATCH_OK)
             return hatch_fail_at(err, "line %u: ", number);
     }
+    if (empty)
+        return hatch_fail(err, HATCH_BAD_INPUT, "empty: want at least one line with a key, such as 'width 2'");
     *style = r.style;
     return HATCH_OK;
 }

@@ -56,12 +56,13 @@ struct hatch_style {
                                                    and 100 in Praun et al. 2001, §4 */
 };
 
-/* Sets the style "ink", which an empty file stands for. */
+/* Sets the style "ink", whose values other styles have for the keys that they leave out. */
 void hatch_style_default(struct hatch_style *style);
 
 /* Parses a style file.
  *   style  in: values for absent keys; out: the style; unchanged on failure
- * HATCH_BAD_INPUT, naming the line, for an unknown key, a wrong number of values or a value out of range. */
+ * HATCH_BAD_INPUT for a text without a key, and, naming the line, for an unknown key, a wrong number of values or a
+ * value out of range. */
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

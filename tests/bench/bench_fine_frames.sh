@@ -18,7 +18,7 @@ meshgen sphere --faces 20000 -o "$work/ball.glb"
 draw() {
     technique=$1 file=$2 samples=$3 output=$4
     shift 4
-    render-gl "$work/ball.glb" -q -t "$technique" -T "$file" --samples "$samples" --size $size --lines none \
+    render-gl "$work/ball.glb" -q -t "$technique" ${file:+-T "$file"} --samples "$samples" --size $size --lines none \
         -o "$output" "$@"
 }
 
@@ -49,7 +49,7 @@ width $width" -o "$work/map.exr"
     tamvol --compress "$work/map.exr" -o "$work/blocks.ktx2"
     tamthresh -q "$work/map.exr" -o "$work/thresholds.ktx2"
     tamthresh --exact "$work/map.exr" -o "$work/exact.ktx2"
-    draw gouraud "$work/map.exr" 4 "$work/tone.exr" --tone-range 0:1
+    draw gouraud "" 4 "$work/tone.exr" --tone-range 0:1
     row tam $style tam "$work/map.exr"
     row volume $style volume "$work/volume.ktx2"
     row array $style volume "$work/array.ktx2"

@@ -11,16 +11,25 @@ printf 'method\tsize\tms\tms_min\tms_max\tgouraud_ms\tratio\tpeak_kib\ttone_erro
 tamgen --size 512 -o "$work/map.exr"
 meshgen teapot --faces 20000 -o "$work/scene.glb"
 
+# with TECHNIQUE ANISOTROPY ARGUMENT ...: draws with the map; gouraud, which reads none, with the tones of the map
+with() {
+    technique=$1 anisotropy=$2
+    shift 2
+    case $technique in
+    gouraud) set -- --tone-range 0:0.9 "$@" ;;
+    *) set -- --tam "$work/map.exr" --anisotropy "$anisotropy" "$@" ;;
+    esac
+    ${measure:-} render-gl "$work/scene.glb" --technique "$technique" "$@"
+}
+
 # picture NAME TECHNIQUE DISTANCE ANISOTROPY
 picture() {
-    render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --camera "$3" --anisotropy "$4" \
-        --lines none -o "$work/$1.exr"
+    with "$2" "$4" --camera "$3" --lines none -o "$work/$1.exr"
 }
 
 # row NAME TECHNIQUE ANISOTROPY SIZE: SIZE fits in one tile, since only one tile is timed
 row() {
-    "$MEASURE" 1 render-gl "$work/scene.glb" --tam "$work/map.exr" --technique "$2" --anisotropy "$3" \
-        --size "$4" --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
+    measure="$MEASURE 1" with "$2" "$3" --size "$4" --lines none --time 9 -o "$work/times.tsv" | tr '\n' '\t' >"$work/whole.tsv"
     for camera in 2,1.6,4:0,0,0 4,3.2,8:0,0,0 8,6.4,16:0,0,0; do
         picture tone gouraud $camera 1
         picture strokes "$2" $camera "$3"
@@ -35,8 +44,8 @@ row() {
             reference, ms / reference, peak, error / n, bias / n}
     ' "$work/times.tsv" "$work/whole.tsv" "$work/errors.tsv"
 }
-for technique in gouraud tam tam-flat tam-face tam-gouraud tam-triple; do
-    row $technique $technique 1 1280x720
+for method in gouraud tam tam-flat tam-face tam-gouraud tam-triple; do
+    row $method $method 1 1280x720
 done
 row tam-threshold tam-threshold 1 1024x720
 row "tam anisotropy 8" tam 8 1280x720

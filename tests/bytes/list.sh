@@ -232,8 +232,8 @@ rptam-brute-lapped draw lapped.glb -t rptam --seed-loop brute --style crayon --f
 rptam-turned draw lapped.glb -t rptam --hatch-turn 40 --hatch-scale 0.7
 rptam-inks draw lapped.glb -t rptam --style crayon --paper grey --ink black,white
 rptam-tone draw teapot.glb -t rptam --tone-range 0.2:1 --tone-gamma 2
-rptam-map draw teapot.glb -t rptam --tam map.exr
-rptam-volume draw teapot.glb -t rptam --tam volume.ktx2
+refused-rptam-map draw teapot.glb -t rptam --tam map.exr
+refused-rptam-volume draw teapot.glb -t rptam --tam volume.ktx2
 rptam-own-style draw teapot.glb -t rptam --style ./own.style
 END
     for fade in even weighted paper; do

@@ -16,14 +16,14 @@ says "an operand that is missing" 2 2 "too few operands, want SHAPE" meshgen
 says "a subject that is missing" 2 2 "want SUBJECT [FILE ...]" hatchstat
 says "wrong usage that only the library detects" 2 2 "powers of four" seedgen -n 100000 --method backtrack
 says "--keep with --fit" 2 2 "--keep cannot be combined with --fit" tamgen --replay - --keep 0.5 --fit
-says "--replay with --method" 2 2 "--replay cannot be combined with --method, --growth or --candidates" \
+says "--replay with --method" 2 2 "--method cannot be combined with --replay: its strokes are given" \
     tamgen --replay - --method field
-says "--exact with --mask" 2 2 "--exact cannot be combined with --bins, --modulate or --mask" \
+says "--exact with --mask" 2 2 "--mask cannot be combined with --exact" \
     tamthresh --exact --mask a.png
-says "--atlas with --tile" 2 2 "--atlas cannot be combined with --tile" lapped-param --atlas --tile 1
+says "--atlas with --tile" 2 2 "--tile cannot be combined with --atlas" lapped-param --atlas --tile 1
 says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wide; want 2 at most" \
     tamgen --size 64 --levels 3
-says "--ink with a layout that ignores it" 2 2 "--ink cannot be combined with --layout exr" tampack --layout exr --ink 1
+says "--ink with a layout that ignores it" 2 2 "--ink needs --layout rgb, array, dds or png: in OpenEXR ink is always 0" tampack --layout exr --ink 1
 says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.7,.9" tamthresh --bins x map.exr
 says "a subject that is unknown" 2 2 "bunny: no such subject; --help lists them" hatchstat bunny
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check

@@ -33,12 +33,12 @@ static int technique, show = -1; /* -1: --show is not given */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
-static bool technique_given, samples_given, time_given, fov_given, frames_given, from_given, specular_given;
+static bool samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
 /* Rows before and after the techniques' own options. */
 static const struct cmd_option first[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "drawing technique; the manual describes them (default tam)",
-     &technique, NULL, &technique_given},
+     &technique, NULL, NULL},
     {'T', "tam", CMD_TEXT, 0, 0, "FILE", "tonal art map, made by tamgen; or a texture of tamvol or tamthresh",
      &chosen.map_path, NULL, NULL},
     {0},
@@ -136,12 +136,53 @@ static const char *const examples[] = {
     NULL,
 };
 
+static bool draws_strokes(const struct technique *drawn)
+{
+    return drawn->features & TECHNIQUE_STROKES;
+}
+
+static bool reads_asset(const struct technique *drawn)
+{
+    return drawn->asset != NULL;
+}
+
+static bool reads_six_columns(const struct technique *drawn)
+{
+    return drawn->asset == &asset_six_columns;
+}
+
+/* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
+ * them, and --show draws without one. */
+static char strokes[256], assets[256], six_columns[256], lined[320];
+
+static const struct cmd_rule rules[] = {
+    {"show", "!technique", NULL},
+    {"tam anisotropy uv-scale", assets, NULL},
+    {"tam hatch-turn hatch-scale anisotropy uv-scale", "!show|window", "that draws no strokes"},
+    {"hatch-turn hatch-scale", strokes, NULL},
+    {"probe", "!show tam", NULL},
+    {"probe", six_columns, NULL},
+    {"paper lines line-width line-color crease haloes pixel-light", "!probe", "which counts tones, and draws nothing"},
+    {"line-width line-color crease", "lines!=none", NULL},
+    {"line-width line-color crease", "lines|!show|window", "whose pictures have no lines"},
+    {"line-width line-color crease", lined, NULL},
+    {"exposure", "!light", "which replaces the scene's lights"},
+    {"modulate", "!texture-tone", "give one of them"},
+    {"turntable", "frames", NULL},
+    {"rate", "frames|window !turntable|animation|time-s", NULL},
+    {"json", "time|probe", NULL},
+    {"time", "!probe !window", NULL},
+    {"probe", "!window", NULL},
+    {NULL, NULL, NULL},
+};
+
 static const struct cmd_program program = {
     .name = "render-gl",
     .operands = "[SCENE ...]",
     .summary = "draw a 3D scene with strokes",
     .examples = examples,
     .options = table,
+    .rules = rules,
     .operands_max = -1,
     .reports = true,
     .binary = true,
@@ -173,6 +214,29 @@ static size_t add_rows(const struct cmd_option *rows, size_t count)
     return count;
 }
 
+/* Writes the condition that the technique is one of a kind.
+ *   others  other conditions that suffice, each after a '|' */
+static void make_condition(bool (*is_kind)(const struct technique *), const char *others, char *text, size_t bytes)
+{
+    size_t used = (size_t)snprintf(text, bytes, "technique=");
+    const char *comma = "";
+    for (size_t i = 0; techniques[i]; i++)
+        if (is_kind(techniques[i]) && used < bytes) {
+            used += (size_t)snprintf(text + used, bytes - used, "%s%s", comma, techniques[i]->name);
+            comma = ",";
+        }
+    assert(used < bytes);
+    snprintf(text + used, bytes - used, "%s", others);
+}
+
+static void make_rules(void)
+{
+    make_condition(draws_strokes, "|window", strokes, sizeof strokes);
+    make_condition(reads_asset, "|window", assets, sizeof assets);
+    make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
+    make_condition(draws_strokes, "|lines|window", lined, sizeof lined);
+}
+
 /* Joins the rows of the command and of all techniques into one table. */
 static void make_table(void)
 {
@@ -197,6 +261,8 @@ static void read_view(struct hatch_view_choice *view)
         cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z]", camera);
     if (camera && !frame && from_given)
         cmd_usage("--from cannot be combined with --camera %s, only with --camera frame", camera);
+    if (view->kind == HATCH_VIEW_FIRST_CAMERA && camera && !frame && fov_given)
+        cmd_usage("--fov cannot be combined with --camera %s: the scene's cameras have a field of view", camera);
     if (frame || from_given || (fov_given && !camera))
         view->kind = HATCH_VIEW_FRAMED;
     else if (camera && view->kind != HATCH_VIEW_EYE)
@@ -277,8 +343,6 @@ static void check_technique(void)
 {
     const char *name = chosen.technique->name;
     char able[256];
-    if (show >= 0 && (technique_given || chosen.probe))
-        cmd_usage("--show cannot be combined with --technique or --probe");
     if (!chosen.map_path && chosen.technique->asset)
         cmd_usage("technique %s needs %s: --tam FILE", name, chosen.technique->asset->name);
     if (chosen.pixel_light && !(chosen.technique->features & TECHNIQUE_PIXEL_LIGHT)) {
@@ -286,25 +350,15 @@ static void check_technique(void)
         cmd_usage("--pixel-light goes with %s, not with %s", able, name);
     }
     check_owners();
-    if (chosen.modulate_path && chosen.base_tone)
-        cmd_usage("--modulate cannot be combined with --texture-tone: give one of them");
-    if (chosen.probe && !chosen.map_path)
-        cmd_usage("--probe needs a tonal art map: --tam FILE");
 }
 
 static void check_frames(const struct cmd_args *args)
 {
     bool report = timed_frames || chosen.probe;
-    if (chosen.turntable && !frames_given)
-        cmd_usage("--turntable needs --frames");
     if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
         cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png");
     if (chosen.animate.count && (report || (frames < 2 && !chosen.window)))
         cmd_usage("--animate needs --frames 2 or more, or --window");
-    if (args->json && !report)
-        cmd_usage("--json is for --time and --probe");
-    if ((timed_frames > 0) + chosen.probe + chosen.window > 1)
-        cmd_usage("--time, --probe and --window cannot be combined");
 }
 
 static void read_size(void)
@@ -323,6 +377,7 @@ static void read_size(void)
 struct options *options_read(int argc, char **argv, struct cmd_args *args)
 {
     make_table();
+    make_rules();
     cmd_begin(&program, argc, argv, args);
     chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();

@@ -8,7 +8,11 @@ meshgen teapot --faces 1000 -o teapot.glb
 same_as_still() {
     name=$1 option=$2 first=$3 middle=$4 last=$5
     shift 5
-    draw="render-gl teapot.glb --size 64x48 --samples 1 --tam map.exr $*"
+    case "$*" in
+    *rptam* | *gouraud*) map= ;;
+    *) map="--tam map.exr" ;;
+    esac
+    draw="render-gl teapot.glb --size 64x48 --samples 1 $map $*"
     $draw --frames 3 --animate "$option=$first..$last" -o way%d.png || fail "$name" "$option"
     for frame in 0 1 2; do
         eval "value=\$$(echo first middle last | cut -d ' ' -f $((frame + 1)))"

@@ -21,7 +21,7 @@ within() {
     is "$1 ($4)" $? 0
 }
 draw() {
-    render-gl ball.glb --technique "$1" --tam "$2" --size 96x96 --lines none -o "$3" ${4-}
+    render-gl ball.glb --technique "$1" ${2:+--tam "$2"} --size 96x96 --lines none -o "$3" ${4-}
 }
 ok "a volume" draw volume volume.ktx2 volume.png
 ok "a volume in layers" draw volume layers.ktx2 layers.png
@@ -48,8 +48,8 @@ within "thresholds do not look like the volume" 3 200 "$(figure mean volume.png 
 # Black and white bands, a pair for each quarter of the way around the sphere.
 awk 'BEGIN { print "P2 64 1 255"; for (i = 0; i < 64; i++) print i % 16 < 8 ? 0 : 255 }' >bands.pgm
 lit="--tone-range 0:1"
-ok "--modulate with a picture" draw gouraud map.exr modulated.png "--modulate bands.pgm $lit"
-draw gouraud map.exr white.png "$lit"
+ok "--modulate with a picture" draw gouraud '' modulated.png "--modulate bands.pgm $lit"
+draw gouraud '' white.png "$lit"
 dark=$(figure mean modulated.png white.png)
 within "a dark band of the picture is dark" 140 260 "$dark"
 ok "--pixel-light with thresholds" draw threshold thresholds.ktx2 pixels.png --pixel-light

@@ -19,12 +19,13 @@ static enum hatch_status parse(const char *text)
     return hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, &style, &err);
 }
 
-START_TEST(an_empty_file_is_the_default)
+START_TEST(a_file_without_a_key_is_refused_and_changes_nothing)
 {
     struct hatch_style before = style;
-    HATCH_TEST_OK(parse(""), &err);
-    HATCH_TEST_OK(parse("\xef\xbb\xbf# marked\r\n"), &err);
-    HATCH_TEST_OK(parse("\n   \n# nothing\n\t# more\r\n"), &err);
+    ck_assert_int_eq(parse(""), HATCH_BAD_INPUT);
+    ck_assert_int_eq(parse("\xef\xbb\xbf# marked\r\n"), HATCH_BAD_INPUT);
+    ck_assert_int_eq(parse("\n   \n# nothing\n\t# more\r\n"), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "empty"));
     ck_assert_mem_eq(&before, &style, sizeof style);
     ck_assert_str_eq(style.name, "ink");
 }
@@ -218,7 +219,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("tam style");
     TCase *tests = tcase_create("style");
     tcase_add_checked_fixture(tests, begin, NULL);
-    tcase_add_test(tests, an_empty_file_is_the_default);
+    tcase_add_test(tests, a_file_without_a_key_is_refused_and_changes_nothing);
     tcase_add_test(tests, every_key_sets_its_member);
     tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_are_ignored);
     tcase_add_test(tests, every_brush_has_a_name);
