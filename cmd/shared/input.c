@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -21,7 +22,66 @@ const char *cmd_input_name(const char *path)
     return is_standard_input(path) ? "standard input" : path;
 }
 
-/* Reads to the end of a file.
+/* Returns whether the first FIRST_CAPACITY bytes of a stream could be text: XML in UTF-16 has zeros, but a mark. */
+static bool is_text(const uint8_t *data)
+{
+    if ((data[0] == 0xff && data[1] == 0xfe) || (data[0] == 0xfe && data[1] == 0xff))
+        return true;
+    for (size_t i = 0; i < FIRST_CAPACITY; i++)
+        if (data[i] < ' ' && (data[i] < '\t' || data[i] > '\r'))
+            return false;
+    return true;
+}
+
+/* Returns whether the bytes could begin a binary STL file, which has no signature: its first triangles have coordinates
+ * that a mesh may have. */
+static bool is_stl(const uint8_t *data)
+{
+    const size_t header = 80, triangle = 50, triangles = 100;
+    struct hatch_reader reader = hatch_reader_of((struct hatch_bytes){data, FIRST_CAPACITY});
+    hatch_read_bytes(&reader, header);
+    uint32_t count = hatch_read_u32(&reader);
+    for (size_t t = 0; t < triangles && t < count; t++) {
+        struct hatch_reader numbers = reader;
+        for (int k = 0; k < 12; k++)
+            if (!(fabsf(hatch_read_f32(&numbers)) < 1e15f))
+                return false;
+        hatch_read_bytes(&reader, triangle);
+    }
+    return count > 0;
+}
+
+/* Returns whether the bytes could begin a file of a format that any command reads. TGA has no signature, but types. */
+static bool is_known(const uint8_t *data)
+{
+    static const struct {
+        size_t at;
+        const char *bytes;
+    } signatures[] = {{0, "glTF"},     {0, "ply\n"},
+                      {0, "ply\r"},    {0, "OFF"},
+                      {0, "\x89PNG"},  {0, "\x76\x2f\x31\x01"},
+                      {0, "\xabKTX"},  {0, "DDS "},
+                      {0, "\xff\xd8"}, {0, "GIF8"},
+                      {0, "BM"},       {0, "II"},
+                      {0, "MM"},       {0, "RIFF"},
+                      {0, "8BPS"},     {0, "SDPX"},
+                      {0, "XPDS"},     {0, "#?"},
+                      {4, "ftyp"},     {4, "jP  "},
+                      {0, "SIMPLE"},   {0, "FOR4"},
+                      {0, "\x01\xda"}, {0, "\x80\x2a\x5f\xd7"},
+                      {0, "P4"},       {0, "P5"},
+                      {0, "P6"},       {0, "P7"},
+                      {0, "PF"},       {0, "Pf"},
+                      {0, "\xff\x4f"}, {0, "\x53\x80\xf6\x34"}};
+    for (size_t i = 0; i < sizeof signatures / sizeof *signatures; i++)
+        if (memcmp(data + signatures[i].at, signatures[i].bytes, strlen(signatures[i].bytes)) == 0)
+            return true;
+    bool is_tga = data[1] <= 1 && data[2] > 0 && (data[2] & 7) <= 3 && data[2] <= 11 && data[16] > 0 && data[16] <= 32;
+    return is_tga || is_stl(data) || is_text(data);
+}
+
+/* Reads to the end of a file. A stream of unknown length may never end, so it is given up after its first bytes if no
+ * format begins with them.
  *   guess  expected size, 0 if unknown; it may be wrong, since regular files may grow and files in /proc have size 0 */
 static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                      struct hatch_err *err)
@@ -40,6 +100,9 @@ static enum hatch_status read_to_end(int descriptor, size_t guess, struct hatch_
             *bytes = (struct hatch_bytes){data, size};
             return HATCH_OK;
         }
+        if (full && guess == 0 && size == FIRST_CAPACITY && !is_known(data))
+            return hatch_fail(err, HATCH_BAD_INPUT, "a stream of no known format: its first %zu bytes begin none",
+                              size);
         if (full) {
             uint8_t *larger;
             HATCH_TRY(HATCH_ALLOC(arena, &larger, 2 * capacity, err));

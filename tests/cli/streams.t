@@ -1,0 +1,77 @@
+# Inputs that may never end: what begins no format is refused after its first bytes; every format comes through a pipe.
+. "${TOP:-.}/tests/tap.sh"
+meshgen torus --faces 4000 -o mesh.glb
+tamgen --size 64 --strokes strokes.tsv -o map.exr
+tamvol -q map.exr -o volume.ktx2
+render-gl mesh.glb --technique gouraud --size 400x300 -o picture.png
+# large: beyond the first bytes
+perl -e 'print "OFF\n8000 8000 0\n"; print "$_ 0.5 ", $_ * $_, "\n" for 1 .. 8000;
+    print "3 ", $_ % 8000, " ", ($_ + 1) % 8000, " ", ($_ + 3) % 8000, "\n" for 1 .. 8000' >mesh.off
+perl -e 'print "v $_ 0.5 ", $_ * $_, "\n" for 1 .. 8000; print "f ", $_, " ", $_ + 1, " ", $_ + 2, "\n" for 1 .. 7998' \
+    >mesh.obj
+perl -e 'print "ply\nformat binary_little_endian 1.0\nelement vertex 8000\nproperty float x\nproperty float y\n";
+    print "property float z\nelement face 7998\nproperty list uchar int vertex_indices\nend_header\n";
+    print pack "f<3", $_, 0.5, $_ * $_ for 1 .. 8000; print pack "C l<3", 3, $_, $_ + 1, $_ + 2 for 0 .. 7997' >mesh.ply
+perl -e 'print "\0" x 80, pack "L<", 4000;
+    print pack "f<12 S<", 0, 0, 1, $_, 0, 0, $_ + 1, 0, 0, $_, 1, 0, 0 for 1 .. 4000' >mesh.stl
+perl -e 'print "P6\n300 300\n255\n", "\0\1\2" x 90000' >picture.ppm
+perl -e 'print pack "C3 x9 v2 C2", 0, 0, 2, 300, 300, 24, 0; print "\0\1\2" x 90000' >picture.tga
+
+endless() {
+    for source in "cat /dev/zero" "cat /dev/urandom"; do
+        case $source in *zero) path=/dev/zero ;; *) path=/dev/urandom ;; esac
+        try "$@" $path --max-memory 64M -o out.x
+        refused "$path: $*" 3 1
+        grep -qF "no known format" .err
+        is "$path: $*: the message says why" $? 0
+        try sh -c "$source | $* - --max-memory 64M -o out.x"
+        grep -v roken .err >.words
+        is "$source into $*" "$status $(wc -l <.words) $(grep -c 'no known format' .words)" "3 1 1"
+    done
+}
+endless hatchstat mesh
+endless hatchstat ink
+endless hatchstat tam
+endless hatchstat tones --reference map.exr
+endless hatchstat seeds
+endless hatchstat field
+endless hatchstat lapped
+endless render-gl --technique gouraud
+endless dirfield
+endless lapped-param
+endless tampack --layout dds
+endless tamvol
+endless tamthresh
+endless tamgen --size 64 --replay
+endless tamgen --size 64 --style
+endless tamgen --size 64 --palette
+endless tamgen --size 64 --brush
+endless render-gl mesh.glb --technique rptam --seeds
+endless render-gl mesh.glb --technique rptam --layers
+endless dirfield mesh.glb --constraints
+
+# through COMMAND ... FILE: the file and its bytes through a pipe give the same output
+through() {
+    for file; do :; done
+    "$@" >by_name 2>.err
+    set -- $(printf '%s ' "$@" | sed "s| $file \$| -|")
+    cat "$file" | "$@" >by_pipe 2>.err
+    is "$file through a pipe" "$(wc -c <by_pipe | awk '{print ($1 > 0)}') $(cmp by_name by_pipe)" "1 "
+}
+for file in mesh.glb mesh.off mesh.obj mesh.ply; do
+    through hatchstat mesh $file
+done
+through hatchstat ink picture.png
+through hatchstat tam map.exr
+through hatchstat tones --samples 640 --reference map.exr volume.ktx2
+through tamgen --size 64 --replay strokes.tsv
+# Formats that are known by the ending of the name.
+for line in "mesh mesh.stl" "ink picture.ppm" "ink picture.tga"; do
+    set -- $line
+    mkfifo "fifo.${2##*.}"
+    cat "$2" >"fifo.${2##*.}" &
+    hatchstat "$1" "$2" >by_name
+    hatchstat "$1" "fifo.${2##*.}" >by_pipe
+    is "$2 through a FIFO" "$(wc -c <by_pipe | awk '{print ($1 > 0)}') $(cmp by_name by_pipe)" "1 "
+done
+finish
