@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "io/gltf/gltf.h"
 #include "io/mesh/file.h"
@@ -50,6 +51,24 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "meshes have morph targets, which are ignored"},
         {notes->attributes_dropped, "vertex attribute is left out: unknown, or more than a mesh holds",
          "vertex attributes are left out: unknown, or more than a mesh holds"},
+        {notes->colors_replaced, "colour is not a finite number and is read as 0",
+         "colours are not finite numbers and are read as 0"},
+        {notes->normals_replaced, "normal has no length and is replaced by that of a face",
+         "normals have no length and are replaced by those of faces"},
+        {notes->normals_not_unit, "normal is not of length 1: only its direction is used",
+         "normals are not of length 1: only their directions are used"},
+        {notes->normals_inward, "normal points inwards, against its faces: it is used as it is",
+         "normals point inwards, against their faces: they are used as they are"},
+        {notes->meshes_inside_out, "closed mesh is inside out: its faces are used as they are",
+         "closed meshes are inside out: their faces are used as they are"},
+        {notes->needles, "face is a needle, over 1000 times as long as high: it is used as it is",
+         "faces are needles, over 1000 times as long as high: they are used as they are"},
+        {notes->texcoords_flat, "mesh has the same texture coordinates everywhere: strokes have no direction on it",
+         "meshes have the same texture coordinates everywhere: strokes have no direction on them"},
+        {notes->weights_wrong, "vertex has joint weights that do not add up to 1: they are used as they are",
+         "vertices have joint weights that do not add up to 1: they are used as they are"},
+        {notes->nodes_flat, "node has a scale of 0: its meshes are flat",
+         "nodes have a scale of 0: their meshes are flat"},
         {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
     };
     for (size_t i = 0; i < sizeof warnings / sizeof *warnings; i++)
@@ -61,6 +80,16 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
             name, "%u %s left out: %s%s", notes->images_missing,
             cmd_plural(notes->images_missing, "image could not be read and is", "images could not be read and are"),
             notes->image_missing, cmd_plural(notes->images_missing, "", " and others"));
+}
+
+/* Warns of a material library that is not beside its OBJ file. */
+static void warn_library(const char *path, const char *library)
+{
+    char joined[4096];
+    const char *slash = strrchr(path, '/');
+    snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, library);
+    if (library[0] && access(joined, F_OK) != 0)
+        cmd_warn(path, "material library %s does not exist: materials of OBJ files are not used", library);
 }
 
 static bool is_file(const char *path)
@@ -91,6 +120,8 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
         for (int k = 0; k < 3; k++) /* large coordinates are moved to the node, to keep their precision */
             scene->nodes[0].translation[k] = (float)origin[k];
+        if (is_file(path))
+            warn_library(path, notes->library);
         scene->meshes[0].is_soup = format == HATCH_MESH_STL;
         if (scene->meshes[0].is_soup)
             notes->vertices_apart = 0;
@@ -106,5 +137,6 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
                              notes.primitives_skipped, notes.primitives_skipped == 1 ? "" : "s"),
                   cmd_input_name(path), &err);
+    hatch_scene_doubt(scene, &args->scratch, &notes);
     cmd_warn_mesh(cmd_input_name(path), &notes);
 }

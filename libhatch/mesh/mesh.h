@@ -48,7 +48,18 @@ struct hatch_mesh_notes {
     uint32_t morphs_ignored;     /* glTF: meshes with morph targets that nothing animates; they keep their rest shape */
     uint32_t attributes_dropped; /* glTF: vertex attributes that are unknown, or beyond HATCH_MESH_ATTRIBUTES_READ */
     uint32_t transparent_dropped; /* meshes with an opacity below their material's cutoff */
-    uint32_t images_missing;      /* glTF: images that could not be read; their materials are used without them */
+    uint32_t colors_replaced;     /* glTF: colours that are not finite, read as 0 */
+    uint32_t normals_replaced;    /* glTF: normals of length 0, replaced by the normal of a face */
+    /* Doubts, counted by hatch_scene_doubt. */
+    uint32_t normals_not_unit;  /* normals whose length is not 1 */
+    uint32_t normals_inward;    /* normals that point to the inside of all faces around them, where they are many */
+    uint32_t meshes_inside_out; /* closed meshes whose faces point inwards */
+    uint32_t needles;           /* faces over HATCH_NEEDLE times as long as high */
+    uint32_t texcoords_flat;    /* meshes whose texture coordinates have no extent */
+    uint32_t weights_wrong;     /* vertices whose joint weights do not add up to 1 */
+    uint32_t nodes_flat;        /* nodes with meshes and a scale of 0 */
+    char library[64];           /* OBJ: name of the first material library; empty: none */
+    uint32_t images_missing;    /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
 };
 

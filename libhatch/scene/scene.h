@@ -55,6 +55,8 @@ struct hatch_scene_mesh {
     bool is_soup;           /* unconnected triangles, as in STL: the format cannot share vertices */
 };
 
+#define HATCH_NEEDLE 1000 /* ratio of a face's longest edge to its height over which it is a needle */
+
 struct hatch_node {
     uint32_t parent; /* lower than the node's own index, or HATCH_NONE */
     float translation[3], rotation[4] /* x y z w */, scale[3];
@@ -162,5 +164,9 @@ void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const floa
 enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;
+
+/* Counts in notes what a scene may have been meant otherwise: see struct hatch_mesh_notes. Changes nothing. Normals are
+ * not looked at where scratch has no memory for it. */
+void hatch_scene_doubt(const struct hatch_scene *scene, struct hatch_arena *scratch, struct hatch_mesh_notes *notes);
 
 #endif

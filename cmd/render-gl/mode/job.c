@@ -198,6 +198,7 @@ static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
     else
         cmd_read_scene_silently(args, job->options->scene_path, CMD_SCENE_CLEANED, scene, notes);
     drop_transparent(scene, notes);
+    hatch_scene_doubt(scene, &args->scratch, notes);
     if (ground > 0)
         cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)

@@ -201,7 +201,10 @@ enum hatch_status read_floats(Reader &r, int accessor, int components, const std
             load_element(values, i, floats + load_index(indices, i) * static_cast<size_t>(components));
     }
     for (size_t i = 0; i < total; i++)
-        if (!std::isfinite(floats[i]))
+        if (!std::isfinite(floats[i]) && r.replaced) {
+            floats[i] = 0;
+            ++*r.replaced;
+        } else if (!std::isfinite(floats[i]))
             return bad(r, where, place("element", i / static_cast<size_t>(components)) + " is not finite");
     *data = floats;
     *count = e.count;

@@ -69,7 +69,10 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
     std::string at = where + ", " + name;
     float *data;
     uint32_t count;
-    HATCH_TRY(read_floats(r, accessor, components, at, &data, &count));
+    r.replaced = is_set(name, "COLOR_") ? &r.notes->colors_replaced : nullptr;
+    enum hatch_status status = read_floats(r, accessor, components, at, &data, &count);
+    r.replaced = nullptr;
+    HATCH_TRY(status);
     if (mesh->attribute_count > 0 && count != mesh->vertex_count)
         return bad(r, at, std::to_string(count) + " elements, POSITION has " + std::to_string(mesh->vertex_count));
     if (is_set(name, "COLOR_") && components == 3) {
@@ -120,7 +123,7 @@ enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const s
 }
 
 /* Replaces zero normals, which some exporters write, by the normal of a face at the vertex. */
-void replace_zero_normals(struct hatch_mesh *mesh)
+void replace_zero_normals(Reader &r, struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     for (size_t i = 0; normals && i < static_cast<size_t>(mesh->face_count) * 3; i++) {
@@ -128,6 +131,7 @@ void replace_zero_normals(struct hatch_mesh *mesh)
         if (n[0] != 0 || n[1] != 0 || n[2] != 0)
             continue;
         double p[3][3];
+        r.notes->normals_replaced++;
         n[2] = 1; /* stays if the face has no area */
         if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
             continue;
@@ -192,7 +196,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
-    replace_zero_normals(&mesh);
+    replace_zero_normals(r, &mesh);
     out->file_vertices = mesh.vertex_count;
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;

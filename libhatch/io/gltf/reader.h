@@ -26,8 +26,9 @@ struct Reader {
     struct hatch_scene *scene;
     struct hatch_mesh_notes *notes;
     struct hatch_err *err;
-    uint32_t *node_of = nullptr; /* per glTF node: index of the scene's node; HATCH_NONE outside the default scene */
-    bool *image_noted = nullptr; /* per image: whether notes already count it as missing */
+    uint32_t *node_of = nullptr;  /* per glTF node: index of the scene's node; HATCH_NONE outside the default scene */
+    bool *image_noted = nullptr;  /* per image: whether notes already count it as missing */
+    uint32_t *replaced = nullptr; /* read_floats counts here what it replaces by 0; NULL: it fails */
 };
 
 /* Names a place in the file for messages: "mesh 3, primitive 0". */

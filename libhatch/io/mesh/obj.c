@@ -26,6 +26,7 @@ struct obj {
     uint32_t *slots;                  /* hash table of corners: vertex + 1, or 0 if free */
     struct hatch_buffer points, used; /* of the face being read: indices of its positions; indices of its vertices */
     struct hatch_faces faces;
+    char library[64]; /* name of the first material library; empty: none */
 };
 
 static const uint32_t widths[KINDS] = {3, 2, 3};
@@ -202,6 +203,11 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
         return read_value(o, VN, err);
     if (hatch_text_is(word, "f"))
         return read_face(o, err);
+    if (hatch_text_is(word, "mtllib") && !o->library[0]) {
+        struct hatch_text name = hatch_mesh_text_word(&o->text);
+        if (name.length < sizeof o->library)
+            memcpy(o->library, name.at, name.length);
+    }
     if (is_ignored(word))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", o->text.line, hatch_mesh_text_shown(word),
@@ -275,5 +281,6 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
     do
         HATCH_TRY(read_line(&o, err));
     while (hatch_mesh_text_next_line(&o.text));
+    memcpy(notes->library, o.library, sizeof o.library);
     return finish(&o, arena, mesh, notes, err);
 }

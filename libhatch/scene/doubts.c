@@ -1,0 +1,112 @@
+/* Finds what is allowed in a scene, but hardly ever meant. */
+#include <math.h>
+
+#include "math/vector.h"
+#include "scene/scene.h"
+
+#define UNIT_ERROR 0.01 /* largest error of a length, or of a sum of weights, that rounding explains */
+#define CLOSED_SHARE                                                                                                   \
+    1e-5 /* the vector areas of a closed surface's faces add up to 0, within this share of its area                    \
+          */
+
+#define ACROSS 0.5        /* cosine of the angle up to which a normal lies across a face, and tells no side */
+#define INWARD_SHARE 0.01 /* smooth normals may point inwards at the tip of a fold: share of the vertices allowed */
+
+static void doubt_faces(const struct hatch_mesh *mesh, struct hatch_mesh_notes *notes)
+{
+    double sum[3] = {0, 0, 0}, area = 0, volume = 0, middle[3] = {0, 0, 0}, p[3][3], normal[3];
+    bool any = false;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        if (!hatch_mesh_corners(mesh, f, p))
+            continue;
+        if (!any)
+            hatch_vec_copy(p[0], middle);
+        any = true;
+        hatch_vec_triangle(p[0], p[1], p[2], normal);
+        double twice = hatch_vec_length(normal), longest = 0, arm[3];
+        for (int c = 0; c < 3; c++)
+            longest = fmax(longest, hatch_vec_distance(p[c], p[(c + 1) % 3]));
+        notes->needles += longest * longest > HATCH_NEEDLE * twice;
+        hatch_vec_sub(p[0], middle, arm);
+        volume += hatch_vec_dot(arm, normal) / 6;
+        area += twice / 2;
+        hatch_vec_add_scaled(sum, 0.5, normal, sum);
+    }
+    bool closed = hatch_vec_length(sum) <= CLOSED_SHARE * area;
+    notes->meshes_inside_out += closed && volume < -CLOSED_SHARE * area * sqrt(area);
+}
+
+static void doubt_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch, struct hatch_mesh_notes *notes)
+{
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    struct hatch_err err;
+    uint8_t *sides = normals ? HATCH_NEW(scratch, uint8_t, mesh->vertex_count, &err) : NULL;
+    double p[3][3], face[3], normal[3];
+    uint32_t inward = 0;
+    for (uint32_t f = 0; f < mesh->face_count && sides; f++) {
+        if (!hatch_mesh_corners(mesh, f, p))
+            continue;
+        hatch_vec_triangle(p[0], p[1], p[2], face);
+        for (int c = 0; c < 3; c++) {
+            uint32_t v = mesh->indices[3 * (size_t)f + (size_t)c];
+            hatch_vec_of(&normals[3 * (size_t)v], normal);
+            double cosine = hatch_vec_dot(normal, face) / (hatch_vec_length(normal) * hatch_vec_length(face));
+            sides[v] |= cosine < -ACROSS ? 1 : cosine > ACROSS ? 2 : 0;
+        }
+    }
+    for (uint32_t v = 0; v < mesh->vertex_count && sides; v++) {
+        hatch_vec_of(&normals[3 * (size_t)v], normal);
+        notes->normals_not_unit += !(fabs(hatch_vec_length(normal) - 1) <= UNIT_ERROR);
+        inward += sides[v] == 1;
+    }
+    notes->normals_inward += inward > INWARD_SHARE * mesh->vertex_count ? inward : 0;
+}
+
+static void doubt_texcoords(const struct hatch_mesh *mesh, struct hatch_mesh_notes *notes)
+{
+    const float *uv = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    bool same = uv && mesh->vertex_count > 0;
+    for (size_t i = 2; same && i < 2 * (size_t)mesh->vertex_count; i++)
+        same = !(uv[i] < uv[i % 2]) && !(uv[i] > uv[i % 2]);
+    notes->texcoords_flat += same;
+}
+
+static void doubt_weights(const struct hatch_mesh *mesh, struct hatch_mesh_notes *notes)
+{
+    const float *first = hatch_mesh_find(mesh, "WEIGHTS_0", 4), *second = hatch_mesh_find(mesh, "WEIGHTS_1", 4);
+    for (size_t v = 0; v < mesh->vertex_count && first && !second; v++) {
+        double sum = 0;
+        for (size_t k = 0; k < 4; k++)
+            sum += (double)first[4 * v + k];
+        notes->weights_wrong += !(fabs(sum - 1) <= UNIT_ERROR);
+    }
+}
+
+static bool is_flat(const struct hatch_node *node)
+{
+    double column[3][3], normal[3];
+    if (!node->has_matrix)
+        return node->scale[0] == 0 || node->scale[1] == 0 || node->scale[2] == 0;
+    for (int k = 0; k < 3; k++)
+        hatch_vec_of(&node->matrix[4 * k], column[k]);
+    hatch_vec_cross(column[0], column[1], normal);
+    return hatch_vec_dot(normal, column[2]) == 0;
+}
+
+void hatch_scene_doubt(const struct hatch_scene *scene, struct hatch_arena *scratch, struct hatch_mesh_notes *notes)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        const struct hatch_scene_mesh *from = &scene->meshes[i];
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        doubt_faces(&from->mesh, notes);
+        /* A patch has only some of the faces around its vertices. */
+        bool is_patch = from->material != HATCH_NONE && scene->materials[from->material].outline;
+        if (from->had_normals && !is_patch)
+            doubt_normals(&from->mesh, scratch, notes);
+        hatch_arena_rewind(scratch, mark);
+        doubt_texcoords(&from->mesh, notes);
+        doubt_weights(&from->mesh, notes);
+    }
+    for (uint32_t i = 0; i < scene->node_count; i++)
+        notes->nodes_flat += scene->nodes[i].mesh_count > 0 && is_flat(&scene->nodes[i]);
+}
