@@ -38,7 +38,7 @@ LINK_hatchstat := exr png foreign gltf cxx texture
 LINK_render-gl := exr png foreign gltf cxx texture gl
 LINK_dirfield  := gltf openmesh cxx cholmod
 LINK_lapped-param := gltf cxx png cholmod
-libs_exr       := -lOpenEXRCore-3_1 -ldeflate
+libs_exr       := -lOpenEXRCore -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
 libs_gltf      := -ltinygltf -lstdc++
@@ -152,6 +152,13 @@ bench: all $(BENCHES)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
 	sh tests/bench/chart.sh $(B)/bench
+# Goals of one command line that build on each other run in their order, also with -j.
+ifneq ($(filter bench,$(MAKECMDGOALS)),)
+chart: bench
+endif
+ifneq ($(filter clean,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
 
 # install_into FOLDER
 install_into = for file in $(INSTALLED:$(B)/%=%); do mode=644; [ ! -x $(B)/$$file ] || mode=755; \
