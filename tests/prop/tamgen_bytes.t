@@ -38,7 +38,7 @@ build() {
     TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
         -I"$TOP"/cmd -ffp-contract=off -pthread -w -c "$TOP"/{} -o objects/$(echo {} | tr / _).o' \
         "$1" "$2" <files &&
-        "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore-3_1 -ldeflate -lexpat -lpng16 -ldl -lm
+        "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore -ldeflate -lexpat -lpng16 -ldl -lm
 }
 mkdir -p share/hatch && ln -s "$BUILD/share/hatch/styles" share/hatch/styles
 for other in "gcc -O0" "clang -O2"; do

@@ -121,6 +121,42 @@ bool read_file(std::vector<unsigned char> *out, std::string *, const std::string
     return false;
 }
 
+/* tinygltf calls it never, but since 2.9 refuses callbacks of which one is missing. */
+bool write_nothing(std::string *, const std::string &, const std::vector<unsigned char> &, void *)
+{
+    return false;
+}
+
+/* read_file checks the length, when it has the file. */
+[[maybe_unused]] bool file_size(size_t *size, std::string *, const std::string &, void *)
+{
+    *size = 1;
+    return true;
+}
+
+/* Sets the callback for a file's size, which tinygltf has since 2.9. Its argument 0 prefers the first function where
+ * both can be compiled. */
+template <class Callbacks>
+auto set_file_size(Callbacks &callbacks, int) -> decltype(callbacks.GetFileSizeInBytes, void())
+{
+    callbacks.GetFileSizeInBytes = file_size;
+}
+template <class Callbacks> void set_file_size(Callbacks &, long)
+{
+}
+
+tinygltf::FsCallbacks callbacks_for(Files &files)
+{
+    tinygltf::FsCallbacks callbacks = {};
+    callbacks.FileExists = file_exists;
+    callbacks.ExpandFilePath = keep_path;
+    callbacks.ReadWholeFile = read_file;
+    callbacks.WriteWholeFile = write_nothing;
+    callbacks.user_data = &files;
+    set_file_size(callbacks, 0);
+    return callbacks;
+}
+
 /* Keeps an image encoded. Images in a buffer view are read from there later; others are copied here. */
 bool keep_image(tinygltf::Image *image, const int, std::string *, std::string *, int, int, const unsigned char *bytes,
                 int size, void *)
@@ -181,7 +217,7 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
     HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(keep_image, nullptr);
-    parser.SetFsCallbacks({file_exists, keep_path, read_file, nullptr, &files});
+    parser.SetFsCallbacks(callbacks_for(files));
     std::string text;
     bool parsed = parse_parts(parser, parts, model, &text);
     /* An image that cannot be read may be missing, but not for lack of memory. */
