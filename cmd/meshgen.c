@@ -71,8 +71,7 @@ int main(int argc, char **argv)
     };
     if (field && shape == HATCH_SHAPE_TEAPOT)
         cmd_usage("--field: the curvature of the teapot has no closed form");
-    cmd_check_ending(args.output, "glb");
-    struct cmd_output *output = cmd_open_output(args.output, true);
+    struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     struct hatch_err err;
     struct hatch_mesh mesh;

@@ -83,7 +83,6 @@ static void check_options(const struct cmd_args *args)
 {
     if (exact && cmd_is_exr_path(args->output))
         cmd_usage("--exact needs KTX2: its numbers do not fit the pixels of EXR");
-    cmd_check_ending(args->output, "ktx2 exr");
 }
 
 static void encode(struct cmd_args *args, const struct hatch_tam *tam, const struct hatch_texels *texels,
@@ -160,7 +159,7 @@ int main(int argc, char **argv)
     check_options(&args);
     parse_bins(border, &listed);
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
-    struct cmd_output *output = cmd_open_output(args.output, true);
+    struct cmd_output *output = cmd_open_output(args.output, "ktx2 exr", true);
 
     struct hatch_tam tam;
     struct hatch_buffer file = {.arena = &args.keep};

@@ -52,7 +52,6 @@ static void check_options(const struct cmd_args *args)
         cmd_usage("--tones %d: want a power of two", (int)tones);
     if (compress && cmd_is_exr_path(args->output))
         cmd_usage("--compress needs KTX2: EXR has no compressed blocks");
-    cmd_check_ending(args->output, "ktx2 exr");
 }
 
 /* Returns the layout of the volume. Compression prefers an array: in OpenGL, BC1 and BC4, with half a byte per texel,
@@ -119,7 +118,7 @@ int main(int argc, char **argv)
     cmd_begin(&program, argc, argv, &args);
     check_options(&args);
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
-    struct cmd_output *output = cmd_open_output(args.output, true);
+    struct cmd_output *output = cmd_open_output(args.output, "ktx2 exr", true);
 
     struct hatch_err err;
     struct hatch_tam tam;

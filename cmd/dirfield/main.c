@@ -103,13 +103,11 @@ int main(int argc, char **argv)
     const char *input = args.operand_count ? args.operands[0] : NULL;
     if (constraints && strcmp(constraints, "-") == 0 && (!input || strcmp(input, "-") == 0))
         cmd_usage("the mesh and the constraints cannot both come from standard input");
-    cmd_check_ending(args.output, "glb");
-    cmd_check_ending(arrows_path, "ply");
-    files[DIRFIELD_MESH].output = cmd_open_output(args.output, true);
+    files[DIRFIELD_MESH].output = cmd_open_output(args.output, "glb", true);
     if (report_path)
-        files[DIRFIELD_REPORT].output = cmd_open_output(report_path, false);
+        files[DIRFIELD_REPORT].output = cmd_open_report(&args, report_path);
     if (arrows_path)
-        files[DIRFIELD_ARROWS].output = cmd_open_output(arrows_path, true);
+        files[DIRFIELD_ARROWS].output = cmd_open_output(arrows_path, "ply", true);
     dirfield_run(&args, &parsed, input, files);
 
     size_t count = 0;

@@ -100,7 +100,7 @@ int main(int argc, char **argv)
         if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
             cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_plural((uint64_t)files, "file", "files"),
                       subjects[i].want);
-        struct cmd_output *output = cmd_open_output(args.output, false);
+        struct cmd_output *output = cmd_open_report(&args, args.output);
         return cmd_end(&args, subjects[i].measure(&args, &values, output));
     }
     cmd_usage("%s: no such subject; --help lists them", args.operands[0]);

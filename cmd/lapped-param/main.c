@@ -141,8 +141,7 @@ int main(int argc, char **argv)
     cmd_begin(&program, argc, argv, &args);
     read_options(&args, &settings);
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
-    cmd_check_ending(args.output, "glb");
-    struct cmd_output *output = cmd_open_output(args.output, true);
+    struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     lapped_param_clear(&args, name, &scene);

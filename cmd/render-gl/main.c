@@ -2,6 +2,7 @@
 #include "render-gl/mode/modes.h"
 #include "render-gl/mode/parse_args.h"
 #include "render-gl/window/window.h"
+#include "shared/report.h"
 
 /* Opens the output files before any work, so that a missing or read-only folder is reported at once. */
 static void open_outputs(struct job *job)
@@ -19,7 +20,7 @@ static void open_outputs(struct job *job)
     for (uint32_t frame = 0; frame < count; frame++) {
         char name[4096];
         parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
-        job->outputs[frame] = cmd_open_output(name, !report);
+        job->outputs[frame] = report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr", true);
     }
 }
 

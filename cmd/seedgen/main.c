@@ -141,10 +141,8 @@ int main(int argc, char **argv)
 {
     struct cmd_args args;
     cmd_begin(&program, argc, argv, &args);
-    if (plot_path)
-        cmd_check_ending(plot_path, "svg");
-    struct cmd_output *output = cmd_open_output(args.output, false);
-    struct cmd_output *plot = plot_path ? cmd_open_output(plot_path, false) : NULL;
+    struct cmd_output *output = cmd_open_output(args.output, "seeds txt", false);
+    struct cmd_output *plot = plot_path ? cmd_open_output(plot_path, "svg", false) : NULL;
 
     struct hatch_seeds seeds;
     make(&args, &seeds);

@@ -128,13 +128,14 @@ struct cmd_output;
 
 /* Opens an output before the work is done, so that a missing or read-only folder fails at once. Makes a hidden file
  * beside path; if path exists and is not a regular file, opens it instead. Dies on failure, when binary data would go
- * to a terminal, and for a second output to the same file.
- *   path  NULL or "-": standard output */
-struct cmd_output *cmd_open_output(const char *path, bool binary);
+ * to a terminal, for a second output to the same file, and as cmd_check_ending does.
+ *   path     NULL or "-": standard output
+ *   endings  as in cmd_check_ending */
+struct cmd_output *cmd_open_output(const char *path, const char *endings, bool binary);
 
-/* Dies with HATCH_USAGE if a file name has the ending of a known format that is not among the allowed ones.
- *   path     may be NULL
- *   endings  allowed endings, without dots, separated by spaces, such as "png exr" */
+/* Dies with HATCH_USAGE if a file name has the ending of a known format that is not among the allowed ones. Other
+ * endings, and names without one, are allowed. path     may be NULL endings  allowed endings, without dots, separated
+ * by spaces, such as "png exr" */
 void cmd_check_ending(const char *path, const char *endings);
 
 /* An output and its content: size bytes of data, followed by the pieces. */

@@ -300,20 +300,29 @@ static bool is_listed(const char *list, const char *word)
 
 void cmd_check_ending(const char *path, const char *endings)
 {
-    static const char formats[] = "bmp dds exr gif glb gltf hdr jpeg jpg ktx2 obj off pdf ply png stl svg "
-                                  "tga tif tiff webp";
+    static const char formats[] =
+        "3ds apng avi avif blend bmp csv dae dds eps exr fbx gif glb gltf hdr heic html jpeg jpg json jxl ktx ktx2 mkv "
+        "mov mp4 obj off pbm pdf pgm ply png pnm ppm ps psd seeds stl svg tga tif tiff tsv txt usd usda usdc usdz webm "
+        "webp xcf xml";
     const char *dot = path ? strrchr(path, '.') : NULL;
     char ending[8] = "";
     for (size_t i = 0; dot && i + 1 < sizeof ending && dot[i + 1]; i++)
         ending[i] = (char)tolower((unsigned char)dot[i + 1]);
-    int first = (int)strcspn(endings, " ");
-    if (dot && *ending && is_listed(formats, ending) && !is_listed(endings, ending))
-        cmd_usage("%s: the ending is that of another format: want .%.*s%s%s", path, first, endings,
-                  endings[first] ? " or ." : "", endings[first] ? endings + first + 1 : "");
+    if (!*ending || !is_listed(formats, ending) || is_listed(endings, ending))
+        return;
+    char wanted[64];
+    size_t used = 0;
+    for (const char *at = endings; *at && used < sizeof wanted; at += strcspn(at, " "), at += *at == ' ') {
+        int length = (int)strcspn(at, " ");
+        const char *before = at == endings ? "" : strchr(at, ' ') ? ", " : " or ";
+        used += (size_t)snprintf(wanted + used, sizeof wanted - used, "%s.%.*s", before, length, at);
+    }
+    cmd_usage("%s: the ending is that of another format: want %s", path, wanted);
 }
 
-struct cmd_output *cmd_open_output(const char *path, bool binary)
+struct cmd_output *cmd_open_output(const char *path, const char *endings, bool binary)
 {
+    cmd_check_ending(path, endings);
     struct cmd_output *output = allocate(sizeof *output);
     if (!path || strcmp(path, "-") == 0) {
         refuse_terminal(STDOUT_FILENO, binary);

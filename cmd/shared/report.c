@@ -21,6 +21,11 @@ static void add_plain(struct cmd_report *report, const char *text)
     }
 }
 
+struct cmd_output *cmd_open_report(const struct cmd_args *args, const char *path)
+{
+    return cmd_open_output(path, args->json ? "json txt" : "tsv txt", false);
+}
+
 void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns)
 {
     *report = (struct cmd_report){.columns = columns, .text = {.arena = &args->keep}, .json = args->json};

@@ -14,6 +14,9 @@ struct cmd_report {
     bool json, any_row;
 };
 
+/* Opens the output of a report like cmd_open_output, for names that end in .tsv, with --json in .json. */
+struct cmd_output *cmd_open_report(const struct cmd_args *args, const char *path);
+
 /* Begins a table in args->keep, as JSON with --json.
  *   columns  names, NULL-terminated; kept by reference */
 void cmd_report_begin(struct cmd_report *report, struct cmd_args *args, const char *const *columns);

@@ -6,11 +6,9 @@
 
 struct outputs open_outputs(const struct job *job)
 {
-    cmd_check_ending(job->args.output, "exr");
-    cmd_check_ending(job->sheet_path, "png");
-    return (struct outputs){cmd_open_output(job->args.output, true),
-                            job->strokes_path ? cmd_open_output(job->strokes_path, false) : NULL,
-                            job->sheet_path ? cmd_open_output(job->sheet_path, true) : NULL};
+    return (struct outputs){cmd_open_output(job->args.output, "exr", true),
+                            job->strokes_path ? cmd_open_output(job->strokes_path, "tsv txt", false) : NULL,
+                            job->sheet_path ? cmd_open_output(job->sheet_path, "png", true) : NULL};
 }
 
 void begin_columns(struct job *job)

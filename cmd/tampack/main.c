@@ -124,7 +124,7 @@ static struct cmd_output *open_file(const struct pack_job *job, const struct pac
 {
     char suffix[64];
     how->suffix(&job->tam, index, suffix, sizeof suffix);
-    return cmd_open_output(file_name(job->args, job->args->output, input, suffix, how->ending), true);
+    return cmd_open_output(file_name(job->args, job->args->output, input, suffix, how->ending), how->ending + 1, true);
 }
 
 static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how, const char *input)
@@ -152,7 +152,7 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
         files[i].job = job;
         files[i].how = how;
         files[i].output = single       ? single
-                          : count == 1 ? cmd_open_output(job->args->output, true)
+                          : count == 1 ? cmd_open_output(job->args->output, how->ending + 1, true)
                                        : open_file(job, how, input, i);
     }
     hatch_parallel_for(cmd_pool(job->args), count, encode, files);
@@ -178,7 +178,7 @@ int main(int argc, char **argv)
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
     cmd_check_ending(args.output, how->ending + 1);
-    struct cmd_output *single = how->is_single ? cmd_open_output(args.output, true) : NULL;
+    struct cmd_output *single = how->is_single ? cmd_open_output(args.output, how->ending + 1, true) : NULL;
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
     cmd_read_map(job.args, input, &job.tam);

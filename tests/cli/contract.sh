@@ -160,6 +160,8 @@ check_refused_output() {
     is "$label >/dev/full" "$? $(wc -l <.err)" "4 1"
     (ulimit -f 0; try run small; exit $status)
     is "$label: a file size limit" "$? $(ls -A | grep -c -e small -e '^\.hatch')" "4 0"
+    try run movie.mp4
+    refused "$label: the ending of another format" 2 2
     try run missing/folder/x
     refused "$label: missing output folder" 4 1
     try run "$WORK"

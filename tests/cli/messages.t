@@ -28,6 +28,25 @@ says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.
 says "a subject that is unknown" 2 2 "bunny: no such subject; --help lists them" hatchstat bunny
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
 says "--max-difference with a subject that has none" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
+says "a picture that should be a film" 2 2 "film.mp4: the ending is that of another format: want .png or .exr" \
+    render-gl mesh.glb --technique gouraud -o film.mp4
+says "frames in a format that is not written" 2 2 "f%d.jpg: the ending is that of another format: want .png or .exr" \
+    render-gl mesh.glb --technique gouraud --frames 2 -o f%d.jpg
+says "figures in a picture's file" 2 2 "t.png: the ending is that of another format: want .tsv or .txt" \
+    render-gl mesh.glb --technique gouraud --time 1 -o t.png
+says "JSON that was not asked for" 2 2 "want .tsv or .txt" hatchstat mesh mesh.glb -o mesh.json
+says "strokes as a drawing" 2 2 "s.svg: the ending is that of another format: want .tsv or .txt" \
+    tamgen --strokes s.svg -o a.exr
+says "a contact sheet as EXR" 2 2 "s.exr: the ending is that of another format: want .png" \
+    tamgen --contact-sheet s.exr -o a.exr
+says "a plot as PNG" 2 2 "p.png: the ending is that of another format: want .svg" seedgen --plot p.png -o a.seeds
+says "a report as glTF" 2 2 "r.glb: the ending is that of another format: want .tsv or .txt" \
+    dirfield mesh.glb --report r.glb -o a.glb
+says "arrows as OBJ" 2 2 "a.obj: the ending is that of another format: want .ply" dirfield mesh.glb --arrows a.obj -o a.glb
+try hatchstat mesh mesh.glb -o "a name without an ending"
+is "a name without an ending is accepted" "$status $(cat .err)" "0 "
+try hatchstat mesh mesh.glb -o figures.of.mine
+is "an ending of no format is accepted" "$status $(cat .err)" "0 "
 says "one file too few" 2 2 "diff: 1 file, want 2" hatchstat diff mesh.glb
 says "a window without a display" 4 1 "no display" \
     env -u DISPLAY -u WAYLAND_DISPLAY render-gl mesh.glb --technique gouraud --window

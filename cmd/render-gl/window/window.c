@@ -67,7 +67,7 @@ static void save(struct window *window, const struct hatch_view *view)
         return;
     window->saved++;
     cmd_check(hatch_image_make(keep, window->canvas.width, window->canvas.height, "RGB", &image, &err), NULL, &err);
-    struct cmd_output *output = cmd_open_output(name, true);
+    struct cmd_output *output = cmd_open_output(name, "png exr", true);
     const struct picture picture = picture_of(window);
     cmd_check(picture_draw(&picture, view, &window->canvas, &image, &err), NULL, &err);
     pictures_encode(name, &image, &job->args.scratch, &file);
