@@ -71,10 +71,9 @@ PLUGIN := $(B)/lib/hatch/hatch-oiio.so
 # What is not a binary lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
 SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
-          $(call copies,cmd/render-gl/shaders,hatch/shaders,*/*)
-COMPLETIONS := $(COMMANDS:%=$(B)/share/bash-completion/completions/%) \
-               $(COMMANDS:%=$(B)/share/zsh/site-functions/_%) \
-               $(COMMANDS:%=$(B)/share/fish/vendor_completions.d/%.fish)
+          $(call copies,cmd/render-gl/shaders,hatch/shaders,*/*) $(call copies,pipelines,hatch/pipelines,*)
+COMPLETED := bash-completion/completions/% zsh/site-functions/_% fish/vendor_completions.d/%.fish
+COMPLETIONS := $(foreach c,$(COMPLETED),$(COMMANDS:%=$(B)/share/$(c)))
 INSTALLED := $(BINARIES) $(PLUGIN) $(SHARED) $(COMPLETIONS)
 all: $(INSTALLED)
 
@@ -101,8 +100,7 @@ $(call archive,$(1)): $(call obj,$(SRC_$(1))) $(2)
 	$$(call say,ar $$@)$(AR) rcsD $$@ $$^
 endef
 $(foreach a,core cmd $(PACKAGES) $(filter-out render-gl,$(FOLDERS)),$(eval $(call archive_rule,$(a))))
-SHADER_OBJ := $(if $(SHADERS),$(B)/obj/gen/shader_files.o)
-$(eval $(call archive_rule,render-gl,$(SHADER_OBJ)))
+$(eval $(call archive_rule,render-gl,$(B)/obj/gen/shader_files.o))
 
 # cmd/render-gl/gpu/shader_files.h declares the generated table.
 $(B)/gen/shader_files.c: $(SHADERS) cmd/render-gl/gpu/bindings.h cmd/render-gl/gpu/embed.sh
@@ -130,17 +128,14 @@ $(B)/share/$(2)/%: $(1)/%
 	@mkdir -p $$(@D)
 	@cp $$< $$@
 endef
-$(eval $(call copy_rule,styles,hatch/styles))
+$(foreach f,styles pipelines cmd/render-gl/shaders,$(eval $(call copy_rule,$(f),hatch/$(notdir $(f)))))
 $(eval $(call copy_rule,man,man))
-$(eval $(call copy_rule,cmd/render-gl/shaders,hatch/shaders))
 define completion_rule
 $(B)/share/$(2): $(B)/bin/% cmd/completions.sh
 	@mkdir -p $$(@D)
 	@$$< --options-table | sh cmd/completions.sh $(1) $$* >$$@
 endef
-$(eval $(call completion_rule,bash,bash-completion/completions/%))
-$(eval $(call completion_rule,zsh,zsh/site-functions/_%))
-$(eval $(call completion_rule,fish,fish/vendor_completions.d/%.fish))
+$(foreach c,$(COMPLETED),$(eval $(call completion_rule,$(firstword $(subst -, ,$(subst /, ,$(c)))),$(c))))
 
 # Drawn anew each time: a pipeline does not know that the commands have changed.
 demo: all
@@ -152,13 +147,9 @@ bench: all $(BENCHES)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
 	sh tests/bench/chart.sh $(B)/bench
-# Goals of one command line that build on each other run in their order, also with -j.
-ifneq ($(filter bench,$(MAKECMDGOALS)),)
-chart: bench
-endif
-ifneq ($(filter clean,$(MAKECMDGOALS)),)
-.NOTPARALLEL:
-endif
+# Goals that build on each other run in their order, also with -j.
+$(if $(filter bench,$(MAKECMDGOALS)),$(eval chart: bench))
+$(if $(filter clean,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
 
 # install_into FOLDER
 install_into = for file in $(INSTALLED:$(B)/%=%); do mode=644; [ ! -x $(B)/$$file ] || mode=755; \

@@ -1,9 +1,12 @@
 # Draws the pictures of the README with the commands on PATH.
 #
 #     make -f gallery.mk OUT=docs/pictures
+#
+# rptam.mk, fine-tone.mk and hatching.svg are taken from the folder of this file.
+here := $(dir $(lastword $(MAKEFILE_LIST)))
 OUT  ?= .
 # Drawing for tamgen --replay; replay.png is left out if this file is missing.
-DRAWING ?= tests/drawings/hatching.svg
+DRAWING ?= $(here)hatching.svg
 SIZE ?= 640x480
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
@@ -47,13 +50,12 @@ $(OUT)/replay.png: $(DRAWING)
 	mkdir -p $(OUT)
 	tamgen --replay $< --fit --quiet --size 128 --contact-sheet $@ -o /dev/null
 
-# rptam.mk and fine-tone.mk are in the folder of this file.
 $(OUT)/zoom-0.png:
-	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))rptam.mk OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
+	$(MAKE) -f "$(here)rptam.mk" OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/zoom-?.png $(OUT)
 
 $(OUT)/fine-volume.png:
-	$(MAKE) -f $(dir $(lastword $(MAKEFILE_LIST)))fine-tone.mk OUT=$(WORK) SIZE=480x480
+	$(MAKE) -f "$(here)fine-tone.mk" OUT=$(WORK) SIZE=480x480
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/fine-*.png $(OUT)
 
 $(OUT)/scene.png:

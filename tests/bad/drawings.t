@@ -29,7 +29,7 @@ echo "$svg<g transform=\"scale(1e200)\"><g transform=\"scale(1e200)\"><path d=\"
 echo "$svg<path d=\"M0 0hNaN\" stroke=\"red\"/></svg>" >nan.svg
 echo "$svg<path d=\"M0 0h9\" stroke=\"red\"/>" >cut.svg
 printf '<svg viewBox="0 0 9 9">\0</svg>' >zero-byte.svg
-head -c 20000 "$TOP/tests/drawings/hatching.svg" >half.svg
+head -c 20000 "$TOP/pipelines/hatching.svg" >half.svg
 (echo "$svg<path id=\"a0\" stroke=\"red\" d=\"M0 0h9\"/>" && awk 'BEGIN {for (i = 1; i < 30; i++) {
     printf "<g id=\"a%d\">", i; for (k = 0; k < 10; k++) printf "<use href=\"#a%d\"/>", i - 1; print "</g>"}}' &&
     echo '</svg>') >clones.svg

@@ -105,7 +105,7 @@ one() {
 
 # make_inputs: makes the inputs in the working folder and prints their lines
 make_inputs() {
-    cp "$TESTS/drawings/hatching.svg" . || exit 1
+    cp "$TESTS/../pipelines/hatching.svg" . || exit 1
     perl "$TESTS/bytes/scenes.pl" || exit 1
     inputs >../inputs.list
     while read -r name command; do

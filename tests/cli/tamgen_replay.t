@@ -1,6 +1,6 @@
 # tamgen --replay, --palette and styles in colour, and coloured maps in the other commands.
 . "${TOP:-.}/tests/tap.sh"
-drawing=$TOP/tests/drawings/hatching.svg
+drawing=$TOP/pipelines/hatching.svg
 
 try sh "$TOP/tests/drawings/hatching.sh"
 ok "the drawing equals the output of its script" cmp .out "$drawing"

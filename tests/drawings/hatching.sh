@@ -1,6 +1,6 @@
 # Writes hatching.svg with features of drawings made in Inkscape: layers with transforms, relative and absolute commands,
 # style attributes and presentation attributes, shapes other than paths.
-#     sh tests/drawings/hatching.sh >tests/drawings/hatching.svg
+#     sh tests/drawings/hatching.sh >pipelines/hatching.svg
 # Strokes are spread evenly over the page in drawing order, from ochre to blue black, so that the whole page darkens
 # evenly.
 LC_ALL=C awk '

@@ -7,7 +7,7 @@ runs='--size_128_--tones_9 --size_64_--tones_255_--style_stipple --size_128_--st
 
 # sums PROGRAM THREADS: prints a checksum of the map, the table of strokes and the contact sheet of each run
 sums() {
-    cp "$TOP/tests/drawings/hatching.svg" drawing.svg
+    cp "$TOP/pipelines/hatching.svg" drawing.svg
     for run in $runs; do
         "$1" $(echo "$run" | tr _ ' ') -j "$2" --seed 3 --strokes s.tsv -x s.png -o s.exr || return
         cat s.exr s.tsv s.png | cksum

@@ -1,5 +1,5 @@
 /* Properties of replayed drawings: every stroke nests in both directions; tones and hues are within the reported errors
- * on every level. The drawing is tests/drawings/hatching.svg. */
+ * on every level. The drawing is pipelines/hatching.svg. */
 #include <math.h>
 
 #include "fail_alloc.h"
@@ -18,7 +18,7 @@ static void read_drawing(void)
     char path[1000], *text = malloc(1 << 20);
     struct hatch_svg_notes notes;
     const char *top = getenv("TOP");
-    snprintf(path, sizeof path, "%s/tests/drawings/hatching.svg", top ? top : ".");
+    snprintf(path, sizeof path, "%s/pipelines/hatching.svg", top ? top : ".");
     FILE *file = fopen(path, "rb");
     ck_assert_msg(file != NULL, "cannot open %s", path);
     struct hatch_bytes bytes = {(const uint8_t *)text, fread(text, 1, 1 << 20, file)};
