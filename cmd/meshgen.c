@@ -41,25 +41,18 @@ static const struct cmd_program program = {
     .summary = "make a shape, such as teapot, sphere or torus; the manual lists them",
     .examples = examples,
     .options = options,
+    .names = hatch_shape_names,
     .operands_min = 1,
     .operands_max = 1,
     .seeded = true,
     .binary = true,
 };
 
-static enum hatch_shape find_shape(const char *name)
-{
-    for (enum hatch_shape shape = 0; shape < HATCH_SHAPE_COUNT; shape++)
-        if (strcmp(hatch_shape_name(shape), name) == 0)
-            return shape;
-    cmd_usage("%s: unknown shape; --help lists them", name);
-}
-
 int main(int argc, char **argv)
 {
     struct cmd_args args;
     cmd_begin(&program, argc, argv, &args);
-    enum hatch_shape shape = find_shape(args.operands[0]);
+    enum hatch_shape shape = (enum hatch_shape)args.name;
     const struct hatch_shape_options shape_options = {
         .faces = (uint32_t)faces,
         .jitter = (float)jitter,
@@ -80,10 +73,10 @@ int main(int argc, char **argv)
     if (stretch != 1)
         snprintf(stretched, sizeof stretched, " --stretch %g", stretch);
     snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g%s --noise %g --uv %s%s --seed %llu",
-             hatch_shape_name(shape), shape_options.faces, jitter, stretched, noise, uv_choices[uv],
+             hatch_shape_names[shape], shape_options.faces, jitter, stretched, noise, uv_choices[uv],
              field ? " --field" : "", (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
-    cmd_check(hatch_glb_write(&mesh, hatch_shape_name(shape), comment, &args.scratch, &file, &err), NULL, &err);
+    cmd_check(hatch_glb_write(&mesh, hatch_shape_names[shape], comment, &args.scratch, &file, &err), NULL, &err);
     cmd_note("%u faces, %u vertices", mesh.face_count, mesh.vertex_count);
     cmd_write(output, file.data, file.size);
     return cmd_end(&args, HATCH_OK);

@@ -46,21 +46,23 @@ static const struct cmd_rule rules[] = {
     {NULL, NULL, NULL},
 };
 
-static const struct {
-    const char *name;
+static const char *const names[] = {"diff", "field", "frames", "ink", "lapped", "mesh", "seeds", "tam", "tones", NULL};
+
+/* In the order of names. */
+static const struct subject {
     int files_min, files_max; /* files_max -1: any number */
     const char *want;         /* files_min and files_max in words, for messages */
     stat_measure measure;
 } subjects[] = {
-    {"diff", 2, 2, "2", stat_diff},
-    {"field", 0, -1, "any number", stat_field},
-    {"frames", 2, -1, "2 or more", stat_frames},
-    {"ink", 1, -1, "1 or more", stat_ink},
-    {"lapped", 0, 1, "1 at most", stat_lapped},
-    {"mesh", 0, -1, "any number", stat_mesh},
-    {"seeds", 0, 1, "1 at most", stat_seeds},
-    {"tam", 0, 1, "1 at most", stat_tam},
-    {"tones", 0, 1, "1 at most", stat_tones},
+    {2, 2, "2", stat_diff},
+    {0, -1, "any number", stat_field},
+    {2, -1, "2 or more", stat_frames},
+    {1, -1, "1 or more", stat_ink},
+    {0, 1, "1 at most", stat_lapped},
+    {0, -1, "any number", stat_mesh},
+    {0, 1, "1 at most", stat_seeds},
+    {0, 1, "1 at most", stat_tam},
+    {0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
@@ -84,6 +86,7 @@ static const struct cmd_program program = {
     .examples = examples,
     .options = options,
     .rules = rules,
+    .names = names,
     .operands_min = 1,
     .operands_max = -1,
     .reports = true,
@@ -93,15 +96,11 @@ int main(int argc, char **argv)
 {
     struct cmd_args args;
     cmd_begin(&program, argc, argv, &args);
+    const char *name = names[args.name];
+    const struct subject *subject = &subjects[args.name];
     int files = args.operand_count - 1;
-    for (size_t i = 0; i < sizeof subjects / sizeof *subjects; i++) {
-        if (strcmp(subjects[i].name, args.operands[0]) != 0)
-            continue;
-        if (files < subjects[i].files_min || (subjects[i].files_max >= 0 && files > subjects[i].files_max))
-            cmd_usage("%s: %d %s, want %s", subjects[i].name, files, cmd_plural((uint64_t)files, "file", "files"),
-                      subjects[i].want);
-        struct cmd_output *output = cmd_open_report(&args, args.output);
-        return cmd_end(&args, subjects[i].measure(&args, &values, output));
-    }
-    cmd_usage("%s: no such subject; --help lists them", args.operands[0]);
+    if (files < subject->files_min || (subject->files_max >= 0 && files > subject->files_max))
+        cmd_usage("%s: %d %s, want %s", name, files, cmd_plural((uint64_t)files, "file", "files"), subject->want);
+    struct cmd_output *output = cmd_open_report(&args, args.output);
+    return cmd_end(&args, subject->measure(&args, &values, output));
 }

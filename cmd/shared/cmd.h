@@ -50,7 +50,7 @@ struct cmd_option {
                          the other options, so that the help fits a screen */
     void *value;      /* in: the default, or a value that means "not given": NULL, a choice of -1, a number outside the
                          range; out: the value given; its type as in enum cmd_type */
-    const char *const *choices; /* names that a CHOICE accepts, NULL-terminated */
+    const char *const *choices; /* names that a CHOICE accepts, or a TEXT among others, NULL-terminated */
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };
 
@@ -73,6 +73,7 @@ struct cmd_program {
     const char *const *examples; /* shell commands, NULL-terminated; about two */
     const struct cmd_option *options;
     const struct cmd_rule *rules;   /* may be NULL */
+    const char *const *names;       /* names that the first operand accepts, NULL-terminated; NULL: it is a file */
     int operands_min, operands_max; /* operands_max -1: any number */
     bool seeded;                    /* has -s --seed */
     bool reports;                   /* has --json */
@@ -87,6 +88,7 @@ struct cmd_args {
     uint64_t seed;       /* random seed; default 1 */
     bool json, verbose, quiet;
     int operand_count;
+    int name; /* index of the first operand in struct cmd_program's names */
     char **operands;
     struct hatch_arena keep;    /* arena that lives until cmd_end; its limit is max_memory */
     struct hatch_arena scratch; /* scratch arena with the same lifetime and limit */
@@ -172,6 +174,15 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
 
 /* Dies with HATCH_USAGE. */
 noreturn void cmd_usage(const char *format, ...) HATCH_PRINTF(1, 2);
+
+/* Returns the index of a word among names, which end with NULL; -1 if it is none of them. */
+int cmd_find_name(const char *const *names, const char *word);
+
+/* Dies with HATCH_USAGE for a word that is none of the names: lists them, and suggests one that differs by one typing
+ * error.
+ *   what  what the word stands for, such as "--uv" or "style"
+ *   more  what else is accepted, such as "a file"; NULL: nothing */
+noreturn void cmd_refuse_name(const char *what, const char *word, const char *const *names, const char *more);
 
 /* Keeps "tamgen: FILE: warning: sentence" for standard error, unless --quiet. Warnings are printed when the command has
  * succeeded; one that fails prints its refusal alone.

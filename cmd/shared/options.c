@@ -149,16 +149,12 @@ static void add_text(const struct cmd_option *option, const char *text)
 
 static void parse_choice(const struct cmd_option *option, const char *text)
 {
-    char all[256] = "one of";
-    for (int i = 0; option->choices[i]; i++) {
-        if (strcmp(option->choices[i], text) == 0) {
-            *(int *)option->value = i;
-            return;
-        }
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s %s", i ? "," : "", option->choices[i]);
-    }
-    refuse(option, text, all);
+    char name[64];
+    int found = cmd_find_name(option->choices, text);
+    snprintf(name, sizeof name, "--%s", option->name);
+    if (found < 0)
+        cmd_refuse_name(name, text, option->choices, NULL);
+    *(int *)option->value = found;
 }
 
 void cmd_set_option(const struct cmd_option *option, const char *text)
@@ -333,8 +329,22 @@ static void print_default(const struct cmd_option *option)
     }
 }
 
+/* The first operand's name in messages and the table, such as "SHAPE". */
+static void name_operand(const struct cmd_program *program, char name[32])
+{
+    snprintf(name, 32, "%.*s", (int)strcspn(program->operands, " "), program->operands);
+}
+
+/* Prints names, separated by commas. */
+static void print_names_of(const char *const *names)
+{
+    for (int i = 0; names && names[i]; i++)
+        printf("%s%s", i ? "," : "", names[i]);
+}
+
 static noreturn void print_table(const struct cmd_program *program, const struct table *table)
 {
+    char operand[32];
     static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
     printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\tdefault\tneeds\n");
     for (size_t i = 0; i < table->count; i++) {
@@ -342,13 +352,18 @@ static noreturn void print_table(const struct cmd_program *program, const struct
         char letter[2] = {option->letter, 0};
         printf("%s\t%s\t%s\t%.17g\t%.17g\t%s\t", letter, option->name, types[option->type], option->minimum,
                option->maximum, option->metavariable ? option->metavariable : "");
-        for (int c = 0; option->type == CMD_CHOICE && option->choices[c]; c++)
-            printf("%s%s", c ? "," : "", option->choices[c]);
+        print_names_of(option->choices);
         printf("\t%s\t%s\t", i < table->own ? "own" : "common", option->help + (option->help[0] == '+'));
         print_default(option);
         printf("\t");
         cmd_print_needs(program->rules, option->name);
         printf("\n");
+    }
+    if (program->names) {
+        name_operand(program, operand);
+        printf("\t\toperand\t0\t0\t%s\t", operand);
+        print_names_of(program->names);
+        printf("\toperand\t\t\t\n");
     }
     cmd_close_stdout();
     exit(HATCH_OK);
@@ -397,6 +412,10 @@ static noreturn void refuse_unknown(const struct table *table, char **argv)
         cmd_usage("--%s takes no value", option->name);
     if (optopt && strncmp(word, "--", 2) != 0)
         cmd_usage("unknown option -%c", optopt);
+    const struct hatch_text name = {word + 2, strcspn(word + 2, "=")};
+    for (size_t i = 0; i < table->count; i++)
+        if (hatch_text_is_near(name, table->options[i].name))
+            cmd_usage("unknown option %s (is it --%s?)", word, table->options[i].name);
     cmd_usage("unknown option %s", word);
 }
 
@@ -433,6 +452,15 @@ static void parse_words(struct table *table, int argc, char **argv, struct cmd_a
         argv[args->operand_count++] = argv[optind++];
 }
 
+static void find_operand(const struct cmd_program *program, struct cmd_args *args)
+{
+    char name[32];
+    name_operand(program, name);
+    args->name = cmd_find_name(program->names, args->operands[0]);
+    if (args->name < 0)
+        cmd_refuse_name(name, args->operands[0], program->names, NULL);
+}
+
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args)
 {
     struct table table = {.count = 0};
@@ -451,6 +479,8 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
         cmd_usage("too few operands, want %s", program->operands);
     if (program->operands_max >= 0 && args->operand_count > program->operands_max)
         cmd_usage("one operand too many: %s", args->operands[program->operands_max]);
+    if (program->names)
+        find_operand(program, args);
     const struct cmd_line line = {table.options, table.given, table.count,
                                   args->operand_count ? args->operands[0] : NULL};
     cmd_check_rules(program->rules, &line);

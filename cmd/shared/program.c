@@ -1,4 +1,5 @@
 #define _GNU_SOURCE
+#include "base/text.h"
 #include "shared/private.h"
 
 #include <ctype.h>
@@ -138,6 +139,28 @@ noreturn void cmd_usage(const char *format, ...)
     vsnprintf(sentence.text, sizeof sentence.text, format, args);
     va_end(args);
     cmd_die(NULL, &sentence);
+}
+
+int cmd_find_name(const char *const *names, const char *word)
+{
+    for (int i = 0; names[i]; i++)
+        if (strcmp(names[i], word) == 0)
+            return i;
+    return -1;
+}
+
+noreturn void cmd_refuse_name(const char *what, const char *word, const char *const *names, const char *more)
+{
+    struct hatch_text text = {word, strlen(word)};
+    const char *near = NULL;
+    char all[HATCH_ERR_TEXT_MAX] = "";
+    for (int i = 0; names[i]; i++) {
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", names[i]);
+        near = hatch_text_is_near(text, names[i]) ? names[i] : near;
+    }
+    cmd_usage("%s: '%s' is not one of %s%s%s%s%s", what, word, all, more ? ", and not " : "", more ? more : "",
+              near ? "; perhaps " : "", near ? near : "");
 }
 
 void cmd_warn(const char *file, const char *format, ...)

@@ -1,10 +1,14 @@
 #include "shared/style.h"
 
+#include <dirent.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "shared/picture.h"
+
+#define INSTALLED_MAX 64 /* styles or palettes that a message lists */
 
 static bool is_path(const char *name)
 {
@@ -27,18 +31,49 @@ bool cmd_has_style(struct cmd_args *args, const char *name)
     return !is_path(name) && installed_file(args, name, "style");
 }
 
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* Lists the installed styles or palettes by name, NULL at the end.
+ *   names  out, in args->keep */
+static void list_installed(struct cmd_args *args, const char *kind, const char *names[INSTALLED_MAX + 1])
+{
+    struct hatch_err err;
+    size_t count = 0;
+    const struct dirent *entry;
+    DIR *folder = opendir(cmd_installed_path(args, "share/hatch/styles"));
+    while (folder && count < INSTALLED_MAX && (entry = readdir(folder))) {
+        const char *dot = strrchr(entry->d_name, '.');
+        if (!dot || dot == entry->d_name || strcmp(dot + 1, kind) != 0)
+            continue;
+        names[count] = hatch_arena_text(&args->keep, entry->d_name, (size_t)(dot - entry->d_name), &err);
+        cmd_check(names[count++] ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    }
+    if (folder)
+        closedir(folder);
+    qsort(names, count, sizeof *names, compare_names);
+    names[count] = NULL;
+}
+
 /* Returns the path of a style or palette. Installed ones take precedence over files of the same name, so that the
  * content of a folder cannot change the meaning of "ink". */
 static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
 {
+    const char *installed[INSTALLED_MAX + 1];
     if (is_path(name))
         return name;
     const char *path = installed_file(args, name, kind);
     if (path)
         return path;
-    if (access(name, F_OK) != 0)
-        cmd_usage("no %s '%s': it is neither an installed %s nor a file", kind, name, kind);
-    return name;
+    if (access(name, F_OK) == 0)
+        return name;
+    list_installed(args, kind, installed);
+    if (!installed[0])
+        cmd_usage("no %s '%s': it is no file, and %s has none", kind, name,
+                  cmd_installed_path(args, "share/hatch/styles"));
+    cmd_refuse_name(kind, name, installed, "a file");
 }
 
 /* Names a style after its file, without folders and ending; "custom" if that is empty. */

@@ -48,14 +48,15 @@ double hatch_color_hue_between(const double a[2], const double b[2])
     return atan2(fabs(cross), dot) * DEGREES_PER_RADIAN;
 }
 
+const char *const hatch_color_names[] = {"black", "white", "grey", "gray", "cream", "sepia", "blue", "red", NULL};
+
 bool hatch_color_parse(struct hatch_text text, float rgb[3])
 {
-    static const char *const names[][2] = {{"black", "#000"},   {"white", "#fff"},    {"grey", "#808080"},
-                                           {"gray", "#808080"}, {"cream", "#f7f0dd"}, {"sepia", "#4b2e18"},
-                                           {"blue", "#1f3a6e"}, {"red", "#8c1c13"}};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (hatch_text_is(text, names[i][0]))
-            text = (struct hatch_text){names[i][1], strlen(names[i][1])};
+    static const char *const values[] = {"#000",    "#fff",    "#808080", "#808080",
+                                         "#f7f0dd", "#4b2e18", "#1f3a6e", "#8c1c13"};
+    for (size_t i = 0; hatch_color_names[i]; i++)
+        if (hatch_text_is(text, hatch_color_names[i]))
+            text = (struct hatch_text){values[i], strlen(values[i])};
     if (text.length == 0 || text.at[0] != '#')
         return false;
     return hatch_color_from_hex((struct hatch_text){text.at + 1, text.length - 1}, rgb);

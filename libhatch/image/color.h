@@ -13,8 +13,10 @@
  *   rgb     out: linear, 0 .. 1; unchanged on failure */
 bool hatch_color_from_hex(struct hatch_text digits, float rgb[3]);
 
-/* Parses a colour: black, white, grey, gray, cream, sepia, blue, red, #rgb or #rrggbb. Arguments as for
- * hatch_color_from_hex. */
+/* Names of colours, NULL at the end. */
+extern const char *const hatch_color_names[];
+
+/* Parses a colour: a name, #rgb or #rrggbb. Arguments as for hatch_color_from_hex. */
 bool hatch_color_parse(struct hatch_text text, float rgb[3]);
 
 /* Returns the luminance of a linear colour (ITU-R BT.709). */

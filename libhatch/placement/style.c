@@ -237,7 +237,7 @@ static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *e
     int shown = (int)(key.length < SHOWN_MAX ? key.length : SHOWN_MAX);
     if (near)
         return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s', perhaps %s", shown, key.at, near);
-    return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown, key.at);
+    return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'; hatch-style(5) lists them", shown, key.at);
 }
 
 static enum hatch_status read_line(struct hatch_text line, struct reading *r, struct hatch_err *err)

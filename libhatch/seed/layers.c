@@ -85,7 +85,9 @@ static enum hatch_status parse_key(struct hatch_text key, struct hatch_text *res
         i++;
     bool tone = hatch_text_is(key, "tone"), turn = hatch_text_is(key, "turn");
     if (i == NUMBER_KEYS && !tone && !turn)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'", shown(key), key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "no such key '%.*s': want length, width, ink, tile, tone, turn or stroke", shown(key),
+                          key.at);
     double *number = i < NUMBER_KEYS ? (double *)(void *)((char *)line + number_keys[i].offset) : NULL;
     if ((tone && line->tone_given) || (turn && line->turn_given) || (number && *number > 0))
         return hatch_fail(err, HATCH_BAD_INPUT, "%.*s is repeated", shown(key), key.at);

@@ -6,7 +6,7 @@
 
 #define ANISOTROPY_MIN 0.01 /* below, the true direction counts as undefined */
 
-static const char *const names[HATCH_SHAPE_COUNT] = {
+const char *const hatch_shape_names[HATCH_SHAPE_COUNT + 1] = {
     [HATCH_SHAPE_TEAPOT] = "teapot",
     [HATCH_SHAPE_SPHERE] = "sphere",
     [HATCH_SHAPE_CYLINDER] = "cylinder",
@@ -24,11 +24,6 @@ static const char *const names[HATCH_SHAPE_COUNT] = {
     [HATCH_SHAPE_HELICOID] = "helicoid",
     [HATCH_SHAPE_CATENOID] = "catenoid",
 };
-
-const char *hatch_shape_name(enum hatch_shape shape)
-{
-    return shape < HATCH_SHAPE_COUNT ? names[shape] : NULL;
-}
 
 /* The surfaces of a shape and their grids. */
 struct surfaces {

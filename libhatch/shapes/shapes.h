@@ -54,8 +54,8 @@ struct hatch_shape_options {
                    values, the tangent with confidence 0 */
 };
 
-/* Returns "teapot" and so on; NULL for HATCH_SHAPE_COUNT and above. */
-const char *hatch_shape_name(enum hatch_shape shape);
+/* "teapot" and so on, in the order of enum hatch_shape; NULL at the end. */
+extern const char *const hatch_shape_names[HATCH_SHAPE_COUNT + 1];
 
 /* Makes a shape. Closed surfaces have two vertices at each point of their seam, with the u of either side; poles have a
  * vertex per triangle.

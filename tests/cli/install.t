@@ -31,6 +31,36 @@ printf '%s ' "${COMPREPLY[@]}"
 ASK
 is "bash completes an option's name" "$(bash ask.bash "$here" meshgen --max)" "--max-memory "
 is "bash completes a choice" "$(bash ask.bash "$here" meshgen --uv n)" "natural "
+is "bash completes a shape" "$(bash ask.bash "$here" meshgen s)" "sphere saddle superquadric "
+is "bash completes a subject before files" "$(bash ask.bash "$here" hatchstat --json f)" "field frames "
+touch model.glb
+is "bash completes a file after a subject" "$(bash ask.bash "$here" hatchstat mesh mod)" "model.glb "
+is "bash completes a style" "$(bash ask.bash "$here" tamgen --style ch)" "chalk charcoal "
+is "bash completes a palette" "$(bash ask.bash "$here" tamgen --palette s)" "sea "
+is "bash completes the style of rptam" "$(bash ask.bash "$here" render-gl --style pen)" "pencil "
+is "bash completes a colour" "$(bash ask.bash "$here" render-gl --ink b)" "black blue "
+is "bash completes a kind of line" "$(bash ask.bash "$here" render-gl --lines cr)" "creases "
+if command -v zsh >/dev/null; then
+    for asked in "meshgen :SHAPE: saddle" "hatchstat :SUBJECT: frames" "render-gl :COLOUR: sepia"; do
+        set -- $asked
+        grep -q "$2(.*\b$3\b" "$here/share/zsh/site-functions/_$1"
+        is "zsh completes $3" $? 0
+    done
+    zsh -c 'compadd() { print -r -- $* }; _files() { : }; _arguments() { for a; do
+        [[ $a = *:STYLE:* ]] && eval "${a##*:STYLE:}"; done }; . "$0"' "$here/share/zsh/site-functions/_tamgen" >said
+    grep -qw -- '-- arcs chalk charcoal' said
+    is "zsh completes a style" $? 0
+else
+    skip "zsh completes names" "no zsh"
+fi
+if command -v fish >/dev/null; then
+    asked() { HOME=$WORK fish -c 'source $argv[1]; complete -C $argv[2]' "$here/share/fish/vendor_completions.d/$1.fish" "$2"; }
+    is "fish completes a shape" "$(asked meshgen 'meshgen sad' | cut -f1)" saddle
+    is "fish completes a style" "$(asked tamgen 'tamgen --style penc' | cut -f1)" pencil
+    is "fish completes a colour" "$(asked render-gl 'render-gl --ink sep' | cut -f1)" sepia
+else
+    skip "fish completes names" "no fish"
+fi
 is "bash completes a choice after =" "$(bash ask.bash "$here" meshgen --uv = e)" "even "
 
 chmod -R a-w "$here"

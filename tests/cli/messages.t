@@ -25,7 +25,19 @@ says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wi
     tamgen --size 64 --levels 3
 says "--ink with a layout that ignores it" 2 2 "--ink needs --layout rgb, array, dds or png: in OpenEXR ink is always 0" tampack --layout exr --ink 1
 says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.7,.9" tamthresh --bins x map.exr
-says "a subject that is unknown" 2 2 "bunny: no such subject; --help lists them" hatchstat bunny
+says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of diff, field, frames, ink, lapped, mesh, seeds, tam, tones" \
+    hatchstat bunny
+says "a shape with a typing error" 2 2 "bump, helicoid, catenoid; perhaps teapot" meshgen teapto
+says "a style with a typing error" 2 2 "speckle, stipple, wash, and not a file; perhaps pencil" tamgen --style penci
+says "a palette that does not exist" 2 2 "palette: 'dawn' is not one of dusk, earth, sea, and not a file" \
+    tamgen --palette dawn
+says "a colour with a typing error" 2 2 "--ink: 'blak' is not one of black, white, grey, gray, cream, sepia, blue, red, and not #rrggbb; perhaps black" \
+    render-gl mesh.glb --technique gouraud --ink blak
+says "a technique with a typing error" 2 2 "; perhaps threshold" render-gl mesh.glb --technique treshold
+says "a layout with a typing error" 2 2 "--layout: 'rbg' is not one of" tampack --layout rbg map.exr
+says "an option with a typing error" 2 2 "unknown option --stlye (is it --style?)" tamgen --stlye ink
+says "a parameter with a typing error" 2 2 "; perhaps stroke" \
+    render-gl mesh.glb -t rptam --frames 2 -o f%d.png --animate storke=1..2
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
 says "--max-difference with a subject that has none" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
 says "a picture that should be a film" 2 2 "film.mp4: the ending is that of another format: want .png or .exr" \

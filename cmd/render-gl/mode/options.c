@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "image/color.h"
 #include "math/angle.h"
 #include "render-gl/mode/parse_args.h"
 #include "render-gl/mode/show.h"
@@ -35,6 +36,9 @@ static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
+/* Words that options accept among others, for completions. */
+static const char *const automatic[] = {"auto", NULL}, *const framed[] = {"frame", NULL};
+
 /* Rows before and after the techniques' own options. */
 static const struct cmd_option first[] = {
     {'t', "technique", CMD_CHOICE, 0, 0, "NAME", "drawing technique; the manual describes them (default tam)",
@@ -59,10 +63,10 @@ static const struct cmd_option rest[] = {
      NULL, &chosen.tone_range_given},
     {0, "tone-gamma", CMD_REAL, 0.05, 20, "G", "+exponent of tone; over 1 lightens middle tones (default 1)",
      &chosen.tone_gamma, NULL, NULL},
-    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "colour of the paper, a name or #rrggbb (default white)", &paper, NULL,
-     NULL},
+    {0, "paper", CMD_TEXT, 0, 0, "COLOUR", "colour of the paper, a name or #rrggbb (default white)", &paper,
+     hatch_color_names, NULL},
     {0, "ink", CMD_TEXT, 0, 0, "COLOUR[,COLOUR]",
-     "colour of the strokes; a second one draws the lit parts (default black)", &ink, NULL, NULL},
+     "colour of the strokes; a second one draws the lit parts (default black)", &ink, hatch_color_names, NULL},
     {0, "show", CMD_CHOICE, 0, 0, "WHAT", "draw patches or field (directions) instead of strokes", &show, NULL, NULL},
     {0, "light", CMD_PAIR, -180, 180, "AZ:EL",
      "replace the scene's lights with one, degrees from the camera (default if the scene has none: -40:40)",
@@ -83,22 +87,22 @@ static const struct cmd_option rest[] = {
     {0, "pixel-light", CMD_FLAG, 0, 0, NULL, "+compute light per pixel, not per vertex", &chosen.pixel_light, NULL,
      NULL},
     {0, "lines", CMD_TEXT, 0, 0, "WHAT",
-     "feature lines: none, all, or some of silhouettes,creases,boundaries (default all)", &lines, NULL,
+     "feature lines: none, all, or some of silhouettes,creases,boundaries (default all)", &lines, line_kind_names,
      &chosen.lines_given},
     {0, "haloes", CMD_REAL, 0.5, 32, "PX", "+width of bare paper around nearer surfaces (default: none)",
      &chosen.halo_px, NULL, NULL},
     {0, "line-width", CMD_REAL, 0.1, 64, "PX", "+width of feature lines in pixels (default 2)", &chosen.line_px, NULL,
      NULL},
     {0, "line-color", CMD_TEXT, 0, 0, "COLOUR", "+colour of feature lines (default: that of the ink)", &line_color,
-     NULL, NULL},
+     hatch_color_names, NULL},
     {0, "crease", CMD_REAL, 0, 180, "DEGREES", "+edges where the surface turns by more are creases (default 40)",
      &chosen.crease_deg, NULL, NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "repeats of the map per unit of texture coordinates (default auto)",
-     &uv_scale, NULL, NULL},
+     &uv_scale, automatic, NULL},
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "+anisotropic texture filtering by the driver (default 1: none)",
      &chosen.anisotropy, NULL, NULL},
     {0, "camera", CMD_TEXT, 0, 0, "WHICH",
-     "a scene camera's number, 'frame' (fit the scene), or POSITION[:TARGET] as X,Y,Z", &camera, NULL, NULL},
+     "a scene camera's number, 'frame' (fit the scene), or POSITION[:TARGET] as X,Y,Z", &camera, framed, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "frame the scene from this azimuth and elevation (default 30:20)",
      chosen.from_deg, NULL, &from_given},
     {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view; the scene's cameras keep theirs (default 30)",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #define TEXT_MAX 128
+#define NAMES_MAX 64 /* parameters that a message lists */
 
 /* Parameters that belong to no technique, in the order in which the window's key p goes through them. */
 static const struct {
@@ -95,12 +96,12 @@ static bool find_param(const char *text, size_t length, struct param *param)
 static noreturn void refuse_name(const char *text, size_t length)
 {
     struct param param;
-    char all[512] = "";
-    for (uint32_t i = 0; params_at(i, &param); i++) {
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", param.option->name);
-    }
-    cmd_usage("--animate %.*s: want one of %s", (int)length, text, all);
+    const char *names[NAMES_MAX + 1] = {NULL};
+    char word[TEXT_MAX];
+    for (uint32_t i = 0; i < NAMES_MAX && params_at(i, &param); i++)
+        names[i] = param.option->name;
+    snprintf(word, sizeof word, "%.*s", (int)length, text);
+    cmd_refuse_name("--animate", word, names, NULL);
 }
 
 /* Parses a value by setting the option to it; checks its range. */

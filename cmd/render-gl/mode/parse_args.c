@@ -1,5 +1,6 @@
 #include "render-gl/mode/parse_args.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,9 +8,12 @@
 
 void parse_color(const char *option, struct hatch_text text, float rgb[3])
 {
-    if (!hatch_color_parse(text, rgb))
-        cmd_usage("--%s %.*s: want black, white, grey, cream, sepia, blue, red or #rrggbb", option, (int)text.length,
-                  text.at);
+    char what[32], word[64];
+    if (hatch_color_parse(text, rgb))
+        return;
+    snprintf(what, sizeof what, "--%s", option);
+    snprintf(word, sizeof word, "%.*s", (int)text.length, text.at);
+    cmd_refuse_name(what, word, hatch_color_names, "#rrggbb");
 }
 
 bool parse_whole(const char *text, uint32_t most, uint32_t *value)
@@ -34,24 +38,20 @@ bool parse_camera_place(const char *text, struct hatch_view_choice *view)
            (!view->has_target || hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
 }
 
+const char *const line_kind_names[] = {"none", "all", "silhouettes", "creases", "boundaries", NULL};
+
 uint32_t parse_line_kinds(const char *list)
 {
-    static const struct {
-        const char *name;
-        uint32_t kinds;
-    } kinds_of[] = {{"none", HATCH_LINES_NONE},
-                    {"silhouettes", HATCH_LINES_SILHOUETTES},
-                    {"creases", HATCH_LINES_CREASES},
-                    {"boundaries", HATCH_LINES_BOUNDARIES},
-                    {"all", HATCH_LINES_ALL}};
+    static const uint32_t kinds_of[] = {HATCH_LINES_NONE, HATCH_LINES_ALL, HATCH_LINES_SILHOUETTES, HATCH_LINES_CREASES,
+                                        HATCH_LINES_BOUNDARIES};
     uint32_t kinds = HATCH_LINES_NONE;
     for (const char *at = list; *at; at += *at == ',') {
         size_t size_bytes = strcspn(at, ","), i = 0;
-        while (i < 5 && (strlen(kinds_of[i].name) != size_bytes || strncmp(at, kinds_of[i].name, size_bytes) != 0))
+        while (i < 5 && (strlen(line_kind_names[i]) != size_bytes || strncmp(at, line_kind_names[i], size_bytes) != 0))
             i++;
         if (i == 5 || strcmp(at + size_bytes, ",") == 0)
             break;
-        kinds |= kinds_of[i].kinds;
+        kinds |= kinds_of[i];
         at += size_bytes;
         if (!*at)
             return kinds;

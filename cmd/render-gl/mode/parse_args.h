@@ -18,6 +18,9 @@ bool parse_whole(const char *text, uint32_t most, uint32_t *value);
 /* Parses X,Y,Z[:X,Y,Z]: the camera's position and the point that it looks at. Returns false for any other text. */
 bool parse_camera_place(const char *text, struct hatch_view_choice *view);
 
+/* Words of --lines, NULL at the end. */
+extern const char *const line_kind_names[];
+
 /* Parses the comma-separated list of --lines. Returns bits of enum hatch_line_kind. Exits with a usage message on an
  * unknown word. */
 uint32_t parse_line_kinds(const char *list);

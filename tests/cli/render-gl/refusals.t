@@ -99,7 +99,7 @@ for pattern in '%s%d.png' '%d%d.png' '%9999d.png' '%n.png'; do
 done
 many="render-gl --size 32x24 --frames 2 -o p%d.png"
 refuses "--animate without a range" 2 2 "PARAM=FROM..TO" $many torus.glb -t rptam --animate zoom=2
-refuses "--animate of an option that cannot be animated" 2 2 "want one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
+refuses "--animate of an option that cannot be animated" 2 2 "is not one of stroke, stroke-ink" $many torus.glb -t rptam --animate nib=1..2
 refuses "--animate out of the option's range" 2 2 "from 0 to 1" $many torus.glb -t rptam --animate overlap=0..2
 refuses "--animate of a pair with a single number" 2 2 "LxW" $many torus.glb -t rptam --animate stroke=9x1..9
 refuses "--animate of a factor from 0" 2 2 "want numbers over 0, since it changes by the same factor each frame" \

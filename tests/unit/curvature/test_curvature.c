@@ -31,7 +31,7 @@ START_TEST(curvatures_match_the_formulas)
             bool swapped = fabs(value[0] / scale - want[0]) > fabs(value[1] / scale - want[0]);
             for (int k = 0; k < 2; k++)
                 ck_assert_msg(fabs(value[swapped ? 1 - k : k] / scale - want[k]) < 0.05 * (fabs(want[k]) + 1),
-                              "%s, point %u: %g, want %g", hatch_shape_name(bent[s]), p,
+                              "%s, point %u: %g, want %g", hatch_shape_names[bent[s]], p,
                               value[swapped ? 1 - k : k] / scale, want[k]);
             ck_assert_double_gt(hatch_vec_dot(&found.normal[3 * (size_t)p], normal), 0.999);
             ck_assert_double_ge(fabs(value[0]), fabs(value[1]));
@@ -54,7 +54,7 @@ START_TEST(planes_and_spheres_have_no_confidence)
                 ck_assert_double_eq_tol(hatch_vec_length(&found.direction[3 * (size_t)p]), 1, 1e-12);
             }
             ck_assert_msg(sum / of.surface.point_count < 1e-3, "%s, radius %g: mean confidence %g",
-                          hatch_shape_name(shapes[s]), fixed[r], sum / of.surface.point_count);
+                          hatch_shape_names[shapes[s]], fixed[r], sum / of.surface.point_count);
         }
 }
 END_TEST

@@ -142,7 +142,7 @@ START_TEST(noisy_lines_that_turn_are_followed)
         double found[2];
         measure(cases[i].shape, 0.2f, false, found);
         ck_assert_msg(found[0] < cases[i].median_deg && found[1] < cases[i].most_deg, "%s: %g and %g degrees",
-                      hatch_shape_name(cases[i].shape), found[0], found[1]);
+                      hatch_shape_names[cases[i].shape], found[0], found[1]);
     }
 }
 END_TEST

@@ -41,7 +41,7 @@ static const struct {
 } wrong[] = {
     {"", "the file has no layer"},
     {"# only words\n", "the file has no layer"},
-    {"turn 1\nnib 3\n", "line 2: no such key 'nib'"},
+    {"turn 1\nnib 3\n", "line 2: no such key 'nib': want length, width, ink, tile, tone, turn or stroke"},
     {"turn\n", "line 1: turn: a value is missing"},
     {"turn x\n", "line 1: turn: 'x' is not a number"},
     {"turn nan\n", "line 1: turn: 'nan' is not a number"},

@@ -30,7 +30,7 @@ START_TEST(normals_match_closed_forms)
                 continue; /* the apex has no normal */
             hatch_shape_curvature((enum hatch_shape)shape, p, want, direction, k);
             ck_assert_msg(hatch_vec_distance(n, want) < 1e-5, "%s: vertex %u: normal off by %g",
-                          hatch_shape_name((enum hatch_shape)shape), v, hatch_vec_distance(n, want));
+                          hatch_shape_names[(enum hatch_shape)shape], v, hatch_vec_distance(n, want));
         }
     }
 }
@@ -66,7 +66,7 @@ START_TEST(curvatures_are_the_turn_of_the_normals)
             double want = (curvature_towards(shape, p, q) + curvature_towards(shape, q, p)) / 2;
             worst = fmax(worst, fabs(have - want));
         }
-        ck_assert_msg(worst < 0.02, "%s: curvature off by %g", hatch_shape_name(shape), worst);
+        ck_assert_msg(worst < 0.02, "%s: curvature off by %g", hatch_shape_names[shape], worst);
     }
 }
 END_TEST

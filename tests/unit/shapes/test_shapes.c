@@ -66,7 +66,7 @@ START_TEST(areas_match_closed_forms)
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         struct hatch_mesh mesh = make(known[i].shape, 40000, 0, 0, 1);
         double area = measure(&mesh).area;
-        ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g", hatch_shape_name(known[i].shape),
+        ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g", hatch_shape_names[known[i].shape],
                       area, known[i].area);
     }
 }
@@ -90,7 +90,7 @@ START_TEST(topology_is_correct)
         for (int k = 0; k < 4; k++) {
             struct hatch_mesh mesh = make(known[i].shape, 700, jitters[k % 2], noises[k / 2], (uint64_t)k);
             struct hatch_mesh_figures f = measure(&mesh);
-            const char *name = hatch_shape_name(known[i].shape);
+            const char *name = hatch_shape_names[known[i].shape];
             ck_assert_msg(f.components == known[i].components, "%s: components", name);
             ck_assert_msg(f.boundary_loops == known[i].loops, "%s: loops", name);
             ck_assert_msg(f.euler == known[i].euler, "%s: Euler %d", name, (int)f.euler);
@@ -135,7 +135,7 @@ START_TEST(faces_are_oriented_outwards_with_jitter)
                 back += hatch_vec_dot(normal, n) <= 0;
             }
         }
-        ck_assert_msg(back == 0, "%s: %u corners look inwards", hatch_shape_name((enum hatch_shape)shape), back);
+        ck_assert_msg(back == 0, "%s: %u corners look inwards", hatch_shape_names[(enum hatch_shape)shape], back);
     }
 }
 END_TEST
@@ -164,7 +164,7 @@ START_TEST(tangents_point_along_u)
             worst += 1 - hatch_vec_dot(a, b);
         }
         ck_assert_msg(worst / mesh.vertex_count < 0.003, "%s: mean deviation %g",
-                      hatch_shape_name((enum hatch_shape)shape), worst / mesh.vertex_count);
+                      hatch_shape_names[(enum hatch_shape)shape], worst / mesh.vertex_count);
     }
 }
 END_TEST
@@ -173,7 +173,7 @@ START_TEST(textures_repeat_whole_times_with_little_stretch)
 {
     for (int shape = 0; shape < HATCH_SHAPE_COUNT; shape++) {
         struct hatch_mesh mesh = make((enum hatch_shape)shape, 5000, 0, 0, 1);
-        const char *name = hatch_shape_name((enum hatch_shape)shape);
+        const char *name = hatch_shape_names[(enum hatch_shape)shape];
         struct hatch_mesh_figures f = measure(&mesh);
         ck_assert_msg(f.has_uv && f.uv.degenerate_share == 0, "%s: degenerate", name);
         ck_assert_msg(f.uv.mirrored_share == 0, "%s: mirrored", name);
@@ -308,7 +308,7 @@ START_TEST(face_counts_are_near_the_requested)
             struct hatch_mesh mesh = make((enum hatch_shape)shape, counts[i], 0, 0, 1);
             double share = mesh.face_count / (double)counts[i];
             double slack = 2 / sqrt(counts[i]) + 0.005;
-            ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u", hatch_shape_name((enum hatch_shape)shape),
+            ck_assert_msg(fabs(share - 1) < slack, "%s: %u faces, want %u", hatch_shape_names[(enum hatch_shape)shape],
                           mesh.face_count, counts[i]);
         }
 }

@@ -66,7 +66,7 @@ START_TEST(curved_shapes_have_no_planes)
             struct hatch_mesh mesh = shape_with(
                 shapes[i], (struct hatch_shape_options){
                                .faces = noisy ? 20000 : 300, .jitter = 1, .noise = 0.2f * (float)noisy, .seed = 2});
-            ck_assert_msg(cut(&mesh).plane_count == 0, "%s, noise %g", hatch_shape_name(shapes[i]), 0.2 * noisy);
+            ck_assert_msg(cut(&mesh).plane_count == 0, "%s, noise %g", hatch_shape_names[shapes[i]], 0.2 * noisy);
         }
 }
 END_TEST
