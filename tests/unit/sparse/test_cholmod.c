@@ -104,6 +104,19 @@ static void *failing_realloc(void *from, size_t size)
     return until_failure && --until_failure == 0 ? NULL : realloc(from, size);
 }
 
+static void set_failing_allocators(void)
+{
+#if SUITESPARSE_MAIN_VERSION >= 7
+    SuiteSparse_config_malloc_func_set(failing_malloc);
+    SuiteSparse_config_calloc_func_set(failing_calloc);
+    SuiteSparse_config_realloc_func_set(failing_realloc);
+#else
+    SuiteSparse_config.malloc_func = failing_malloc;
+    SuiteSparse_config.calloc_func = failing_calloc;
+    SuiteSparse_config.realloc_func = failing_realloc;
+#endif
+}
+
 /* Fails each allocation of a factorization and a solution in turn; SANITIZE=1 finds leaks. */
 START_TEST(failed_allocations_are_reported)
 {
@@ -111,9 +124,7 @@ START_TEST(failed_allocations_are_reported)
     struct hatch_sparse matrix = chain_make(&chain, 2);
     double right[SIZE] = {1}, before[SIZE], x[SIZE];
     enum hatch_status status = HATCH_LIMIT;
-    SuiteSparse_config.malloc_func = failing_malloc;
-    SuiteSparse_config.calloc_func = failing_calloc;
-    SuiteSparse_config.realloc_func = failing_realloc;
+    set_failing_allocators();
     for (unsigned n = 1; status != HATCH_OK; n++) {
         struct hatch_sparse_factor *factor = NULL;
         struct hatch_err err = {0};
