@@ -70,7 +70,7 @@ static const char *const examples[] = {
     "hatchstat frames turn.*.png --json",
     "meshgen torus | hatchstat mesh",
     "dirfield model.glb | hatchstat field",
-    "tamgen --strokes ink.tsv -o ink.exr && hatchstat tam ink.exr --strokes ink.tsv --check",
+    "tamgen --strokes s.tsv -o ink.exr && hatchstat tam ink.exr -r s.tsv --check",
     NULL,
 };
 

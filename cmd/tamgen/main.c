@@ -53,7 +53,7 @@ static const struct cmd_rule rules[] = {
 static const char *const examples[] = {
     "tamgen --style pencil --contact-sheet sheet.png -o pencil.exr",
     "tamgen --replay drawing.svg --tones 12 -o drawing.exr",
-    "tamgen --size 512 --set 'width 3; direction 45 0 1' | tampack --layout rgb -o hatch",
+    "tamgen --size 512 --set 'width 3; direction 45 0 1' | tampack -o hatch",
     NULL,
 };
 
