@@ -110,6 +110,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
 {
     struct run run = {.args = args, .options = options, .input = input, .files = files};
     cmd_read_scene(args, input, CMD_SCENE_AS_IS, &run.scene);
+    cmd_warn_up(cmd_input_name(input), &run.scene);
     double begun_ms = cmd_elapsed_ms();
     make_jobs(&run);
     double surfaces_ms = cmd_elapsed_ms() - begun_ms;

@@ -7,6 +7,7 @@
 
 #include "io/gltf/gltf.h"
 #include "io/mesh/file.h"
+#include "scene/up.h"
 
 /* Reads a companion file of a glTF.
  *   context  path of the glTF
@@ -92,6 +93,12 @@ static void warn_library(const char *path, const char *library)
         cmd_warn(path, "material library %s does not exist: materials of OBJ files are not used", library);
 }
 
+void cmd_warn_up(const char *name, const struct hatch_scene *scene)
+{
+    if (scene->up_undefined && hatch_mesh_stands_along_z(&scene->meshes[0].mesh))
+        cmd_warn(name, "the mesh seems to stand along z, but y points up: to turn it, draw it with render-gl --up z");
+}
+
 static bool is_file(const char *path)
 {
     return path && strcmp(path, "-") != 0;
@@ -122,6 +129,7 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
             scene->nodes[0].translation[k] = (float)origin[k];
         if (is_file(path))
             warn_library(path, notes->library);
+        scene->up_undefined = true;
         scene->meshes[0].is_soup = format == HATCH_MESH_STL;
         if (scene->meshes[0].is_soup)
             notes->vertices_apart = 0;

@@ -27,6 +27,9 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
 void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
                              struct hatch_scene *scene, struct hatch_mesh_notes *notes);
 
+/* Warns of a mesh, of a format that does not define which axis points up, that seems to stand along z. */
+void cmd_warn_up(const char *name, const struct hatch_scene *scene);
+
 /* Prints one warning for each kind of defect in notes, repaired or not. */
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes);
 

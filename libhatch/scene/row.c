@@ -115,6 +115,23 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
     return HATCH_ALLOC(arena, &made->animations, all.animation_count, err);
 }
 
+enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up up, struct hatch_arena *arena,
+                                      struct hatch_err *err)
+{
+    static const float z_to_y[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+    static const float x_to_y[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    struct hatch_node root = {
+        .parent = HATCH_NONE, .has_matrix = true, .skin = HATCH_NONE, .camera = HATCH_NONE, .light = HATCH_NONE};
+    struct hatch_scene turned;
+    if (up == HATCH_UP_Y)
+        return HATCH_OK;
+    memcpy(root.matrix, up == HATCH_UP_Z ? z_to_y : x_to_y, sizeof root.matrix);
+    HATCH_TRY(make_room(scene, 1, arena, &turned, err));
+    HATCH_TRY(append(scene, &root, &turned, arena, err));
+    *scene = turned;
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
                                       struct hatch_bounds *bounds, struct hatch_err *err)
 {

@@ -1,4 +1,4 @@
-/* Joins scenes side by side. */
+/* Joins scenes side by side, and turns a scene upright. */
 #ifndef HATCH_SCENE_ROW_H
 #define HATCH_SCENE_ROW_H
 
@@ -14,6 +14,14 @@
 enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_t count, bool stand,
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct hatch_scene *joined, struct hatch_err *err) HATCH_MUST_USE;
+
+enum hatch_up { HATCH_UP_X, HATCH_UP_Y, HATCH_UP_Z };
+
+/* Turns a scene about its origin by a quarter, so that one of its axes points along y: z by turning about x, x about z.
+ * Does nothing for HATCH_UP_Y. Nodes get a new first node as their root.
+ *   scene  in, out: shares arrays with the scene given; other arrays are in arena */
+enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up up, struct hatch_arena *arena,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
 /* Computes the bounds of a scene's rest pose. */
 enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,

@@ -130,6 +130,7 @@ struct hatch_scene {
     struct hatch_light *lights;
     struct hatch_skin *skins;
     struct hatch_animation *animations;
+    bool up_undefined; /* from a format that does not define which axis points up: one node with one mesh */
 };
 
 /* Makes a scene of one node with one mesh, which shares the arrays of `mesh`. */

@@ -154,6 +154,17 @@ static void open_techniques(struct job *job)
                 cmd_check(job_open(job, techniques[i], &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
 }
 
+/* Reads a scene and turns it upright; warns if it seems to need this and --up is not given. */
+static void load_one(struct job *job, const char *path, struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+{
+    const struct options *options = job->options;
+    struct hatch_err err;
+    cmd_read_scene_silently(&job->args, path, CMD_SCENE_CLEANED, scene, notes);
+    if (!options_is_given("up"))
+        cmd_warn_up(cmd_input_name(path), scene);
+    cmd_check(hatch_scene_turn_up(scene, options->up, &job->args.keep, &err), cmd_input_name(path), &err);
+}
+
 static void load_row(struct job *job, uint32_t count, bool stand, struct hatch_mesh_notes *notes)
 {
     struct cmd_args *args = &job->args;
@@ -163,7 +174,7 @@ static void load_row(struct job *job, uint32_t count, bool stand, struct hatch_m
     cmd_check(HATCH_ALLOC(&args->keep, &scenes, count, &err), NULL, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &job->mesh_end, count, &err), NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
-        cmd_read_scene_silently(args, args->operands[i], CMD_SCENE_CLEANED, &scenes[i], notes);
+        load_one(job, args->operands[i], &scenes[i], notes);
         job->mesh_end[i] = meshes += scenes[i].mesh_count;
     }
     cmd_check(hatch_scene_join_row(scenes, count, stand, &args->keep, &args->scratch, &job->values, &err), job->name,
@@ -196,7 +207,7 @@ static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
     if (count > 1)
         load_row(job, count, ground > 0, notes);
     else
-        cmd_read_scene_silently(args, job->options->scene_path, CMD_SCENE_CLEANED, scene, notes);
+        load_one(job, job->options->scene_path, scene, notes);
     drop_transparent(scene, notes);
     hatch_scene_doubt(scene, &args->scratch, notes);
     if (ground > 0)

@@ -30,13 +30,14 @@ static struct options chosen = {
 };
 
 /* Values of options in the form in which they are parsed; options_read converts them for struct options. */
-static int technique, show = -1; /* -1: --show is not given */
+static int technique, up = HATCH_UP_Y, show = -1; /* -1: --show is not given */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
 /* Words that options accept among others, for completions. */
+static const char *const axes[] = {"x", "y", "z", NULL}; /* in the order of enum hatch_up */
 static const char *const automatic[] = {"auto", NULL}, *const framed[] = {"frame", NULL};
 
 /* Rows before and after the techniques' own options. */
@@ -99,6 +100,8 @@ static const struct cmd_option rest[] = {
      &chosen.crease_deg, NULL, NULL},
     {0, "uv-scale", CMD_TEXT, 0, 0, "N|auto", "repeats of the map per unit of texture coordinates (default auto)",
      &uv_scale, automatic, NULL},
+    {0, "up", CMD_CHOICE, 0, 0, "AXIS", "+axis of the scene's coordinates that points up: x, y or z (default y)", &up,
+     axes, NULL},
     {0, "anisotropy", CMD_REAL, 1, 16, "N", "+anisotropic texture filtering by the driver (default 1: none)",
      &chosen.anisotropy, NULL, NULL},
     {0, "camera", CMD_TEXT, 0, 0, "WHICH",
@@ -389,6 +392,7 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     check_frames(args);
     chosen.scene_path = args->operand_count ? args->operands[0] : NULL;
     chosen.repeat = read_uv_scale();
+    chosen.up = (enum hatch_up)up;
     chosen.frames = (uint32_t)frames;
     chosen.timed_frames = (uint32_t)timed_frames;
     chosen.animation = (uint32_t)animation;

@@ -3,6 +3,7 @@
 #define RENDER_MODE_OPTIONS_H
 
 #include "render-gl/technique/list.h"
+#include "scene/row.h"
 
 #define OPTIONS_CHANGES_MAX 24u
 
@@ -53,6 +54,7 @@ struct options {
     float line_color[3]; /* linear light */
     double specular[2];  /* strength and exponent of highlights */
     double anisotropy, crease_deg;
+    enum hatch_up up;
     double ground; /* half the side of the ground plane, in the scene's radii; 0: none */
     bool base_tone, pixel_light, shadows;
     uint32_t line_kinds;           /* bits of enum hatch_line_kind */
