@@ -9,6 +9,10 @@ static void close_window(struct gpu_context *context)
 
 enum hatch_status window_open(struct gpu_context *context, uint32_t width, uint32_t height, struct hatch_err *err)
 {
+#ifdef GLFW_PLATFORM
+    /* X11, which Wayland desktops have as Xwayland: libwayland prints a message where there is no display. */
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (!glfwInit())
         return hatch_fail(err, HATCH_IO,
                           "there is no display for a window: without --window the picture is written to -o");

@@ -1,5 +1,7 @@
 #include "io/foreign/plugin.h"
 
+#include <dlfcn.h>
+
 #include <cctype>
 #include <cstdio>
 #include <exception>
@@ -9,6 +11,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/oiioversion.h>
 
 namespace
 {
@@ -63,10 +66,22 @@ bool is_encoded(const OIIO::ImageSpec &spec)
     return !OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
 
+/* Since 2.5, OpenImageIO takes messages of libtiff, which it is linked to, per file; libtiff then prints them, too. */
+void silence_libtiff()
+{
+#if OIIO_VERSION >= OIIO_MAKE_VERSION(2, 5, 0)
+    using set_handler = void *(*)(void *);
+    for (const char *name : {"TIFFSetErrorHandler", "TIFFSetWarningHandler"})
+        if (auto set = reinterpret_cast<set_handler>(dlsym(RTLD_DEFAULT, name)))
+            set(nullptr);
+#endif
+}
+
 void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_oiio_info *info, char *message,
                  size_t size)
 {
     try {
+        silence_libtiff();
         OIIO::attribute("threads", 1);
         OIIO::attribute("exr_threads", 1);
         OIIO::attribute("tiff:multithread", 0); /* the multithreaded reader ignores damaged tiles */
