@@ -63,6 +63,13 @@ else
 fi
 is "bash completes a choice after =" "$(bash ask.bash "$here" meshgen --uv = e)" "even "
 
+ln -s "$here/share/hatch" share
+is "an installed pipeline finds its neighbours" "$(make -n -f share/pipelines/gallery.mk OUT=out |
+    grep -o 'share/pipelines/[a-z-]*\.[a-z]*' | sort | tr '\n' ' ')" \
+    "share/pipelines/fine-tone.mk share/pipelines/hatching.svg share/pipelines/rptam.mk "
+ok "an installed pipeline draws" make -s -f share/pipelines/rptam.mk SIZE=64x48 OUT=out
+ok "tamgen replays the installed drawing" tamgen --replay share/pipelines/hatching.svg --fit -q --size 64 -o drawing.exr
+
 chmod -R a-w "$here"
 if [ -x "$here/bin/tamgen" ]; then
     for style in "$TOP"/styles/*.style; do

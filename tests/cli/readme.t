@@ -1,0 +1,44 @@
+# The shell lines of README.md run one by one, in their order, in an empty folder, as they stand. Smaller sizes make the
+# test short: the commands tamgen, meshgen and render-gl are called through scripts of these names, which append a size to
+# the arguments and reduce the number of frames to 2. What a user has to bring is a mesh of meshgen under that name; a
+# line with --window writes a picture instead.
+. "${TOP:-.}/tests/tap.sh"
+[ -z "$SANITIZE" ] || { skip "README.md" "only run without sanitizers"; finish; }
+
+# shell_lines: prints the lines of a Markdown file's indented blocks, with continued lines joined
+shell_lines() {
+    sed -n 's/^    //p' "$1" | sed ':more; /\\$/{N; s/\\\n *//; b more}'
+}
+shell_lines "$TOP/README.md" >all
+line=$(grep '^export PATH=' all)
+is "one line exports PATH and SHARE" "$line" 'export PATH="$PWD/build/bin:$PATH" SHARE="$PWD/build/share/hatch"'
+sed '1,/^export PATH=/d' all >lines
+is "only bootstrap stands before it" "$(sed '/^export PATH=/,$d; s/ .*//' all | sort -u)" ./bootstrap
+eval "$(echo "$line" | sed "s|\$PWD/build|$BUILD|g")"
+ok "SHARE has styles and pipelines" test -d "$SHARE/styles" -a -d "$SHARE/pipelines"
+
+mkdir "$WORK/small" empty
+small() {
+    printf '#!/bin/bash\nwords=() last=\nfor word; do [ "$last" != --frames ] || word=2; words+=("$word"); last=$word; done\n' \
+        >"$WORK/small/$1"
+    printf 'exec "%s" "${words[@]}" %s\n' "$BIN/$1" "$2" >>"$WORK/small/$1"
+    chmod +x "$WORK/small/$1"
+}
+small tamgen "--size 128"
+small meshgen "--faces 2000"
+small render-gl "--size 64x48"
+PATH=$WORK/small:$PATH
+cd empty || exit 1
+while IFS= read -r line; do
+    for brought in bunny.ply rocker-arm.obj; do
+        case $line in *$brought*) [ -e $brought ] || meshgen teapot | cat >$brought ;; esac
+    done
+    bash -eo pipefail -c "$(echo "$line" | sed 's/ --window/ -o window.png/')" </dev/null >../.out 2>../.err
+    status=$?
+    case $line in *' --fit '*) : >../.err ;; esac # it prints what it has found
+    is "$line" "$status $(grep -v ': warning: ' ../.err)" "0 "
+done <../lines
+is "the pictures of every line with -o are there" \
+    "$(grep -o -- '-o [A-Za-z0-9_.-]*\.png' ../lines | sed 's/-o //' | grep -v % | while read -r name; do
+        [ -s "$name" ] || echo "$name"; done)" ""
+finish
