@@ -34,6 +34,9 @@ says "a palette that does not exist" 2 2 "palette: 'dawn' is not one of dusk, ea
 says "a colour with a typing error" 2 2 "--ink: 'blak' is not one of black, white, grey, gray, cream, sepia, blue, red, and not #rrggbb; perhaps black" \
     render-gl mesh.glb --technique gouraud --ink blak
 says "a technique with a typing error" 2 2 "; perhaps threshold" render-gl mesh.glb --technique treshold
+printf 'stroke pencl\n' >bad.layers
+says "a brush that does not exist" 3 1 "bad.layers: stroke: 'pencl', want ink, pencil, crayon, charcoal, stipple, round" \
+    render-gl mesh.glb --technique rptam --layers bad.layers -o a.png
 says "a layout with a typing error" 2 2 "--layout: 'rbg' is not one of" tampack --layout rbg map.exr
 says "an option with a typing error" 2 2 "unknown option --stlye (is it --style?)" tamgen --stlye ink
 says "a parameter with a typing error" 2 2 "; perhaps stroke" \

@@ -1,5 +1,6 @@
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "math/angle.h"
 #include "render-gl/technique/rptam.h"
@@ -61,13 +62,19 @@ static void read_stroke(struct cmd_args *args, const char *name, struct rptam_st
 {
     struct hatch_brush brush;
     struct hatch_err err;
+    const char *path = cmd_path_beside(args, rptam_options.layers, name);
     int kind = 0;
     while (kind < HATCH_BRUSH_IMAGE && strcmp(name, hatch_brush_name((enum hatch_brush_kind)kind)) != 0)
         kind++;
+    if (kind == HATCH_BRUSH_IMAGE && !strpbrk(name, "/.") && access(path, F_OK) != 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT,
+                             "stroke: '%s', want ink, pencil, crayon, charcoal, stipple, round or the file of an image",
+                             name),
+                  rptam_options.layers, &err);
     if (kind < HATCH_BRUSH_IMAGE)
         cmd_check(hatch_brush_make((enum hatch_brush_kind)kind, &args->keep, &brush, &err), NULL, &err);
     else
-        cmd_read_brush(args, cmd_path_beside(args, rptam_options.layers, name), &brush);
+        cmd_read_brush(args, path, &brush);
     take_brush(args, &brush, stroke);
 }
 
