@@ -4,6 +4,7 @@
 #     make -f lapped.mk MESH=bunny.ply STYLE=pencil TURN=90   also once around it: bunny-000.png ... bunny-089.png
 #     make -f lapped.mk MESH=walk.glb FRAMES=48               the scene's animation: walk-000.png ...
 #     make -f lapped.mk MESH=bunny.ply STYLE=./my.style       your own style
+#     make -f lapped.mk MESH=scan.ply OPTIONS='--up z'        a scan whose z axis points up
 #     make -f lapped.mk MESHES='bunny.ply horse.ply'          both in one picture: row.png
 #     make -f lapped.mk MESH=bunny.ply FIELD='--direction min' LAPPED='--size .2' OPTIONS='--hatch-turn 30'
 #

@@ -144,6 +144,7 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    cmd_warn_up(cmd_input_name(input), &scene);
     lapped_param_clear(&args, name, &scene);
     hatch_outline_make(args.seed, settings.roughness, settings.feather, &outline);
     struct lapped_param_part *parts = cover(&args, input, &settings, &outline, &scene);

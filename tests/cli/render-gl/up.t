@@ -40,6 +40,8 @@ drawn quiet.png -q z.obj
 is "--quiet leaves the hint out" "$(cat .err)" ""
 try sh -c 'dirfield z.obj -o z.glb'
 is "dirfield gives the hint, since a GLB has y up" "$status $(grep -c 'stand along.*render-gl --up z$' .err)" "0 1"
+try lapped-param --size 0.5 z.obj -o patches.glb
+is "lapped-param gives it, too" "$status $(grep -c 'stand along.*render-gl --up z$' .err)" "0 1"
 drawn glb.png z.glb
 is "a GLB gets none" "$status $(grep -c 'stand along' .err)" "0 0"
 drawn glb.up.png z.glb --up z
