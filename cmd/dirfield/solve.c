@@ -9,7 +9,7 @@
 static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, double begun_ms)
 {
     job->ms[phase] = cmd_elapsed_ms() - begun_ms;
-    cmd_progress("directions", (phase + 1.0) / (double)PHASE_COUNT);
+    cmd_progress("directions", ((double)phase + 1) / (double)PHASE_COUNT);
 }
 
 static void check(const struct dirfield_job *job, enum hatch_status status, struct hatch_err *err)
