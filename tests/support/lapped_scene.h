@@ -112,7 +112,7 @@ static const double CAP_COS = 0.86;
 
 static inline void cap_axes(uint32_t patch, double axes[3][3])
 {
-    double y = 1 - (2.0 * patch + 1) / (double)CAPS, angle = 2.399963 * patch, r = sqrt(1 - y * y);
+    double y = 1 - (2.0 * patch + 1) / CAPS, angle = 2.399963 * patch, r = sqrt(1 - y * y);
     double up[3] = {r * cos(angle), y, r * sin(angle)}, east[3] = {-sin(angle), 0, cos(angle)};
     for (int k = 0; k < 3; k++) {
         axes[0][k] = east[k];

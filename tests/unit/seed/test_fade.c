@@ -36,13 +36,13 @@ START_TEST(weights_have_the_given_mean)
         for (int step = 0; step <= 20; step++) {
             double f = step / 20.0, sum = 0, last = 1;
             for (int r = 0; r < RANKS; r++) {
-                double weight = weight_at(f, (r + 0.5) / (double)RANKS, overlap / 10.0);
+                double weight = weight_at(f, (r + 0.5) / RANKS, overlap / 10.0);
                 if (!(weight >= 0 && weight <= last))
                     ck_abort_msg("rank %d: %g after %g", r, weight, last);
                 last = weight;
                 sum += weight;
             }
-            ck_assert_double_eq_tol(sum / (double)RANKS, f, 1e-4);
+            ck_assert_double_eq_tol(sum / RANKS, f, 1e-4);
         }
 }
 END_TEST
@@ -63,7 +63,7 @@ START_TEST(overlap_determines_the_share_that_is_fading)
     enum { RANKS = 10000 };
     int moving = 0;
     for (int r = 0; r < RANKS; r++) {
-        double weight = weight_at(0.5, (r + 0.5) / (double)RANKS, 0.2);
+        double weight = weight_at(0.5, (r + 0.5) / RANKS, 0.2);
         moving += weight > 0 && weight < 1;
     }
     ck_assert_double_eq_tol(moving / (double)RANKS, 0.25, 0.001); /* 0.2 / (1 - 0.2) of the ranks */
