@@ -19,18 +19,21 @@ done
 
 # Examples can be pasted from a terminal of 80 columns: each literal line stands there unbroken, as mandoc and groff
 # print it.
-# literal_lines MANUAL: prints the lines as a reader should see them, without indentation
+# literal_lines MANUAL: prints the lines as a reader should see them
 literal_lines() {
     awk '/^\.Bd -literal/ {literal = 1; next} /^\.Ed/ {literal = 0; next}
         literal && $0 != "" && !/^\./ {print} sub(/^\.Dl /, "") {print}' "$1" |
-        sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g; s/^ *//'
+        sed 's/\\e/\\/g; s/\\-/-/g; s/\\&//g'
 }
 # missing PRINTED MANUAL: prints the literal lines that are not lines of what was printed, or begin beyond column 80
 missing() {
     sed 's/.\x08//g; s/\x1b\[[0-9;]*m//g' "$1" | awk 'length($0) <= 80' | sed 's/^ *//' | sort -u >"$WORK/printed"
-    literal_lines "$2" | sort -u | comm -23 - "$WORK/printed"
+    literal_lines "$2" | sed 's/^ *//' | sort -u | comm -23 - "$WORK/printed"
 }
+# Versions of groff indent them by up to 13 columns, and leave the last ones free.
 for manual in man/man*/*; do
+    is "$manual: an indented literal line has at most 64 columns" "$(sed '/^\.Bd -literal$/,/^\.Ed/d' "$manual" >"$WORK/indented"
+        literal_lines "$WORK/indented" | awk 'length($0) > 64')" ""
     mandoc -Tutf8 -Owidth=78 "$manual" >"$WORK/page"
     is "$manual: mandoc prints its examples unbroken" "$(missing "$WORK/page" "$manual")" ""
     command -v groff >/dev/null && groff -mandoc -Tutf8 -rLL=78n "$manual" >"$WORK/page" 2>/dev/null || continue
