@@ -441,7 +441,7 @@ int main(int argc, char **argv)
     if ((!tensor && strcmp(method, "quadric") != 0 && strcmp(method, "smoothest") != 0) ||
         args.operand_count != (tensor ? 5 : 4))
         cmd_usage("the methods are quadric RINGS, tensor RINGS MU and smoothest STRENGTH");
-    struct cmd_output *output = cmd_open_output(args.operands[args.operand_count - 1], true);
+    struct cmd_output *output = cmd_open_output(args.operands[args.operand_count - 1], "glb", true);
     struct hatch_buffer glb = {.arena = &args.keep};
     struct hatch_scene scene;
     double seconds = 0;

@@ -168,8 +168,8 @@ static void begin_scene(void)
     make_nodes();
     make_materials();
     make_motion();
-    full = (struct hatch_scene){5,     7,         4,        2,       3,      3,     1,         1, scene_meshes,
-                                nodes, materials, textures, cameras, lights, skins, animations};
+    full = (struct hatch_scene){5,     7,         4,        2,       3,      3,     1,          1,    scene_meshes,
+                                nodes, materials, textures, cameras, lights, skins, animations, false};
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
