@@ -116,6 +116,7 @@ static struct hatch_bytes plot_seeds(struct cmd_args *args, const struct hatch_s
 
 static void make(struct cmd_args *args, struct hatch_seeds *seeds)
 {
+    const struct hatch_progress progress = cmd_progress_of("layers");
     const struct hatch_seeds_options how = {
         .cycle = {.method = (enum hatch_cycle_method)method,
                   .count = (uint32_t)count,
@@ -123,6 +124,7 @@ static void make(struct cmd_args *args, struct hatch_seeds *seeds)
                   .steps_max = (uint64_t)nodes_max},
         .layers = (uint32_t)layers,
         .candidates = (uint32_t)candidates,
+        .progress = &progress,
     };
     uint64_t steps;
     double within, together;

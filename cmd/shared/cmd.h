@@ -17,6 +17,7 @@
 #include "base/arena.h"
 #include "base/bytes.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 
 #define HATCH_VERSION "0.1.0"
 
@@ -211,5 +212,9 @@ double cmd_elapsed_ms(void);
  *   what   things that are counted, such as "patches"
  *   share  0 .. 1 */
 void cmd_progress(const char *what, double share);
+
+/* Returns the progress of a computation in libhatch, for which cmd_progress is called.
+ *   what  as in cmd_progress; kept by reference */
+struct hatch_progress cmd_progress_of(const char *what);
 
 #endif

@@ -219,6 +219,16 @@ void cmd_progress(const char *what, double share)
     progress_shown = true;
 }
 
+static void report_share(void *context, double share)
+{
+    cmd_progress(context, share);
+}
+
+struct hatch_progress cmd_progress_of(const char *what)
+{
+    return (struct hatch_progress){report_share, (void *)what};
+}
+
 void cmd_clear_progress(void)
 {
     if (progress_shown)

@@ -1,5 +1,6 @@
 #include "seed/seeds_make.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "seed/spread.h"
@@ -8,6 +9,8 @@ struct choice {
     const struct hatch_seeds_options *options;
     struct hatch_seed_point *points; /* those of the chosen layers, followed by those of a candidate */
     uint32_t chosen;                 /* number of points of the chosen layers */
+    struct hatch_spread_cells cells; /* points of the chosen layers; unset while there is none */
+    double distance;                 /* smallest distance between points of the chosen layers */
     uint8_t *crumbs;                 /* of a candidate */
     uint64_t steps;                  /* sum over all calls of hatch_cycle_make */
 };
@@ -23,21 +26,26 @@ static enum hatch_status make_candidate(struct choice *choice, uint64_t stream, 
     return HATCH_OK;
 }
 
-/* Computes the goodness of a candidate, as hatch_seeds_make describes. */
-static enum hatch_status rate(struct choice *choice, struct hatch_arena *scratch, double *goodness,
+/* Computes the goodness of a candidate, as hatch_seeds_make describes, or a value up to `best` if it is at most that. A
+ * candidate that is not better is mostly recognised at its first points. */
+static enum hatch_status rate(struct choice *choice, double best, struct hatch_arena *scratch, double *goodness,
                               struct hatch_err *err)
 {
     const struct hatch_seed_set set = {choice->options->cycle.count, choice->crumbs};
-    uint32_t all = choice->chosen + set.count;
-    double own, together;
+    const struct hatch_seed_point *points = choice->points + choice->chosen;
+    double distance;
     hatch_seed_points(&set, choice->points + choice->chosen);
-    HATCH_TRY(hatch_spread_distance(choice->points + choice->chosen, set.count, scratch, &own, err));
-    own /= hatch_spread_bound(set.count);
-    if (choice->chosen) {
-        HATCH_TRY(hatch_spread_distance(choice->points, all, scratch, &together, err));
-        own *= own * together / hatch_spread_bound(all);
-    }
+    HATCH_TRY(hatch_spread_distance(points, set.count, scratch, &distance, err));
+    double own = distance / hatch_spread_bound(set.count);
     *goodness = own;
+    if (!choice->chosen)
+        return HATCH_OK;
+    double bound = hatch_spread_bound(choice->chosen + set.count), together = fmin(distance, choice->distance);
+    *goodness = own * (own * together / bound);
+    for (uint32_t i = 0; i<set.count && * goodness> best; i++) {
+        together = hatch_spread_nearest(&choice->cells, &points[i], together);
+        *goodness = own * (own * together / bound);
+    }
     return HATCH_OK;
 }
 
@@ -49,6 +57,7 @@ static uint32_t count_candidates(const struct hatch_seeds_options *options)
     return affordable > 1000 ? 1000 : affordable > 1 ? affordable : 1;
 }
 
+/* Chooses the best of the candidates for a layer. */
 static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, const struct hatch_seed_set *set,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -58,7 +67,8 @@ static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, con
         double goodness = 0;
         HATCH_TRY(make_candidate(choice, (uint64_t)layer << 32 | i, scratch, err));
         if (candidates > 1)
-            HATCH_TRY(rate(choice, scratch, &goodness, err));
+            HATCH_TRY(rate(choice, best, scratch, &goodness, err));
+        hatch_progress_report(choice->options->progress, (layer + (i + 1.0) / candidates) / choice->options->layers);
         if (goodness <= best)
             continue;
         best = goodness;
@@ -67,6 +77,23 @@ static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, con
     hatch_seed_points(set, choice->points + choice->chosen);
     choice->chosen += set->count;
     return HATCH_OK;
+}
+
+/* Makes a layer that is spread well among the chosen ones. */
+static enum hatch_status add_layer(struct choice *choice, uint32_t layer, const struct hatch_seed_set *set,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = HATCH_OK;
+    if (choice->chosen && count_candidates(choice->options) > 1) {
+        status = hatch_spread_distance(choice->points, choice->chosen, scratch, &choice->distance, err);
+        if (status == HATCH_OK)
+            status = hatch_spread_sort(choice->points, choice->chosen, scratch, &choice->cells, err);
+    }
+    if (status == HATCH_OK)
+        status = choose_layer(choice, layer, set, scratch, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }
 
 enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, struct hatch_arena *arena,
@@ -85,7 +112,7 @@ enum hatch_status hatch_seeds_make(const struct hatch_seeds_options *options, st
     for (uint32_t i = 0; status == HATCH_OK && i < options->layers; i++) {
         made.layers[i].count = count;
         made.layers[i].crumbs = HATCH_NEW(arena, uint8_t, count, err);
-        status = made.layers[i].crumbs ? choose_layer(&choice, i, &made.layers[i], scratch, err) : HATCH_LIMIT;
+        status = made.layers[i].crumbs ? add_layer(&choice, i, &made.layers[i], scratch, err) : HATCH_LIMIT;
     }
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);

@@ -2,12 +2,14 @@
 #ifndef HATCH_SEED_SEEDS_MAKE_H
 #define HATCH_SEED_SEEDS_MAKE_H
 
+#include "base/progress.h"
 #include "seed/seeds.h"
 
 struct hatch_seeds_options {
-    struct hatch_cycle_options cycle; /* its stream is ignored */
-    uint32_t layers;                  /* 1 .. HATCH_SEED_LAYERS_MAX */
-    uint32_t candidates;              /* random sets tried per layer; 0: 100000 / cycle.count, within 1 .. 1000 */
+    struct hatch_cycle_options cycle;      /* its stream is ignored */
+    uint32_t layers;                       /* 1 .. HATCH_SEED_LAYERS_MAX */
+    uint32_t candidates;                   /* random sets tried per layer; 0: 100000 / cycle.count, within 1 .. 1000 */
+    const struct hatch_progress *progress; /* NULL: nobody is told */
 };
 
 /* Makes a random seed set for each layer, the best of several candidates. The best one has the largest a² b, where a

@@ -17,15 +17,7 @@ static double squared_distance(const struct hatch_seed_point *a, const struct ha
     return u * u + v * v;
 }
 
-/* Points sorted into the cells of a grid of 2^bits by 2^bits. A cell is at least as wide as hatch_spread_bound, so that
- * two points at the smallest distance lie in the same cell or in adjacent ones. */
-struct cells {
-    int bits;
-    uint32_t *first; /* per cell, its first entry in index; 4^bits + 1 entries */
-    uint32_t *index; /* points, ordered by cell */
-};
-
-static uint32_t cell_of(const struct cells *cells, const struct hatch_seed_point *point)
+static uint32_t cell_of(const struct hatch_spread_cells *cells, const struct hatch_seed_point *point)
 {
     if (!cells->bits)
         return 0;
@@ -33,48 +25,59 @@ static uint32_t cell_of(const struct cells *cells, const struct hatch_seed_point
     return (uint32_t)(point->v >> shift << cells->bits | point->u >> shift);
 }
 
-static enum hatch_status sort_into_cells(const struct hatch_seed_point *points, uint32_t count,
-                                         struct hatch_arena *scratch, struct cells *cells, struct hatch_err *err)
+enum hatch_status hatch_spread_sort(const struct hatch_seed_point *points, uint32_t count, struct hatch_arena *arena,
+                                    struct hatch_spread_cells *cells, struct hatch_err *err)
 {
-    cells->bits = 0;
-    while (ldexp(hatch_spread_bound(count), cells->bits + 1) <= 1.0)
-        cells->bits++;
-    size_t cell_count = (size_t)1 << 2 * cells->bits;
-    HATCH_TRY(HATCH_ALLOC(scratch, &cells->first, cell_count + 2, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &cells->index, count, err));
-    uint32_t *next = cells->first + 1; /* next[c] is the first entry of cell c; filling index advances it to the end of
-                                          that cell, which is first[c + 1] */
+    struct hatch_spread_cells made = {.bits = 0};
+    while (ldexp(hatch_spread_bound(count), made.bits + 1) <= 1.0)
+        made.bits++;
+    size_t cell_count = (size_t)1 << 2 * made.bits;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, cell_count + 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.points, count, err));
+    uint32_t *next = made.first + 1; /* next[c] is the first entry of cell c; filling points advances it to the end of
+                                        that cell, which is first[c + 1] */
     for (uint32_t i = 0; i < count; i++)
-        next[cell_of(cells, &points[i]) + 1]++;
+        next[cell_of(&made, &points[i]) + 1]++;
     for (size_t c = 0; c < cell_count; c++)
         next[c + 1] += next[c];
     for (uint32_t i = 0; i < count; i++)
-        cells->index[next[cell_of(cells, &points[i])]++] = i;
+        made.points[next[cell_of(&made, &points[i])]++] = points[i];
+    *cells = made;
     return HATCH_OK;
 }
 
-static double nearest_in(const struct cells *cells, const struct hatch_seed_point *points, uint32_t point, double best)
+/* Returns the least of `least` and the squared distances from a point to those among the first `limit` of the sorted
+ * points that lie in its cell and the adjacent ones. */
+static double nearest_of(const struct hatch_spread_cells *cells, const struct hatch_seed_point *point, uint32_t limit,
+                         double least)
 {
-    uint32_t cell = cell_of(cells, &points[point]), mask = ((uint32_t)1 << cells->bits) - 1;
+    uint32_t cell = cell_of(cells, point), mask = ((uint32_t)1 << cells->bits) - 1;
     uint32_t u = cell & mask, v = cell >> cells->bits;
     for (uint32_t near = 0; near < 9; near++) {
         uint32_t at = ((v + near / 3 - 1) & mask) << cells->bits | ((u + near % 3 - 1) & mask);
-        for (uint32_t i = cells->first[at]; i < cells->first[at + 1]; i++)
-            if (cells->index[i] < point)
-                best = fmin(best, squared_distance(&points[point], &points[cells->index[i]]));
+        uint32_t end = cells->first[at + 1] < limit ? cells->first[at + 1] : limit;
+        for (uint32_t i = cells->first[at]; i < end; i++)
+            least = fmin(least, squared_distance(point, &cells->points[i]));
     }
-    return best;
+    return least;
+}
+
+double hatch_spread_nearest(const struct hatch_spread_cells *cells, const struct hatch_seed_point *point,
+                            double distance)
+{
+    double squared = distance * distance, found = nearest_of(cells, point, UINT32_MAX, squared);
+    return found < squared ? sqrt(found) : distance;
 }
 
 enum hatch_status hatch_spread_distance(const struct hatch_seed_point *points, uint32_t count,
                                         struct hatch_arena *scratch, double *distance, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct cells cells;
+    struct hatch_spread_cells cells;
     double best = 1;
-    enum hatch_status status = sort_into_cells(points, count, scratch, &cells, err);
+    enum hatch_status status = hatch_spread_sort(points, count, scratch, &cells, err);
     for (uint32_t i = 0; status == HATCH_OK && i < count && best > 0; i++)
-        best = nearest_in(&cells, points, i, best);
+        best = nearest_of(&cells, &cells.points[i], i, best);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *distance = sqrt(best);

@@ -8,6 +8,26 @@
  * grid of the same density, sqrt(2 / (sqrt(3) count)). */
 double hatch_spread_bound(uint32_t count);
 
+/* Seed points sorted into the cells of a grid of 2^bits by 2^bits. A cell is at least as wide as
+ * hatch_spread_bound(count), so that of these points two at the smallest distance lie in the same cell or in adjacent
+ * ones. */
+struct hatch_spread_cells {
+    int bits;
+    uint32_t *first;                 /* per cell, its first entry in points; 4^bits + 1 entries */
+    struct hatch_seed_point *points; /* count entries, ordered by cell */
+};
+
+/* Sorts points into cells.
+ *   count  at least 1
+ *   cells  out, in arena */
+enum hatch_status hatch_spread_sort(const struct hatch_seed_point *points, uint32_t count, struct hatch_arena *arena,
+                                    struct hatch_spread_cells *cells, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the smaller of `distance` and the distance from a point to the nearest of sorted points. Distances above
+ * hatch_spread_bound(count) may be missed, in which case the result is too large. */
+double hatch_spread_nearest(const struct hatch_spread_cells *cells, const struct hatch_seed_point *point,
+                            double distance);
+
 /* Computes the smallest distance between any two seed points on the torus; 1 for a single point. Time is about linear
  * in count. */
 enum hatch_status hatch_spread_distance(const struct hatch_seed_point *points, uint32_t count,
