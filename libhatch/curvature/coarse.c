@@ -1,6 +1,7 @@
 #include <math.h>
+#include <stdlib.h>
 
-#include "base/random.h"
+#include "math/box.h"
 #include "math/vector.h"
 #include "curvature/work.h"
 
@@ -11,15 +12,6 @@ struct sample {
     double standard_error_rad, confidence, radius;
 };
 
-/* Samples by the cell that contains their centre. Cells are hashed; those in one slot only cost time. */
-struct grid {
-    uint32_t *head, *next; /* per slot and per sample; HATCH_NO_SIDE ends a list */
-    uint32_t mask;
-    double cell; /* edge length of a cell */
-};
-
-#define REACH_MAX 4 /* cells, in each direction; a power of 2 */
-
 #define POINTS_MAX 256u
 
 /* Collects the face's points and their neighbours, each once, at most capacity. */
@@ -28,11 +20,11 @@ static uint32_t gather(const struct hatch_surface *coarse, uint32_t face, uint32
     uint32_t count = 0;
     for (int c = 0; c < 3; c++) {
         uint32_t p = coarse->corners[(size_t)face * 3 + (size_t)c];
-        for (uint32_t i = coarse->ring_first[p]; i < coarse->ring_first[p + 1]; i++) {
+        for (uint32_t i = coarse->ring_first[p]; i < coarse->ring_first[p + 1] && count < capacity; i++) {
             uint32_t q = coarse->ring_point[i], k = 0;
             while (k < count && points[k] != q)
                 k++;
-            if (k == count && count < capacity)
+            if (k == count)
                 points[count++] = q;
         }
     }
@@ -98,38 +90,61 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
         sample->principal.value[k] /= component->scale;
 }
 
-static uint32_t slot(const struct grid *grid, const double position[3], const int step[3])
+/* A k-d tree. The sample in the middle of a range divides it along an axis: those before it are no higher, those after
+ * it no lower. */
+struct tree {
+    const struct sample *samples;
+    uint32_t count;
+    struct tree_item {
+        double key; /* coordinate along the axis of the range that was sorted last */
+        uint32_t sample;
+    } * items;
+    uint8_t *axis; /* per item: axis of the range in whose middle it is */
+};
+
+static int compare_items(const void *a, const void *b)
 {
-    uint64_t key = 0;
-    for (int k = 0; k < 3; k++)
-        key = hatch_random_mix(key + (uint64_t)((int64_t)floor(position[k] / grid->cell) + step[k]));
-    return (uint32_t)key & grid->mask;
+    const struct tree_item *p = a, *q = b;
+    if (p->key < q->key || p->key > q->key)
+        return p->key < q->key ? -1 : 1;
+    return p->sample < q->sample ? -1 : p->sample > q->sample;
 }
 
-static enum hatch_status make_grid(const struct sample *samples, uint32_t count, double cell,
-                                   struct hatch_arena *scratch, struct grid *grid, struct hatch_err *err)
+/* Orders the items begin .. end - 1. */
+static void make_range(struct tree *tree, uint32_t begin, uint32_t end)
 {
-    const int here[3] = {0, 0, 0};
-    grid->cell = cell;
-    grid->mask = 1;
-    while (grid->mask / 2 < count)
-        grid->mask = 2 * grid->mask + 1;
-    HATCH_TRY(HATCH_ALLOC(scratch, &grid->head, (size_t)grid->mask + 1, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &grid->next, count, err));
-    for (uint32_t i = 0; i <= grid->mask; i++)
-        grid->head[i] = HATCH_NO_SIDE;
-    for (uint32_t f = 0; f < count; f++) {
-        uint32_t *head = &grid->head[slot(grid, samples[f].center, here)];
-        grid->next[f] = *head;
-        *head = f;
-    }
+    if (begin == end)
+        return;
+    struct hatch_box box = {.any = false};
+    double extent[3];
+    for (uint32_t i = begin; i < end; i++)
+        hatch_box_add(&box, tree->samples[tree->items[i].sample].center);
+    hatch_vec_sub(box.high, box.low, extent);
+    uint8_t axis = extent[1] > extent[0];
+    axis = extent[2] > extent[axis] ? 2 : axis;
+    for (uint32_t i = begin; i < end; i++)
+        tree->items[i].key = tree->samples[tree->items[i].sample].center[axis];
+    qsort(&tree->items[begin], end - begin, sizeof *tree->items, compare_items);
+    uint32_t middle = begin + (end - begin) / 2;
+    tree->axis[middle] = axis;
+    make_range(tree, begin, middle);
+    make_range(tree, middle + 1, end);
+}
+
+static enum hatch_status make_tree(const struct sample *samples, uint32_t count, struct hatch_arena *scratch,
+                                   struct tree *tree, struct hatch_err *err)
+{
+    *tree = (struct tree){.samples = samples, .count = count};
+    HATCH_TRY(HATCH_ALLOC(scratch, &tree->items, count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &tree->axis, count, err));
+    for (uint32_t i = 0; i < count; i++)
+        tree->items[i].sample = i;
+    make_range(tree, 0, count);
     return HATCH_OK;
 }
 
 struct search {
-    const struct sample *samples;
-    uint32_t count;
-    const struct grid *grid;
+    const struct tree *tree;
     double position[3], normal[3];
     uint32_t best; /* sample; of equally near ones the lowest */
     double best_distance;
@@ -139,7 +154,7 @@ struct search {
  * times as far. */
 static void visit(struct search *search, uint32_t face)
 {
-    const struct sample *sample = &search->samples[face];
+    const struct sample *sample = &search->tree->samples[face];
     double distance = hatch_vec_distance(sample->center, search->position);
     distance *= hatch_vec_dot(sample->normal, search->normal) > 0 ? 1 : 3;
     if (distance < search->best_distance || (distance <= search->best_distance && face < search->best)) {
@@ -148,31 +163,35 @@ static void visit(struct search *search, uint32_t face)
     }
 }
 
-static void visit_cells(struct search *search, int reach)
+/* Searches a range, first the part in which the position lies. */
+static void search_range(struct search *search, uint32_t begin, uint32_t end)
 {
-    for (int x = -reach; x <= reach; x++)
-        for (int y = -reach; y <= reach; y++)
-            for (int z = -reach; z <= reach; z++) {
-                const int step[3] = {x, y, z};
-                uint32_t f = search->grid->head[slot(search->grid, search->position, step)];
-                for (; f != HATCH_NO_SIDE; f = search->grid->next[f])
-                    visit(search, f);
-            }
+    if (begin == end)
+        return;
+    uint32_t middle = begin + (end - begin) / 2, sample = search->tree->items[middle].sample;
+    uint8_t axis = search->tree->axis[middle];
+    double beyond = search->position[axis] - search->tree->samples[sample].center[axis];
+    visit(search, sample);
+    if (beyond < 0)
+        search_range(search, begin, middle);
+    else
+        search_range(search, middle + 1, end);
+    /* Rounding may make the distance of a sample less than that of the plane. */
+    if (fabs(beyond) > search->best_distance * (1 + 1e-12))
+        return;
+    if (beyond < 0)
+        search_range(search, middle + 1, end);
+    else
+        search_range(search, begin, middle);
 }
 
-/* Finds the nearest sample: in a growing neighbourhood of cells, then, far from all samples, among all. */
+/* Finds the nearest sample. */
 static const struct sample *nearest(struct search *search)
 {
     search->best_distance = INFINITY;
     search->best = HATCH_NO_SIDE;
-    for (int reach = 1; reach <= REACH_MAX; reach *= 2) {
-        visit_cells(search, reach);
-        if (search->best_distance <= reach * search->grid->cell)
-            return &search->samples[search->best];
-    }
-    for (uint32_t f = 0; f < search->count; f++)
-        visit(search, f);
-    return &search->samples[search->best];
+    search_range(search, 0, search->tree->count);
+    return &search->tree->samples[search->best];
 }
 
 /* Gives every point the curvature of the nearest sample, projected into its own plane, in its own units. */
@@ -202,7 +221,7 @@ static void transfer(const struct hatch_surface *surface, const struct hatch_fra
 
 static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                       struct hatch_arena *scratch, struct sample **samples, uint32_t *count,
-                                      double *cell, struct hatch_err *err)
+                                      struct hatch_err *err)
 {
     struct hatch_surface coarse;
     struct hatch_surface_notes notes;
@@ -211,9 +230,6 @@ static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatc
     for (uint32_t f = 0; f < coarse.face_count; f++)
         fit_face(&coarse, f, &(*samples)[f]);
     *count = coarse.face_count;
-    *cell = 0;
-    for (uint32_t c = 0; c < coarse.component_count; c++)
-        *cell = fmax(*cell, coarse.components[c].scale);
     return HATCH_OK;
 }
 
@@ -227,14 +243,13 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
     /* The simplified surface lies in arena after the results and is freed again. */
     struct hatch_arena_mark mark = hatch_arena_mark(scratch), results = hatch_arena_mark(arena);
     struct sample *samples;
-    struct grid grid;
+    struct tree tree;
     uint32_t count;
-    double cell;
-    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, &count, &cell, err);
+    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, &count, err);
     if (status == HATCH_OK)
-        status = make_grid(samples, count, cell, scratch, &grid, err);
+        status = make_tree(samples, count, scratch, &tree, err);
     if (status == HATCH_OK) {
-        struct search search = {.samples = samples, .count = count, .grid = &grid};
+        struct search search = {.tree = &tree};
         transfer(surface, frames, &search, &made);
         *curvature = made;
     }

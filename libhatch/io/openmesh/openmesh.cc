@@ -1,3 +1,4 @@
+#include <climits>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -65,14 +66,44 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
     }
 }
 
-uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *to)
+/* Largest number of edges at a vertex while a mesh is decimated: the time of a collapse grows with the square of their
+ * number. On flat parts, where all collapses are as good, points would otherwise collapse into a few. */
+const unsigned valence_max = 32;
+
+/* The vertices that stand for points. Where more faces meet at a point than one vertex may have, further vertices are
+ * made for it. */
+struct Hubs {
+    Mesh *mesh;
+    unsigned most;                        /* faces at a vertex */
+    std::vector<Mesh::VertexHandle> last; /* per point: its latest vertex */
+    std::vector<unsigned> faces;          /* per point: faces at this vertex */
+
+    Hubs(Mesh *to, unsigned limit) : mesh(to), most(limit), faces(to->n_vertices())
+    {
+        for (const auto &vertex : to->vertices())
+            last.push_back(vertex);
+    }
+
+    Mesh::VertexHandle take(uint32_t point)
+    {
+        if (faces[point]++ == most) {
+            Mesh::Point at = mesh->point(last[point]);
+            last[point] = mesh->add_vertex(at);
+            faces[point] = 1;
+        }
+        return last[point];
+    }
+};
+
+uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, unsigned faces_max, Mesh *to)
 {
+    Hubs hubs(to, faces_max);
     uint32_t left_out = 0;
     omerr().disable(); /* OpenMesh prints each refused face, but a library must not print */
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         Mesh::VertexHandle corner[3];
         for (size_t c = 0; c < 3; c++)
-            corner[c] = Mesh::VertexHandle(static_cast<int>(point[mesh->indices[f * size_t{3} + c]]));
+            corner[c] = hubs.take(point[mesh->indices[f * size_t{3} + c]]);
         bool distinct = corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
         bool added = distinct && to->add_face(corner[0], corner[1], corner[2]).is_valid();
         left_out += !added;
@@ -81,8 +112,10 @@ uint32_t add_faces(const struct hatch_mesh *mesh, const uint32_t *point, Mesh *t
     return left_out;
 }
 
-enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct hatch_arena *scratch, Mesh *to,
-                       uint32_t *left_out, struct hatch_err *err)
+/* Makes OpenMesh's mesh.
+ *   faces_max  largest number of faces at a vertex; where there are more, the mesh is cut */
+enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct hatch_arena *scratch,
+                       unsigned faces_max, Mesh *to, uint32_t *left_out, struct hatch_err *err)
 {
     uint32_t count;
     if (mesh->vertex_count > INT32_MAX / 3 || mesh->face_count > INT32_MAX / 3)
@@ -92,7 +125,7 @@ enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct
         return HATCH_LIMIT;
     HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &count, err));
     add_points(mesh, frame, point, count, to);
-    *left_out = add_faces(mesh, point, to);
+    *left_out = add_faces(mesh, point, faces_max, to);
     to->request_face_status();
     to->request_edge_status();
     to->request_vertex_status();
@@ -104,6 +137,23 @@ enum hatch_status load(const struct hatch_mesh *mesh, const Frame &frame, struct
     return HATCH_OK;
 }
 
+/* Allows the collapses that keep to valence_max. */
+template <class MeshT> class ModValenceT : public OpenMesh::Decimater::ModBaseT<MeshT>
+{
+  public:
+    DECIMATING_MODULE(ModValenceT, MeshT, Valence);
+
+    explicit ModValenceT(MeshT &mesh) : Base(mesh, true)
+    {
+    }
+
+    float collapse_priority(const CollapseInfo &collapse) override
+    {
+        unsigned edges = Base::mesh().valence(collapse.v0) + Base::mesh().valence(collapse.v1);
+        return static_cast<float>(edges > valence_max + 4 ? Base::ILLEGAL_COLLAPSE : Base::LEGAL_COLLAPSE);
+    }
+};
+
 void reduce(Mesh *mesh, uint32_t face_count)
 {
     typedef OpenMesh::Decimater::DecimaterT<Mesh> Decimater;
@@ -114,6 +164,8 @@ void reduce(Mesh *mesh, uint32_t face_count)
     Quadric quadric;
     decimater.add(quadric);
     decimater.module(quadric).unset_max_err();
+    ModValenceT<Mesh>::Handle valence;
+    decimater.add(valence);
     decimater.initialize();
     decimater.decimate_to_faces(0, face_count);
     mesh->garbage_collection();
@@ -180,7 +232,7 @@ extern "C" enum hatch_status hatch_mesh_decimate(const struct hatch_mesh *mesh, 
         Mesh work;
         uint32_t refused;
         Frame frame = frame_of(mesh);
-        HATCH_TRY(load(mesh, frame, scratch, &work, &refused, err));
+        HATCH_TRY(load(mesh, frame, scratch, valence_max, &work, &refused, err));
         if (work.n_faces() > face_count)
             reduce(&work, face_count);
         HATCH_TRY(store(work, frame, arena, out, err));
@@ -196,7 +248,7 @@ extern "C" enum hatch_status hatch_mesh_connectivity(const struct hatch_mesh *me
     return guarded(scratch, err, [&]() {
         Mesh work;
         uint32_t refused;
-        HATCH_TRY(load(mesh, frame_of(mesh), scratch, &work, &refused, err));
+        HATCH_TRY(load(mesh, frame_of(mesh), scratch, UINT_MAX, &work, &refused, err));
         *connectivity = {static_cast<uint32_t>(work.n_vertices()), static_cast<uint32_t>(work.n_edges()),
                          static_cast<uint32_t>(work.n_faces()), count_boundary_loops(work), refused};
         return HATCH_OK;
