@@ -17,6 +17,8 @@
 /* Other numberings are tried where the envelope has more entries than this factor times the number of vertices to the
  * power of 1.5. */
 #define ENVELOPE_FAIR 1.5
+/* A hub is a vertex with more faces than this factor times the square root of the number of vertices. */
+#define HUB_FACTOR 4.0
 /* Number of strips of the plane per vertex, for sorting. */
 #define STRIPS 4u
 /* Largest entry that a face adds to the matrix; beside a larger one, that of a needle, the entries of its neighbours
@@ -72,6 +74,27 @@ static uint32_t find_box(const struct hatch_patch *patch, double low[2], double 
     return high[1] - low[1] > high[0] - low[0];
 }
 
+/* Moves the hubs to the end of the order of ranks, where only their own rows are long. Elsewhere, the rows of all their
+ * neighbours behind them would reach back to them. Returns false when there is no hub. */
+static bool move_hubs(struct hatch_solver *solver, const struct hatch_patch *patch)
+{
+    /* Two arrays that are set later, first_column by find_envelope. */
+    uint32_t *faces = solver->row_start, *vertex_at = solver->first_column, count = patch->vertex_count, hubs = 0;
+    double most = HUB_FACTOR * sqrt(count);
+    memset(faces, 0, count * sizeof *faces);
+    for (uint32_t i = 0; i < 3 * patch->face_count; i++)
+        faces[patch->corners[i]]++;
+    for (uint32_t v = 0; v < count; v++)
+        hubs += faces[v] > most;
+    if (hubs == 0)
+        return false;
+    for (uint32_t v = 0; v < count; v++)
+        vertex_at[solver->rank[v]] = v;
+    for (uint32_t i = 0, next = 0, last = count - hubs; i < count; i++)
+        solver->rank[vertex_at[i]] = faces[vertex_at[i]] > most ? last++ : next++;
+    return true;
+}
+
 /* Ranks the vertices in the order of a sweep along an axis, by strips that contain less than one vertex on average; the
  * envelope is then about as wide as the patch. Axis 2 stands for the reverse order of growth, which is better where
  * long faces lie across each other. */
@@ -117,29 +140,38 @@ static uint64_t find_envelope(struct hatch_solver *solver, const struct hatch_pa
     return size;
 }
 
+/* Numbers the vertices along an axis, and with the hubs last where that shortens the envelope. Returns the number of
+ * its entries. */
+static uint64_t number_along(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t axis,
+                             const double low[2], const double high[2])
+{
+    double count = patch->vertex_count;
+    number_vertices(solver, patch, axis, low, high);
+    uint64_t size = find_envelope(solver, patch);
+    if ((double)size > ENVELOPE_FAIR * count * sqrt(count) && move_hubs(solver, patch))
+        size = find_envelope(solver, patch);
+    return size;
+}
+
 static enum hatch_status choose_numbering(struct hatch_solver *solver, const struct hatch_patch *patch,
                                           struct hatch_err *err)
 {
     double low[2], high[2];
     uint32_t axis = find_box(patch, low, high), best = axis;
     double count = patch->vertex_count;
-    number_vertices(solver, patch, axis, low, high);
-    uint64_t least = find_envelope(solver, patch);
+    uint64_t least = number_along(solver, patch, axis, low, high);
     for (uint32_t other = 0; other < 3 && (double)least > ENVELOPE_FAIR * count * sqrt(count); other++) {
         if (other == axis)
             continue;
-        number_vertices(solver, patch, other, low, high);
-        uint64_t found = find_envelope(solver, patch);
+        uint64_t found = number_along(solver, patch, other, low, high);
         if (found < least) {
             least = found;
             best = other;
         }
         axis = other;
     }
-    if (best != axis) {
-        number_vertices(solver, patch, best, low, high);
-        find_envelope(solver, patch);
-    }
+    if (best != axis)
+        number_along(solver, patch, best, low, high);
     uint32_t size = 0;
     for (uint32_t i = 0; i < patch->vertex_count; i++) {
         solver->row_start[i] = size - solver->first_column[i];
