@@ -218,6 +218,22 @@ static void load_scene(struct job *job, struct hatch_mesh_notes *notes)
     cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, &job->patches, &err), name, &err);
 }
 
+/* Exits with a message if no node has a face. */
+static void check_faces(const struct job *job, const struct hatch_mesh_notes *notes)
+{
+    const struct hatch_scene *scene = &job->values;
+    struct hatch_err err;
+    bool any = notes->transparent_dropped > 0;
+    for (uint32_t n = 0; n < scene->node_count && !any; n++)
+        for (uint32_t i = 0; i < scene->nodes[n].mesh_count; i++)
+            any = any || scene->meshes[scene->nodes[n].first_mesh + i].mesh.face_count > 0;
+    if (any)
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT, "the scene has no faces%s",
+               notes->primitives_skipped ? ", only points or lines" : "");
+    cmd_die(job->name, &err);
+}
+
 void job_read(struct job *job)
 {
     const struct options *options = job->options;
@@ -237,6 +253,7 @@ void job_read(struct job *job)
     enum hatch_status status = job_check(job, options->technique, &file, &err);
     cmd_check(status, file, &err);
     check_animation(job);
+    check_faces(job, &notes);
     cmd_warn_mesh(job->name, &notes);
     warn_if_still(job);
 }
@@ -294,7 +311,8 @@ static void upload_scene(struct job *job)
     set_span(job);
     cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
     cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
-    if (bounds.empty)
+    job->empty = bounds.empty;
+    if (job->empty)
         cmd_warn(name, "the scene has no visible faces");
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)

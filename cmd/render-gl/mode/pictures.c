@@ -1,9 +1,12 @@
 /* Draws frames and writes them as PNG or EXR files. */
+#include <math.h>
 #include <string.h>
 
 #include "io/exr/exr.h"
 #include "io/png/png.h"
 #include "render-gl/mode/modes.h"
+
+#define BLANK_TOLERANCE 1e-3f /* linear light; a blank picture has rounding errors */
 
 static bool wants_exr(const char *path)
 {
@@ -22,6 +25,28 @@ void pictures_encode(const char *path, const struct hatch_image *image, struct h
               path, &err);
 }
 
+/* Returns whether all pixels have the colour of the paper.
+ *   image  RGB */
+static bool is_blank(const struct hatch_image *image, const float paper[3])
+{
+    size_t count = (size_t)image->width * image->height;
+    for (size_t i = 0; i < 3 * count; i++)
+        if (fabsf(image->pixels[i] - paper[i % 3]) > BLANK_TOLERANCE)
+            return false;
+    return true;
+}
+
+static void warn_of_blank(const struct job *job, uint32_t blank)
+{
+    const char *name = cmd_input_name(job->options->scene_path);
+    static const char reason[] = "nothing is in sight, or nothing is dark enough for a stroke";
+    if (blank && job->options->frames == 1)
+        cmd_warn(name, "the picture is blank: %s", reason);
+    else if (blank)
+        cmd_warn(name, "%u of %u pictures %s blank: %s", blank, job->options->frames, cmd_plural(blank, "is", "are"),
+                 reason);
+}
+
 void pictures_write(struct job *job)
 {
     const struct options *options = job->options;
@@ -34,11 +59,13 @@ void pictures_write(struct job *job)
     cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
     job_make_canvas(job, &canvas);
     const struct picture picture = job_picture(job, job_open(job, options->technique, &err));
+    uint32_t blank = 0;
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
+        blank += !job->empty && is_blank(&image, job->frame.style.inks.paper);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
         pictures_encode(job->args.output, &image, scratch, &bytes);
@@ -51,6 +78,7 @@ void pictures_write(struct job *job)
     if (job->changes)
         cmd_note("the technique's options were changed and applied %u times, %.2f ms each", job->changes,
                  job->changes_ms / job->changes);
+    warn_of_blank(job, blank);
     cmd_write_all(files, options->frames);
     canvas_free(&canvas);
 }

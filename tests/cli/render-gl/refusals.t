@@ -167,4 +167,23 @@ is "--probe: the share of drawn pixels is plausible" \
     "$(awk -F'\t' '$1 == "drawn" {print ($3 > 0.1 && $3 < 0.9)}' probe.tsv)" 1
 is "--probe: no more texels are used than the map has" \
     "$(awk -F'\t' '$1 == "used" {u = $3} $1 == "map" {print (u > 0 && u <= $3)}' probe.tsv)" 1
+
+# A scene that cannot show anything is refused; a picture that shows nothing of it is warned of.
+echo '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]}' >bare.gltf
+try $draw bare.gltf --technique gouraud
+refused "a scene without faces is refused" 3 1
+is "a scene without faces: message" "$(cat .err)" "render-gl: bare.gltf: the scene has no faces"
+blank() {
+    name=$1
+    shift
+    try $draw torus.glb --technique gouraud "$@"
+    is "$name gets a warning" "$status $(cat .err)" \
+        "0 render-gl: torus.glb: warning: the picture is blank: nothing is in sight, or nothing is dark enough for a stroke"
+}
+blank "a scene behind the camera" --camera 9,9,9:10,10,10
+blank "a scene too far away" --camera 1e30,0,0
+try render-gl torus.glb --technique gouraud --size 64x48 --camera 9,9,9:10,10,10 --frames 2 -o 'blank%d.png'
+is "blank frames get one warning" "$status $(grep -c blank .err) $(grep -c '2 of 2 pictures are blank: ' .err)" "0 1 1"
+try $draw torus.glb --technique gouraud
+is "a picture of the scene gets none" "$status $(cat .err)" "0 "
 finish
