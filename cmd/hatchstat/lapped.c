@@ -81,7 +81,9 @@ enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *
     struct hatch_err err;
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     const struct hatch_image *masks = read_masks(args, name, &scene);
-    cmd_check(hatch_measure_lapped(&scene, masks, (uint32_t)options->samples, SEED, &args->scratch, &figures, &err),
+    const struct hatch_progress progress = cmd_progress_of("samples");
+    cmd_check(hatch_measure_lapped(&scene, masks, (uint32_t)options->samples, SEED, &progress, &args->scratch, &figures,
+                                   &err),
               name, &err);
     cmd_report_begin(&report, args, columns);
     put(&report, &figures);

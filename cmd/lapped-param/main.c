@@ -87,6 +87,17 @@ static void set_sizes(const struct lapped_param_options *settings, const struct 
     part->size = settings->lapped.size > 0 ? fmin(settings->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
 }
 
+/* The progress of all meshes. */
+struct shares {
+    double done, part; /* shares of all faces: in finished meshes, in the present one */
+};
+
+static void report_share(void *context, double share)
+{
+    const struct shares *shares = context;
+    cmd_progress("patches", shares->done + share * shares->part);
+}
+
 static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
                                        const struct lapped_param_options *settings, const struct hatch_outline *outline,
                                        struct hatch_scene *scene)
@@ -97,6 +108,13 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     struct lapped_param_part *parts;
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
     lapped_param_measure(args, scene, &extent);
+    double faces = 0;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        faces += scene->meshes[i].mesh.face_count;
+    struct shares shares = {0};
+    const struct hatch_progress progress = {report_share, &shares};
+    struct lapped_param_options reporting = *settings;
+    reporting.lapped.progress = &progress;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct lapped_param_part *part = &parts[i];
         *part = (struct lapped_param_part){
@@ -105,9 +123,10 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
         if (!(part->tile > 0 && isfinite(part->tile)))
             cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "primitive %u: its size in the scene is zero or infinite", i),
                       part->name, &err);
-        lapped_param_cover(args, settings, outline, part);
+        shares.part = part->mesh->mesh.face_count / faces;
+        lapped_param_cover(args, &reporting, outline, part);
         part->atlas_side *= extent.scale[i];
-        cmd_progress("patches", (double)(i + 1) / scene->mesh_count);
+        shares.done += shares.part;
     }
     return parts;
 }

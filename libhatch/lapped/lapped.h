@@ -15,6 +15,7 @@
 #define HATCH_LAPPED_LAPPED_H
 
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "lapped/outline.h"
 #include "field/field.h"
 
@@ -26,6 +27,7 @@ struct hatch_lapped_options {
     double stretch_max;  /* growth stops where larger / smaller singular value exceeds this, 1.01 .. 10 */
     double turn_max_rad; /* growth stops where the angle between u and the field exceeds this, 0.01 .. π/2 */
     uint64_t seed;       /* random seed */
+    const struct hatch_progress *progress; /* NULL: nobody is told */
 };
 
 /* A surface with a direction field, and the texture that is laid on it. Kept by reference only during a call. */

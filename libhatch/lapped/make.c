@@ -29,6 +29,7 @@ struct making {
     uint32_t shown_count, newly_covered_count, shown_capacity, newly_covered_capacity;
     uint32_t *renumbered, renumbered_capacity; /* per local vertex: its number in the stored patch, or UINT32_MAX */
     struct hatch_lapped totals;
+    uint32_t covered; /* number of faces that patches cover */
 };
 
 static enum hatch_status reserve_arrays(struct making *making, struct hatch_err *err)
@@ -177,6 +178,8 @@ static enum hatch_status make_patch(struct making *making, uint32_t seed_face, d
         making->totals.enlarged_count += notes.enlarged;
         HATCH_TRY(store_patch(making, scale, err));
     }
+    making->covered += making->newly_covered_count;
+    hatch_progress_report(making->options->progress, (double)making->covered / making->domain.surface->face_count);
     return hatch_order_add_covered(&making->order, making->newly_covered, making->newly_covered_count, err);
 }
 

@@ -12,6 +12,7 @@
 
 /* Smallest opacity that counts as 1, to allow for the rounding of bilinear interpolation. */
 #define OPAQUE (1 - 1e-6)
+#define REPORT_STEP 1024 /* samples from one report of progress to the next */
 #define DEGREES (180 / 3.14159265358979323846)
 
 static const double shares[HATCH_LAPPED_SHARES] = {0.5, 0.95, 0.99, 1};
@@ -250,7 +251,8 @@ static uint32_t find_face(const double *area_up_to, uint32_t count, double area)
     return low;
 }
 
-static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_t seed, struct hatch_err *err)
+static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_t seed,
+                                       const struct hatch_progress *progress, struct hatch_err *err)
 {
     const struct faces *faces = &w->faces;
     double *area_up_to = HATCH_NEW(w->scratch, double, faces->surface_count, err), area = 0;
@@ -267,6 +269,8 @@ static enum hatch_status measure_cover(struct work *w, uint32_t samples, uint64_
     }
     w->out->opacity_min = 1;
     for (uint32_t i = 0; i < samples; i++) {
+        if (i % REPORT_STEP == 0)
+            hatch_progress_report(progress, (double)i / samples);
         double weights[3], at = (double)(hatch_random_u64(seed, 0, i) >> 11) * 0x1p-53 * area;
         random_weights(seed, i, weights);
         take_sample(w, find_face(area_up_to, faces->surface_count, at), weights, seen, &covered);
@@ -368,8 +372,9 @@ static enum hatch_status measure_stretch(struct work *w, struct hatch_err *err)
 }
 
 enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const struct hatch_image *masks,
-                                       uint32_t samples, uint64_t seed, struct hatch_arena *scratch,
-                                       struct hatch_lapped_figures *figures, struct hatch_err *err)
+                                       uint32_t samples, uint64_t seed, const struct hatch_progress *progress,
+                                       struct hatch_arena *scratch, struct hatch_lapped_figures *figures,
+                                       struct hatch_err *err)
 {
     assert(samples > 0);
     struct hatch_lapped_figures made = {.patches = 0};
@@ -381,7 +386,7 @@ enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const st
         made.faces = w.faces.surface_count;
         made.patch_faces = w.faces.count;
         made.overlap = (double)made.patch_faces / made.faces;
-        status = measure_cover(&w, samples, seed, err);
+        status = measure_cover(&w, samples, seed, progress, err);
     }
     if (status == HATCH_OK)
         status = measure_stretch(&w, err);

@@ -3,6 +3,7 @@
 #ifndef HATCH_MEASURE_LAPPED_FIGURES_H
 #define HATCH_MEASURE_LAPPED_FIGURES_H
 
+#include "base/progress.h"
 #include "image/image.h"
 #include "scene/scene.h"
 
@@ -28,13 +29,13 @@ struct hatch_lapped_figures {
 };
 
 /* Measures all patches that nodes use.
- *   masks    image of each texture of the scene; its pixels are NULL if the texture is not an outline. Channel A is the
- *            opacity; without it the mask is opaque
- *   samples  at least 1; uniform by area
- *   seed     random seed of the samples
+ *   masks     image of each texture of the scene; its pixels are NULL if the texture is not an outline. Channel A is
+ * the opacity; without it the mask is opaque samples   at least 1; uniform by area seed      random seed of the samples
+ *   progress  NULL: nobody is told
  * HATCH_BAD_INPUT when there is no patch, or one has no texture coordinates or outline. */
 enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const struct hatch_image *masks,
-                                       uint32_t samples, uint64_t seed, struct hatch_arena *scratch,
-                                       struct hatch_lapped_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
+                                       uint32_t samples, uint64_t seed, const struct hatch_progress *progress,
+                                       struct hatch_arena *scratch, struct hatch_lapped_figures *figures,
+                                       struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -313,6 +313,27 @@ START_TEST(failed_allocations_are_reported)
 }
 END_TEST
 
+static void note_share(void *context, double share)
+{
+    double *last = context;
+    ck_assert_double_ge(share, *last);
+    ck_assert_double_le(share, 1);
+    *last = share;
+}
+
+START_TEST(progress_rises_to_the_end)
+{
+    double last = 0;
+    const struct hatch_progress progress = {note_share, &last};
+    struct hatch_lapped_options options = LAPPED_DEFAULTS;
+    options.progress = &progress;
+    struct field_case field = case_of_shape(HATCH_SHAPE_TORUS, 2000, 1);
+    set_direction(&field, 0, 0, 1);
+    make_lapped(field, &options);
+    ck_assert_double_eq(last, 1);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("lapped make");
@@ -327,6 +348,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_rotated_and_moved_torus_is_covered_alike);
     tcase_add_test(tests, a_patch_mesh_has_positions_of_the_source);
     tcase_add_test(tests, failed_allocations_are_reported);
+    tcase_add_test(tests, progress_rises_to_the_end);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -72,7 +72,7 @@ static void begin_patches(void)
 
 static void measure(void)
 {
-    HATCH_TEST_OK(hatch_measure_lapped(&scene, masks, SAMPLES, 1, &scratch, &figures, &err), &err);
+    HATCH_TEST_OK(hatch_measure_lapped(&scene, masks, SAMPLES, 1, NULL, &scratch, &figures, &err), &err);
 }
 
 static const struct made plain = {0, 2, 3, -3, 0, 1, 0};
@@ -289,14 +289,14 @@ START_TEST(scenes_without_patches_are_refused)
     struct hatch_lapped_figures before = figures;
     struct hatch_mesh full = patches[0].mesh;
     patches[0].mesh.attribute_count = 2;
-    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, NULL, &scratch, &figures, &err), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "patch 0: no TEXCOORD_0 or no TEXCOORD_1");
     patches[0].mesh = full;
     masks[0].pixels = NULL;
-    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, NULL, &scratch, &figures, &err), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, "patch 0: no outline (alpha mask)");
     patches[0].material = HATCH_NONE;
-    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, &scratch, &figures, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_measure_lapped(&scene, masks, 1, 1, NULL, &scratch, &figures, &err), HATCH_BAD_INPUT);
     ck_assert_msg(strstr(err.text, "no patches") != NULL, "%s", err.text);
     ck_assert_mem_eq(&before, &figures, sizeof before);
 }
@@ -307,7 +307,7 @@ static enum hatch_status measure_one(void *context, struct hatch_arena *kept, st
 {
     (void)context;
     HATCH_TRY(hatch_arena_array(kept, 1, 1, error) ? HATCH_OK : HATCH_LIMIT);
-    return hatch_measure_lapped(&scene, masks, 10, 1, temporary, &figures, error);
+    return hatch_measure_lapped(&scene, masks, 10, 1, NULL, temporary, &figures, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
