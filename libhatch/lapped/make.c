@@ -7,6 +7,11 @@
 /* Share of the target radius below which a patch is postponed. */
 #define RADIUS_SHARE_MIN 0.5
 
+/* When texture coordinates were computed this many times per face of the surface, later patches have at most FACES_LATE
+ * faces: around a point of thousands of faces, each patch would take most of them in vain. */
+#define SOLVED_MAX 64
+#define FACES_LATE 64u
+
 /* A patch stored until all are made. */
 struct finished_patch {
     struct hatch_lapped_patch patch;
@@ -161,12 +166,24 @@ static void postpone(struct making *making, uint32_t seed_face)
     }
 }
 
+/* Limits later patches to FACES_LATE faces. */
+static void limit_later(struct making *making)
+{
+    uint32_t *most = making->growth.start_faces_max;
+    making->domain.faces_max = FACES_LATE;
+    for (uint32_t f = 0; f < making->domain.surface->face_count; f++)
+        most[f] = most[f] < FACES_LATE ? most[f] : FACES_LATE;
+}
+
 static enum hatch_status make_patch(struct making *making, uint32_t seed_face, double scale, struct hatch_err *err)
 {
     struct hatch_patch_notes notes;
     double radius_min = making->order.filling_gaps ? 0 : RADIUS_SHARE_MIN * making->domain.target_radius[seed_face];
     HATCH_TRY(hatch_patch_make(&making->growth, &making->solver, making->options, seed_face, radius_min, &notes, err));
     making->totals.solved_faces += notes.solved_faces;
+    if (making->totals.solved_faces > SOLVED_MAX * (uint64_t)making->domain.surface->face_count &&
+        making->domain.faces_max > FACES_LATE)
+        limit_later(making);
     if (notes.given_up) {
         postpone(making, seed_face);
         return HATCH_OK;
