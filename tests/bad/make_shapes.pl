@@ -185,7 +185,32 @@ sub many {
         'faces=20000,nonmanifold_edges=1');
 }
 
+# Shapes whose faces are long or meet in great numbers at one point.
+sub crowded {
+    my $count = 20_000;
+    my $ply = sub {
+        my ($name, $expect, $what, $vertices, $faces) = @_;
+        add_input("shape/$name.ply", $expect, $what, '-', "ply\nformat binary_little_endian 1.0\nelement vertex " .
+            @$vertices . "\n" . join('', map { "property float $_\n" } qw(x y z)) . 'element face ' . @$faces .
+            "\nproperty list int int vertex_indices\nend_header\n" . pack('f<*', map { @$_ } @$vertices) .
+            pack('l<*', map { (scalar @$_, @$_) } @$faces));
+    };
+    my @rim = map { [cos 2 * $pi * $_ / $count, sin 2 * $pi * $_ / $count, 0] } 0 .. $count - 1;
+    $ply->("comb-$count", 'OK', "one polygon, a comb of $count corners",
+        [(map { [$_ / $count, $_ % 2, 0] } 0 .. $count - 3), [1, -0.1, 0], [0, -0.1, 0]], [[reverse 0 .. $count - 1]]);
+    $ply->("star-$count", 'OK', "one polygon, a star of $count corners",
+        [map { my $i = $_; [map { $_ * ($i % 2 ? 1 : 0.1) } @{$rim[$i]}] } 0 .. $count - 1], [[0 .. $count - 1]]);
+    $ply->("double-cone-$count", 'OK', "two points of $count faces each", [[0, 0, 1], [0, 0, -1], @rim],
+        [map { my ($a, $b) = (2 + $_, 2 + ($_ + 1) % $count); ([0, $a, $b], [1, $b, $a]) } 0 .. $count - 1]);
+    $ply->('needles-strip', 'EITHER', 'a strip of 20,000 needles, side by side',
+        [map { ([$_ * 1e-6, 0, 0], [$_ * 1e-6, 1, 0]) } 0 .. $count / 2],
+        [map { ([2 * $_, 2 * $_ + 2, 2 * $_ + 1], [2 * $_ + 1, 2 * $_ + 2, 2 * $_ + 3]) } 0 .. $count / 2 - 1]);
+    $ply->('triangle-20000-times', 'EITHER', 'one triangle, given 20,000 times', [[0, 0, 0], [1, 0, 0], [0, 1, 0]],
+        [([0, 1, 2]) x $count]);
+}
+
 twisted();
+crowded();
 spheres();
 joined();
 many();
