@@ -54,15 +54,9 @@ static const struct subject {
     const char *want;         /* files_min and files_max in words, for messages */
     stat_measure measure;
 } subjects[] = {
-    {2, 2, "2", stat_diff},
-    {0, -1, "any number", stat_field},
-    {2, -1, "2 or more", stat_frames},
-    {1, -1, "1 or more", stat_ink},
-    {0, 1, "1 at most", stat_lapped},
-    {0, -1, "any number", stat_mesh},
-    {0, 1, "1 at most", stat_seeds},
-    {0, 1, "1 at most", stat_tam},
-    {0, 1, "1 at most", stat_tones},
+    {2, 2, "2", stat_diff},          {0, -1, "any number", stat_field}, {2, -1, "2 or more", stat_frames},
+    {1, -1, "1 or more", stat_ink},  {0, 1, "1 at most", stat_lapped},  {0, -1, "any number", stat_mesh},
+    {0, 1, "1 at most", stat_seeds}, {0, 1, "1 at most", stat_tam},     {0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
