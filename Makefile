@@ -2,6 +2,7 @@
 # make check        all tests                    make lint         structure, warnings, manuals
 # make bench chart  measurements, their charts   make install      PREFIX, DESTDIR
 # make dist         a reproducible source tar    make fuzz         fuzzers, with clang
+# make mutants      random mutations of the code that no test sees: N=80 of them, drawn with SEED=1
 # make check-interop  other projects' readers, from npm, on our files
 # SANITIZE=1 builds and tests under AddressSanitizer and UBSan, in build/sanitize.
 CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
@@ -175,7 +176,7 @@ $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl prop stability bad memory fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl cli/setup prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
@@ -210,9 +211,9 @@ check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $
 check: all $(TESTS) $(REPLAYS) $(INTEROP) $(FAIL_MALLOC)
 	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
-
+mutants: ; perl tests/mutants/run.pl $(B)/mutants
 lint: ; B=$(B) perl tests/run $(wildcard tests/lint/*.t)
 clean: ; rm -rf build
-.PHONY: all demo bench chart check check-interop check-long fuzz install dist lint clean
+.PHONY: all demo bench chart mutants check check-interop check-long fuzz install dist lint clean
 .DELETE_ON_ERROR:
 .SECONDARY:

@@ -1,0 +1,176 @@
+#!/usr/bin/env perl
+# run.pl FOLDER: draws N (80) random mutations of single lines of libhatch and cmd with the seed SEED (1), and tells for
+# each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that gives the
+# same machine code, is replaced by another. The tests run nearest first, two at a time (JOBS), and stop at the first
+# failure; those that need longer than eight times what they need on the unchanged tree, and a minute, have failed.
+# Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
+# equivalent.tsv explains are not counted: they cannot change a result.
+use strict;
+use warnings;
+use Cwd qw(abs_path);
+use File::Basename qw(dirname);
+use File::Path qw(make_path remove_tree);
+use POSIX qw(:sys_wait_h);
+use Time::HiRes qw(time sleep);
+
+my $here = abs_path(dirname($0));
+my $top = abs_path("$here/../..");
+my $folder = shift or die "usage: run.pl FOLDER\n";
+my ($wanted, $seed, $jobs) = ($ENV{N} || 80, $ENV{SEED} || 1, $ENV{JOBS} || 2);
+my @make = ('make', '-s', "-j$jobs", 'CFLAGS=-O1 -g0', 'B=build');
+
+sub prepare_tree {
+    make_path($folder);
+    $folder = abs_path($folder);
+    chdir $top or die;
+    system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
+    chdir $folder or die;
+    delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
+    make_path("$folder/tmp");
+    @ENV{qw(TOP BUILD BIN TMPDIR CK_DEFAULT_TIMEOUT)} =
+        ($folder, "$folder/build", "$folder/build/bin", "$folder/tmp", 600);
+}
+
+sub build { # target ...: whether they can be built
+    return system(join(' ', map { "'$_'" } @make, @_) . ' >make.log 2>&1') == 0;
+}
+
+# Starts a test in a process group of its own and returns the process.
+sub start {
+    my ($test) = @_;
+    my $pid = fork // die "run.pl: fork: $!\n";
+    return $pid if $pid;
+    setpgrp 0, 0;
+    open STDOUT, '>', "tmp/$$.out" or die;
+    open STDERR, '>&', \*STDOUT or die;
+    exec $test =~ /\.t$/ ? ('sh', $test) : ($test) or die;
+}
+
+sub passed {
+    my ($pid, $status) = @_;
+    rename "tmp/$pid.out", 'tmp/last.out' or return 0;
+    return $status == 0 && contents('tmp/last.out') !~ /^not ok/m;
+}
+
+# Runs tests, several at a time, and returns the first that fails, or nothing. Notes the seconds of each in %$took if
+# that is given; otherwise %$limit has the seconds after which a test has failed.
+sub first_failure {
+    my ($tests, $took, $limit) = @_;
+    my (@waiting, %running, $failed) = @$tests;
+    while (!$failed && (@waiting || %running)) {
+        while (@waiting && keys %running < $jobs) {
+            my $test = shift @waiting;
+            $running{start($test)} = [$test, time];
+        }
+        for my $pid (keys %running) {
+            my ($test, $since) = @{$running{$pid}};
+            my $late = $limit && time - $since > ($limit->{$test} // 60);
+            next unless $late || waitpid($pid, WNOHANG) > 0;
+            delete $running{$pid} unless $late;
+            $failed = $test if $late || !passed($pid, $?);
+            $took->{$test} = time - $since if $took;
+        }
+        sleep 0.02;
+    }
+    for my $pid (keys %running) {
+        kill KILL => -$pid;
+        waitpid $pid, 0;
+        unlink "tmp/$pid.out";
+    }
+    return $failed;
+}
+
+# Returns how near a test is to a file, from its path: 2 for a test of the file's own folder, 1 for one whose name shares
+# a word with the file's path, 0 for others.
+sub nearness {
+    my ($test, $file) = @_;
+    my ($module) = $file =~ m{^(?:libhatch|cmd)/([\w-]+)};
+    return 2 if $test =~ m{/\Q$module\E[/_.]} || $test =~ m{/(?:test_)?\Q$module\E\.t$};
+    my %words = map { $_ => 1 } grep { length > 2 } split m{[/_.]}, $file;
+    return (grep { $words{$_} } split m{[/_.-]}, $test) ? 1 : 0;
+}
+
+sub object_of { # the object file of a source, or nothing: shaders are strings of one
+    my ($file) = @_;
+    return $file =~ /\.(?:c|cc)$/ ? "build/obj/$file.o" : undef;
+}
+
+sub contents {
+    my ($file) = @_;
+    open my $in, '<', $file or return '';
+    local $/;
+    return <$in>;
+}
+
+sub put {
+    my ($file, $text) = @_;
+    open my $out, '>', $file or die "run.pl: $file: $!\n";
+    print $out $text;
+    close $out;
+}
+
+# Returns the tests, with their seconds: unit programs and scripts, without those of the code's form.
+sub measured_tests {
+    my @programs = map { s{^tests/(.*)\.c$}{build/tests/$1}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
+    my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/render-gl,prop,stability,bad,memory}/*.t';
+    build('all', 'build/tests/bad/maps', @programs) or die "run.pl: the unchanged tree does not build\n", contents('make.log');
+    my %took;
+    my $failed = first_failure([@programs, @scripts], \%took);
+    die "run.pl: $failed fails on the unchanged tree\n", contents('tmp/last.out') if $failed;
+    return (\@programs, \@scripts, \%took);
+}
+
+# Returns the tests of a kind, nearest first, among equals the fastest first.
+sub in_order {
+    my ($file, $took, @tests) = @_;
+    return sort { nearness($b, $file) <=> nearness($a, $file) || $took->{$a} <=> $took->{$b} } @tests;
+}
+
+# Judges the mutation that the tree has: "does not compile", "same code", the test that fails, or "survived".
+sub verdict {
+    my ($file, $before, $programs, $scripts, $took) = @_;
+    my $object = object_of($file);
+    return 'does not compile' if $object && !build($object);
+    return 'same code' if $object && contents($object) eq $before;
+    my %limit = map { $_ => 60 + 8 * $took->{$_} } keys %$took;
+    my @near = grep { nearness($_, $file) == 2 } @$programs;
+    my %is_near = map { $_ => 1 } @near;
+    for my $stage ([\@near, []], [[], $scripts], [[grep { !$is_near{$_} } @$programs], []]) {
+        my ($some, $others) = @$stage;
+        build(@$some, @$others ? 'all' : ()) or return 'does not compile';
+        my $failed = first_failure([in_order($file, $took, @$some, @$others)], undef, \%limit);
+        return $failed if $failed;
+    }
+    return 'survived';
+}
+
+prepare_tree();
+my @sources = glob 'libhatch/*/*.{c,cc} libhatch/*/*/*.{c,cc} cmd/*.c cmd/*/*.c cmd/*/*/*.c cmd/render-gl/shaders/*/*';
+my @drawn = map { chomp; [split /\t/] } do {
+    open my $in, '-|', 'perl', "$here/draw.pl", 2 * $wanted, $seed, @sources or die;
+    <$in>;
+} or die "run.pl: no mutation was drawn\n";
+my ($programs, $scripts, $took) = measured_tests();
+my %reason = map { chomp; my ($file, $line, $after, $why) = split /\t/; ("$file\t$line\t$after" => $why) }
+    split /^/, contents("$here/equivalent.tsv");
+my ($counted, @survivors) = (0);
+for my $mutation (@drawn) {
+    last if $counted == $wanted;
+    my ($file, $number, $line, $after) = @$mutation;
+    my ($old, $new) = map { s/^\s+//r } $line, $after;
+    my $text = contents($file);
+    my $before = object_of($file) ? contents(object_of($file)) : '';
+    my @lines = split /\n/, $text, -1;
+    $lines[$number - 1] = $after;
+    put($file, join "\n", @lines);
+    my $since = time;
+    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent' : verdict($file, $before, $programs, $scripts, $took);
+    put($file, $text);
+    build(object_of($file)) if object_of($file);
+    $counted++ unless $said =~ /^(?:does not compile|same code|equivalent)$/;
+    push @survivors, "$file:$number: $old  ->  $new" if $said eq 'survived';
+    printf "%s\t%s:%d\t%s\t%s\t%.0f s\n", $said, $file, $number, $old, $new, time - $since;
+    $| = 1;
+}
+print "survived: $_\n" for @survivors;
+printf "%d mutations, %d survived: %.1f %%\n", $counted, scalar @survivors, 100 * @survivors / ($counted || 1);
