@@ -17,9 +17,8 @@
 const struct cmd_program *cmd_current_program;
 bool cmd_is_quiet, cmd_is_verbose;
 
-/* Warnings that wait for cmd_show_warnings, as lines; NULL: none came yet. */
-static FILE *held;
-static char *held_lines;
+/* Warnings that wait for cmd_show_warnings, as lines. Those that find no room are printed at once. */
+static char held[1 << 16];
 static size_t held_bytes;
 
 static struct timespec begun, last_progress;
@@ -82,12 +81,11 @@ enum hatch_status cmd_fail_errno(struct hatch_err *err, const char *sentence, in
     return hatch_fail(err, error_number == ENOMEM ? HATCH_LIMIT : HATCH_IO, "%s: %s", sentence, reason);
 }
 
-/* Writes a line to a stream, in one write, so that lines of several processes do not mix. Control characters become
- * '?'. */
-static void print_line(FILE *stream, const char *file, const char *kind, const char *sentence)
+/* Writes a line to standard error, in one write, so that lines of several processes do not mix; or holds it for
+ * cmd_show_warnings. Control characters become '?'. */
+static void print_line(bool hold, const char *file, const char *kind, const char *sentence)
 {
     char line[PATH_MAX + 2 * HATCH_ERR_TEXT_MAX];
-    cmd_clear_progress();
     int length = snprintf(line, sizeof line - 1, "%s: %s%s%s%s", cmd_current_program->name, file ? file : "",
                           file ? ": " : "", kind, sentence);
     size_t size = length < (int)sizeof line - 1 ? (size_t)length : sizeof line - 2;
@@ -95,24 +93,27 @@ static void print_line(FILE *stream, const char *file, const char *kind, const c
         if ((unsigned char)line[i] < 0x20 || line[i] == 0x7f)
             line[i] = '?';
     line[size] = '\n';
-    fwrite(line, 1, size + 1, stream);
+    if (hold && size + 1 <= sizeof held - held_bytes) {
+        memcpy(held + held_bytes, line, size + 1);
+        held_bytes += size + 1;
+        return;
+    }
+    cmd_clear_progress();
+    fwrite(line, 1, size + 1, stderr);
 }
 
 void cmd_show_warnings(void)
 {
-    if (!held)
-        return;
-    cmd_clear_progress();
-    if (fclose(held) == 0)
-        fwrite(held_lines, 1, held_bytes, stderr);
-    free(held_lines);
-    held = NULL;
+    if (held_bytes > 0)
+        cmd_clear_progress();
+    fwrite(held, 1, held_bytes, stderr);
+    held_bytes = 0;
 }
 
 noreturn void cmd_die(const char *file, const struct hatch_err *err)
 {
     cmd_discard_outputs();
-    print_line(stderr, file, "", err->text);
+    print_line(false, file, "", err->text);
     if (err->status == HATCH_USAGE)
         fprintf(stderr, "try '%s --help'\n", cmd_current_program->name);
     exit((int)err->status);
@@ -124,11 +125,11 @@ void cmd_check(enum hatch_status status, const char *file, const struct hatch_er
         cmd_die(file, err);
 }
 
-static void print_formatted(FILE *stream, const char *file, const char *kind, const char *format, va_list args)
+static void print_formatted(bool hold, const char *file, const char *kind, const char *format, va_list args)
 {
     struct hatch_err sentence;
     vsnprintf(sentence.text, sizeof sentence.text, format, args);
-    print_line(stream, file, kind, sentence.text);
+    print_line(hold, file, kind, sentence.text);
 }
 
 noreturn void cmd_usage(const char *format, ...)
@@ -167,10 +168,8 @@ void cmd_warn(const char *file, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    if (!held && !cmd_is_quiet)
-        held = open_memstream(&held_lines, &held_bytes);
     if (!cmd_is_quiet)
-        print_formatted(held ? held : stderr, file, "warning: ", format, args);
+        print_formatted(true, file, "warning: ", format, args);
     va_end(args);
 }
 
@@ -179,7 +178,7 @@ void cmd_note(const char *format, ...)
     va_list args;
     va_start(args, format);
     if (cmd_is_verbose)
-        print_formatted(stderr, NULL, "", format, args);
+        print_formatted(false, NULL, "", format, args);
     va_end(args);
 }
 
@@ -187,7 +186,7 @@ void cmd_say(const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    print_formatted(stderr, NULL, "", format, args);
+    print_formatted(false, NULL, "", format, args);
     va_end(args);
 }
 

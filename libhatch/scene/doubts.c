@@ -1,20 +1,39 @@
 /* Finds what is allowed in a scene, but hardly ever meant. */
 #include <math.h>
+#include <string.h>
 
+#include "base/random.h"
 #include "math/vector.h"
 #include "scene/scene.h"
 
-#define UNIT_ERROR 0.01 /* largest error of a length, or of a sum of weights, that rounding explains */
-#define CLOSED_SHARE                                                                                                   \
-    1e-5 /* the vector areas of a closed surface's faces add up to 0, within this share of its area                    \
-          */
-
+#define UNIT_ERROR 0.01   /* largest error of a length, or of a sum of weights, that rounding explains */
+#define VOLUME_SHARE 1e-5 /* of the area to the power of 3/2: smaller volumes have no side */
 #define ACROSS 0.5        /* cosine of the angle up to which a normal lies across a face, and tells no side */
 #define INWARD_SHARE 0.01 /* smooth normals may point inwards at the tip of a fold: share of the vertices allowed */
 
+/* Returns a hash of a position. */
+static uint64_t hash_of(const double p[3])
+{
+    uint64_t hash = 0, bits;
+    for (int k = 0; k < 3; k++) {
+        double value = p[k] + 0.0; /* -0 equals 0 */
+        memcpy(&bits, &value, sizeof bits);
+        hash = hatch_random_mix(hash + bits);
+    }
+    return hash;
+}
+
+/* Returns a hash of the way from one position to another; that of the way back is the same, negated. */
+static uint64_t hash_of_way(uint64_t from, uint64_t to)
+{
+    return from < to ? hatch_random_mix(hatch_random_mix(from) + to)
+                     : 0 - hatch_random_mix(hatch_random_mix(to) + from);
+}
+
 static void doubt_faces(const struct hatch_mesh *mesh, struct hatch_mesh_notes *notes)
 {
-    double sum[3] = {0, 0, 0}, area = 0, volume = 0, middle[3] = {0, 0, 0}, p[3][3], normal[3];
+    double area = 0, volume = 0, middle[3] = {0, 0, 0}, p[3][3], normal[3];
+    uint64_t open = 0; /* 0 where each side has another one the opposite way: closed, and all faces agree */
     bool any = false;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         if (!hatch_mesh_corners(mesh, f, p))
@@ -24,16 +43,17 @@ static void doubt_faces(const struct hatch_mesh *mesh, struct hatch_mesh_notes *
         any = true;
         hatch_vec_triangle(p[0], p[1], p[2], normal);
         double twice = hatch_vec_length(normal), longest = 0, arm[3];
-        for (int c = 0; c < 3; c++)
+        const uint64_t corner[3] = {hash_of(p[0]), hash_of(p[1]), hash_of(p[2])};
+        for (int c = 0; c < 3; c++) {
             longest = fmax(longest, hatch_vec_distance(p[c], p[(c + 1) % 3]));
+            open += hash_of_way(corner[c], corner[(c + 1) % 3]);
+        }
         notes->needles += longest * longest > HATCH_NEEDLE * twice;
         hatch_vec_sub(p[0], middle, arm);
         volume += hatch_vec_dot(arm, normal) / 6;
         area += twice / 2;
-        hatch_vec_add_scaled(sum, 0.5, normal, sum);
     }
-    bool closed = hatch_vec_length(sum) <= CLOSED_SHARE * area;
-    notes->meshes_inside_out += closed && volume < -CLOSED_SHARE * area * sqrt(area);
+    notes->meshes_inside_out += open == 0 && volume < -VOLUME_SHARE * area * sqrt(area);
 }
 
 static void doubt_normals(const struct hatch_mesh *mesh, struct hatch_arena *scratch, struct hatch_mesh_notes *notes)

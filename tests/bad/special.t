@@ -45,7 +45,7 @@ endless() {
     wait
     refused_with "$command $*: a pipe that never ends" 5 "$file: out of memory"
     try limited "$command" --max-memory 100000000 "$@" /dev/zero
-    refused_with "$command $*: a device that never ends" 5 "/dev/zero: out of memory"
+    refused_with "$command $*: a device that never ends" 3 "/dev/zero: a stream of no known format"
 }
 folder() {
     file=$1

@@ -7,10 +7,14 @@ tamvol map.exr -o volume.ktx2
 tamthresh map.exr -o thresholds.ktx2
 tamthresh --exact map.exr -o exact.ktx2
 meshgen sphere --faces 5000 -o ball.glb
+# draw TECHNIQUE SAMPLES PICTURE [OPTION ...]
 draw() {
-    render-gl ball.glb -q -t "$1" -T "$2" --samples "$3" --size 320x320 --lines none -o "$4" --tone-range 0:1
+    technique=$1 samples=$2 picture=$3
+    shift 3
+    render-gl ball.glb -q -t "$technique" --samples "$samples" --size 320x320 --lines none -o "$picture" \
+        --tone-range 0:1 "$@"
 }
-draw gouraud map.exr 4 tone.exr
+draw gouraud 4 tone.exr
 # figure NAME PICTURE REFERENCE
 figure() {
     hatchstat ink "$2" --reference "$3" |
@@ -23,14 +27,14 @@ over() {
 for way in tam:map.exr volume:volume.ktx2 threshold:thresholds.ktx2 threshold-soft:thresholds.ktx2; do
     technique=${way%:*}
     for samples in 1 4 16; do
-        draw "$technique" "${way#*:}" $samples "$technique.$samples.exr"
+        draw "$technique" $samples "$technique.$samples.exr" -T "${way#*:}"
     done
     figure grey_strokes "$technique.4.exr" tone.exr >"$technique.grey"
     figure tone_error "$technique.4.exr" tone.exr >"$technique.tone"
     figure edge_error "$technique.1.exr" "$technique.16.exr" >"$technique.jagged"
     figure edge_error "$technique.4.exr" "$technique.16.exr" >"$technique.smooth"
 done
-draw threshold exact.ktx2 4 exact.4.exr
+draw threshold 4 exact.4.exr -T exact.ktx2
 
 over "tam has more grey strokes than a volume" "$(cat tam.grey)" 1.3 "$(cat volume.grey)"
 over "a volume more than thresholds" "$(cat volume.grey)" 1.12 "$(cat threshold.grey)"

@@ -144,7 +144,7 @@ f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 6 5\nf 1 5 7\nf 5 6 7\nf 6 1 7\n' >bow.o
 draws "a bow-tie" bow.obj "" "1 point split" "$undirected"
 awk 'BEGIN {print "v 0 0 0\nv 0 0 1"
     for (i = 0; i < 5; i++) printf "v %.9g %.9g 0\nf 1 2 -1\n", cos(i * 1.2566), sin(i * 1.2566)}' >book.obj
-draws "five pages of a book" book.obj "" "1 edge of more than two faces" "$undirected"
+draws "five pages of a book" book.obj "" "1 edge of more than two faces" "$undirected" "stand along z"
 awk 'BEGIN {n = 40
     for (i = 0; i < n; i++) for (k = -1; k <= 1; k++) {a = 6.283185307 * i / n; r = 1 + .3 * k * sin(a / 2)
         printf "v %.9g %.9g %.9g\n", r * cos(a), .3 * k * cos(a / 2), r * sin(a)}

@@ -4,12 +4,16 @@
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 3000 -o teapot.glb
 
-# draws NAME ARGUMENT ...: checks that a picture is drawn without messages
+# draws NAME ARGUMENT ...: checks that a picture is drawn without messages, other than those that match $expected
+expected=
 draws() {
     name=$1
     shift
-    try render-gl "$@" --tam map.exr -o picture.png
-    is "$name" "$status $(cat .err)" "0 "
+    case " $* " in
+    *" gouraud "*) try render-gl "$@" -o picture.png ;;
+    *) try render-gl "$@" --tam map.exr -o picture.png ;;
+    esac
+    is "$name" "$status $(grep -v "${expected:-^$}" .err)" "0 "
 }
 
 # tone [FILE]: the mean of a picture, linear
@@ -84,7 +88,9 @@ ok "a camera inside sees the inner wall with strokes" between 0.05 0.98
 draws "a camera straight above" teapot.glb --camera 0,5,0 --size 160x120
 draws "a camera very far away" teapot.glb --camera 1e30,0,0 --size 160x120
 scene "$point" "$(at 0,0,2)" >square.gltf
+expected='the picture is blank'
 draws "a camera on a vertex" square.gltf --camera 1,1,0:0,0,-1 --size 160x120
+expected=
 draws "a camera in the plane of a face" square.gltf --camera 3,0,0:0,0,0 --size 160x120
 
 meshgen teapot --faces 500000 -o large.glb
@@ -124,11 +130,13 @@ ok "a lamp that is off lights nothing" between $unlit
 # Texture coordinates that coincide, where all pixels read one texel; and collinear, huge and tiny ones, which lose the
 # strokes but keep their tone, 0.5 on 0.879 of the picture.
 corners="-1 -1 0 1 -1 0 1 1 0 -1 1 0"
+expected='the same texture coordinates everywhere\|the picture is blank'
 for uv in "0 0 0 0 0 0 0 0" "0 0 1 1 2 2 3 3" "0 1e30 1e30 1e30 1e30 0 0 0" "0 1e-30 1e-30 1e-30 1e-30 0 0 0"; do
     scene "$point" "$(at 0,0,2)" "$corners" "$uv" >uv.gltf
     draws "texture coordinates $uv" uv.gltf --camera 0,0,4 --size 64x64 --lines none --tone-range .5:.5
     [ "$uv" = "0 0 0 0 0 0 0 0" ] || ok "degenerate texture coordinates keep the tone" between 0.53 0.59
 done
+expected=
 
 # Tiny, huge and distant positions: the picture is that of the plain square.
 scene "$point" "" >plain.gltf
@@ -146,7 +154,7 @@ is "the square looks like the plain one" "$(tone)" "$plain"
 
 printf '{"asset":{"version":"2.0"}}' >empty.gltf
 try render-gl empty.gltf --tam map.exr --size 64x64 -o picture.png
-is "an empty scene is drawn, with a warning" "$status $(wc -l <.err) $(tone)" "0 1 1"
+refused "an empty scene" 3 1
 
 lamps=$(for i in $(seq 66); do printf ',%s' "$(at 0,0,3)"; done)
 scene "$point" "{\"children\":[$(seq -s, 2 67)]}$lamps" >lamps.gltf

@@ -57,8 +57,9 @@ static inline void map_style(const char *name, const char *lines, struct test_ma
     }
     if (lines)
         size += (size_t)snprintf(text + size, sizeof text - size, "\n%s", lines);
-    HATCH_TEST_OK(hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
-                  &map_err);
+    if (size > 0)
+        HATCH_TEST_OK(hatch_style_parse((struct hatch_bytes){(const uint8_t *)text, size}, &map->style, &map_err),
+                      &map_err);
     HATCH_TEST_OK(hatch_brush_make(map->style.brush, &map_arena, &map->brush, &map_err), &map_err);
     map->options = (struct hatch_fill_options){.style = &map->style,
                                                .brush = &map->brush,

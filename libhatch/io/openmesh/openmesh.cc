@@ -70,6 +70,19 @@ void add_points(const struct hatch_mesh *mesh, const Frame &frame, const uint32_
  * number. On flat parts, where all collapses are as good, points would otherwise collapse into a few. */
 const unsigned valence_max = 32;
 
+/* Returns the largest number of faces at a vertex to begin with; where there are more, the mesh is cut. The time that a
+ * vertex costs grows with the cube of its faces. The poles of a sphere are no reason to cut, fans of thousands are. */
+unsigned faces_per_vertex_max(const struct hatch_mesh *mesh)
+{
+    std::vector<double> faces(mesh->vertex_count);
+    double cost = 0;
+    for (size_t i = 0; i < size_t{3} * mesh->face_count; i++)
+        faces[mesh->indices[i]]++;
+    for (double count : faces)
+        cost += count * count * count;
+    return cost > 1e8 + 2000.0 * mesh->face_count ? valence_max : UINT_MAX;
+}
+
 /* The vertices that stand for points. Where more faces meet at a point than one vertex may have, further vertices are
  * made for it. */
 struct Hubs {
@@ -232,7 +245,7 @@ extern "C" enum hatch_status hatch_mesh_decimate(const struct hatch_mesh *mesh, 
         Mesh work;
         uint32_t refused;
         Frame frame = frame_of(mesh);
-        HATCH_TRY(load(mesh, frame, scratch, valence_max, &work, &refused, err));
+        HATCH_TRY(load(mesh, frame, scratch, faces_per_vertex_max(mesh), &work, &refused, err));
         if (work.n_faces() > face_count)
             reduce(&work, face_count);
         HATCH_TRY(store(work, frame, arena, out, err));

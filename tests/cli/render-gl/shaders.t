@@ -126,8 +126,8 @@ rptam --seed-loop brute
 rptam --seed-layers 3 --overlap 1
 END
 done
-ok "--show patches" drawn patches.glb --tam map.exr --size 32x24 --show patches -o picture.png
-ok "--show field" drawn patches.glb --tam map.exr --size 32x24 --show field -o picture.png
+ok "--show patches" drawn patches.glb --size 32x24 --show patches -o picture.png
+ok "--show field" drawn patches.glb --size 32x24 --show field -o picture.png
 
 if [ "$spy" ]; then
     kept=$(find "$SHADERS" -type f | wc -l)

@@ -65,7 +65,7 @@ END_TEST
 START_TEST(values_of_every_type_are_parsed)
 {
     struct cmd_args args;
-    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4x.5");
+    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4:.5");
     ck_assert(flag && real_given);
     ck_assert_int_eq(whole, -3);
     ck_assert(real == 2500 && pair[0] == 4 && pair[1] == 0.5);
