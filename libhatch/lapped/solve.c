@@ -26,6 +26,8 @@
 #define ENTRY_MAX 1e7
 /* Least pivot as a share of the diagonal entry. */
 #define PIVOT_MIN 1e-12
+/* Multiplications of a factorization that is costly. Patches of 20,000 faces on scans need up to half as many. */
+#define COST_MAX 3e10
 /* Relative weight of a face in which the field has an index; such a face need not follow the field. */
 #define SINGULAR_WEIGHT 1e-3
 
@@ -153,8 +155,7 @@ static uint64_t number_along(struct hatch_solver *solver, const struct hatch_pat
     return size;
 }
 
-static enum hatch_status choose_numbering(struct hatch_solver *solver, const struct hatch_patch *patch,
-                                          struct hatch_err *err)
+static void choose_numbering(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
     double low[2], high[2];
     uint32_t axis = find_box(patch, low, high), best = axis;
@@ -172,6 +173,11 @@ static enum hatch_status choose_numbering(struct hatch_solver *solver, const str
     }
     if (best != axis)
         number_along(solver, patch, best, low, high);
+}
+
+static enum hatch_status reserve_matrix(struct hatch_solver *solver, const struct hatch_patch *patch,
+                                        struct hatch_err *err)
+{
     uint32_t size = 0;
     for (uint32_t i = 0; i < patch->vertex_count; i++) {
         solver->row_start[i] = size - solver->first_column[i];
@@ -362,11 +368,30 @@ static void solve_positions(struct hatch_solver *solver, struct hatch_patch *pat
         memcpy(&patch->xy[2 * v], solver->right_side[solver->rank[v]], sizeof *solver->right_side);
 }
 
+/* Returns the number of multiplications of the factorization. */
+static double cost_of(const struct hatch_solver *solver, uint32_t count)
+{
+    double cost = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        double length = i - solver->first_column[i] + 1;
+        cost += length * length;
+    }
+    return cost;
+}
+
+enum hatch_status hatch_solver_prepare(struct hatch_solver *solver, const struct hatch_patch *patch, bool *costly,
+                                       struct hatch_err *err)
+{
+    HATCH_TRY(reserve_arrays(solver, patch, err));
+    choose_numbering(solver, patch);
+    *costly = cost_of(solver, patch->vertex_count) > COST_MAX;
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err)
 {
-    HATCH_TRY(reserve_arrays(solver, patch, err));
-    HATCH_TRY(choose_numbering(solver, patch, err));
+    HATCH_TRY(reserve_matrix(solver, patch, err));
     find_gradients(solver, domain, patch);
     for (uint32_t f = 0; f < patch->face_count; f++)
         add_matrix(solver, patch, f);

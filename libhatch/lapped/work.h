@@ -173,7 +173,12 @@ struct hatch_solver {
     uint32_t gradient_capacity, matrix_capacity, right_capacity;
 };
 
-/* Computes new positions for the patch's vertices. */
+/* Numbers the patch's vertices for hatch_solver_solve.
+ *   costly  out: long faces lie across each other so that solving would take seconds: the patch is to be smaller */
+enum hatch_status hatch_solver_prepare(struct hatch_solver *solver, const struct hatch_patch *patch, bool *costly,
+                                       struct hatch_err *err) HATCH_MUST_USE;
+
+/* Computes new positions for the patch's vertices, after hatch_solver_prepare. */
 enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
 

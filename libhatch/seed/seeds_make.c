@@ -42,7 +42,9 @@ static enum hatch_status rate(struct choice *choice, double best, struct hatch_a
         return HATCH_OK;
     double bound = hatch_spread_bound(choice->chosen + set.count), together = fmin(distance, choice->distance);
     *goodness = own * (own * together / bound);
-    for (uint32_t i = 0; i<set.count && * goodness> best; i++) {
+    for (uint32_t i = 0; i < set.count; i++) {
+        if (*goodness <= best)
+            break;
         together = hatch_spread_nearest(&choice->cells, &points[i], together);
         *goodness = own * (own * together / bound);
     }

@@ -83,6 +83,11 @@ lapped-param --tile 0.5 --size 0.3 torus.glb -o half.glb
 numbers large.glb >a
 numbers half.glb >b
 ok "--tile is in units of the scene, --size a share of it" cmp a b
+unpack torus.glb small
+sed 's/"nodes":\[{/&"scale":[0.25,0.25,0.25],/' small.gltf >t.gltf && mv t.gltf small.gltf
+lapped-param --tile 0.125 --size 0.3 small.gltf -o small.glb
+numbers small.glb >b
+ok "also under a node that makes it smaller" cmp a b
 lapped-param --tile 1 --size 0.3 torus.glb -o whole.glb
 numbers whole.glb >b
 ok "--tile changes the texture coordinates" test "$(cksum <a)" != "$(cksum <b)"
