@@ -18,7 +18,7 @@ is "the chapter has a file, two shaders and a line" \
     "./shaders/bleed ./shaders/bleed/copy.frag ./shaders/bleed/spread.comp ./technique/bleed.c bleed"
 sed "/X(volume) /i\\    X($line) \\\\" "$TOP/cmd/render-gl/technique/list.h" >cmd/render-gl/technique/list.h
 is "one line is added to the list" "$(diff "$TOP/cmd/render-gl/technique/list.h" cmd/render-gl/technique/list.h | grep -c '^[<>]')" 1
-ok "it builds" make SANITIZE="$SANITIZE" "$folder/bin/render-gl"
+ok "it builds" make SANITIZE="$SANITIZE" B="$folder" "$folder/bin/render-gl"
 draw="$PWD/$folder/bin/render-gl --size 96x72 --samples 1"
 meshgen sphere --faces 2000 -o sphere.glb
 
