@@ -3,7 +3,7 @@
 #ifndef HATCH_SCENE_SCENE_H
 #define HATCH_SCENE_SCENE_H
 
-#include "mesh/mesh.h"
+#include "curve/curves.h"
 
 #define HATCH_NONE UINT32_MAX /* an index that refers to nothing */
 
@@ -46,13 +46,14 @@ struct hatch_texture {
 };
 
 struct hatch_scene_mesh {
-    struct hatch_mesh mesh; /* one glTF primitive */
-    uint32_t material;      /* index, or HATCH_NONE */
-    uint32_t joints_used;   /* largest index in JOINTS_0 plus 1; 0 without JOINTS_0 */
-    uint32_t file_vertices; /* vertices in the file; computing flat normals may have duplicated some */
-    bool had_texcoords;     /* the file has TEXCOORD_0 */
-    bool had_normals;       /* the file has NORMAL; else normals were computed from the faces */
-    bool is_soup;           /* unconnected triangles, as in STL: the format cannot share vertices */
+    struct hatch_mesh mesh;     /* one glTF primitive */
+    uint32_t material;          /* index, or HATCH_NONE */
+    uint32_t joints_used;       /* largest index in JOINTS_0 plus 1; 0 without JOINTS_0 */
+    uint32_t file_vertices;     /* vertices in the file; computing flat normals may have duplicated some */
+    bool had_texcoords;         /* the file has TEXCOORD_0 */
+    bool had_normals;           /* the file has NORMAL; else normals were computed from the faces */
+    bool is_soup;               /* unconnected triangles, as in STL: the format cannot share vertices */
+    struct hatch_curves curves; /* strokes on the mesh; zeroed: none */
 };
 
 #define HATCH_NEEDLE 1000 /* ratio of a face's longest edge to its height over which it is a needle */

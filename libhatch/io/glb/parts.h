@@ -18,6 +18,12 @@ struct hatch_glb_view {
     size_t offset, size; /* bytes in the buffer */
 };
 
+/* A set of strokes, written as a primitive of lines. */
+struct hatch_glb_lines {
+    struct hatch_mesh vertices; /* in scratch; without vertices it is not written */
+    uint32_t first;             /* index of the accessor of its POSITION */
+};
+
 /* State of writing one file. An accessor has the same index as its view; the views of images, which have no accessors,
  * come last. */
 struct hatch_glb {
@@ -28,14 +34,15 @@ struct hatch_glb {
     struct hatch_buffer json;
     struct hatch_glb_view *views;
     uint32_t view_count, accessor_count;
-    size_t size;            /* size of the buffer in bytes */
-    uint32_t *group_size;   /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
-    uint32_t *group;        /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
-    uint32_t *mesh_first;   /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
-    uint32_t *skin;         /* per skin: index in the file; HATCH_NONE without joints */
-    uint32_t skin_first;    /* index of the accessor of the first skin's matrices */
-    uint32_t channel_first; /* index of the accessor of the first animation channel's times */
-    uint32_t *image;        /* per texture: index of its image in the file; HATCH_NONE if neither PNG nor JPEG */
+    size_t size;          /* size of the buffer in bytes */
+    uint32_t *group_size; /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
+    uint32_t *group;      /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
+    uint32_t *mesh_first; /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
+    struct hatch_glb_lines **lines; /* per scene mesh: one per set of its strokes */
+    uint32_t *skin;                 /* per skin: index in the file; HATCH_NONE without joints */
+    uint32_t skin_first;            /* index of the accessor of the first skin's matrices */
+    uint32_t channel_first;         /* index of the accessor of the first animation channel's times */
+    uint32_t *image;   /* per texture: index of its image in the file; HATCH_NONE if neither PNG nor JPEG */
     uint32_t *texture; /* HATCH_GLB_WRAPS per texture: index of texture and sampler in the file; HATCH_NONE if unused */
 };
 

@@ -124,24 +124,52 @@ static enum hatch_status print_targets(struct hatch_glb *glb, const struct hatch
     return hatch_glb_put(glb, "]");
 }
 
-static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
+/* Prints attributes, indices and morph targets.
+ *   first  index of the accessor of POSITION */
+static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t first)
 {
-    const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
-    uint32_t first = glb->mesh_first[index];
-    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(&from->mesh, order);
-    HATCH_TRY(open_item(glb));
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     for (uint32_t i = 0; i < count; i++) {
-        HATCH_TRY(hatch_glb_escaped_key(glb, from->mesh.attributes[order[i]].name));
+        HATCH_TRY(hatch_glb_escaped_key(glb, mesh->attributes[order[i]].name));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", first + i));
     }
     HATCH_TRY(hatch_glb_put(glb, "}"));
     HATCH_TRY(hatch_glb_integer(glb, "indices", first + count));
-    HATCH_TRY(print_targets(glb, &from->mesh, first + count + 1));
+    return print_targets(glb, mesh, first + count + 1);
+}
+
+/* Prints the strokes of a mesh: a primitive of mode LINES for each set. */
+static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
+{
+    const struct hatch_curves *curves = &glb->scene->meshes[index].curves;
+    for (uint32_t i = 0; i < curves->set_count; i++) {
+        const struct hatch_glb_lines *lines = &glb->lines[index][i];
+        if (lines->vertices.vertex_count == 0)
+            continue;
+        HATCH_TRY(open_item(glb));
+        HATCH_TRY(print_accessors(glb, &lines->vertices, lines->first));
+        HATCH_TRY(hatch_glb_integer(glb, "mode", 1));
+        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
+        HATCH_TRY(hatch_glb_integer(glb, "family", curves->sets[i].family));
+        HATCH_TRY(hatch_glb_integer(glb, "level", curves->sets[i].level));
+        HATCH_TRY(hatch_glb_number(glb, "angle", curves->sets[i].angle_rad));
+        HATCH_TRY(hatch_glb_number(glb, "gap", curves->sets[i].gap));
+        HATCH_TRY(hatch_glb_put(glb, "}}}"));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
+{
+    const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
+    HATCH_TRY(open_item(glb));
+    HATCH_TRY(print_accessors(glb, &from->mesh, glb->mesh_first[index]));
     if (from->material != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "material", from->material));
-    return hatch_glb_put(glb, "}");
+    HATCH_TRY(hatch_glb_put(glb, "}"));
+    return print_strokes(glb, index);
 }
 
 static enum hatch_status print_mesh(struct hatch_glb *glb, uint32_t first)

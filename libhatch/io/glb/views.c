@@ -58,13 +58,14 @@ static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_me
     return HATCH_OK;
 }
 
-static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh *mesh)
+/* Adds the views of a primitive's attributes, indices and morph targets. */
+static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch_mesh *mesh, size_t index_count)
 {
     uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
-        bool joints = strncmp(a->name, "JOINTS_", 7) == 0;
-        add_view(glb, (struct hatch_glb_view){.component = joints ? HATCH_GLB_U16 : HATCH_GLB_F32,
+        bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_STROKE) == 0;
+        add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
                                               .target = HATCH_GLB_VERTICES,
                                               .data = a->data,
                                               .count = mesh->vertex_count,
@@ -75,13 +76,31 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, const struct hatch_mesh
     add_view(glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
                                           .target = HATCH_GLB_INDICES,
                                           .data = mesh->indices,
-                                          .count = (size_t)mesh->face_count * 3,
+                                          .count = index_count,
                                           .components = 1});
     const struct hatch_mesh_attribute *normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     for (uint32_t t = 0; t < hatch_mesh_target_count(mesh); t++) {
         HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
         if (normals)
             HATCH_TRY(add_target(glb, mesh, normals, t, false));
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status add_mesh(struct hatch_glb *glb, uint32_t index)
+{
+    const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
+    struct hatch_glb_lines *lines;
+    HATCH_TRY(add_primitive(glb, &from->mesh, 3 * (size_t)from->mesh.face_count));
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &lines, from->curves.set_count, glb->err));
+    glb->lines[index] = lines;
+    for (uint32_t i = 0; i < from->curves.set_count; i++) {
+        uint32_t count;
+        HATCH_TRY(hatch_curves_as_vertices(&from->curves, &from->curves.sets[i], &from->mesh, glb->scratch,
+                                           &lines[i].vertices, &count, glb->err));
+        lines[i].first = glb->view_count;
+        if (count > 0)
+            HATCH_TRY(add_primitive(glb, &lines[i].vertices, 2 * (size_t)count));
     }
     return HATCH_OK;
 }
@@ -113,7 +132,7 @@ static enum hatch_status plan_meshes(struct hatch_glb *glb)
         }
         glb->mesh_first[m] = mesh->face_count > 0 ? glb->view_count : HATCH_NONE;
         if (mesh->face_count > 0)
-            HATCH_TRY(add_mesh(glb, mesh));
+            HATCH_TRY(add_mesh(glb, m));
     }
     return HATCH_OK;
 }
@@ -188,8 +207,8 @@ static size_t count_views(const struct hatch_scene *scene)
 {
     size_t count = (size_t)scene->skin_count + scene->texture_count;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        count +=
-            scene->meshes[m].mesh.attribute_count + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh);
+        count += (scene->meshes[m].curves.set_count + (size_t)1) *
+                 (HATCH_MESH_ATTRIBUTES_MAX + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh));
     for (uint32_t a = 0; a < scene->animation_count; a++)
         count += 2 * (size_t)scene->animations[a].channel_count;
     return count;
@@ -204,6 +223,7 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         HATCH_TRY(HATCH_ALLOC(glb->scratch, lists[i], sizes[i], glb->err));
     }
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->lines, scene->mesh_count, glb->err));
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->views, count_views(scene), glb->err));
     HATCH_TRY(plan_meshes(glb));
     plan_motion(glb);

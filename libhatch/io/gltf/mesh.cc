@@ -87,6 +87,8 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
     return HATCH_OK;
 }
 
+} // namespace
+
 enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
                                   struct hatch_mesh *mesh)
 {
@@ -103,6 +105,9 @@ enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitiv
     }
     return HATCH_OK;
 }
+
+namespace
+{
 
 /* Computes the largest joint index plus 1, or 0 without joints. Fails for an index that is not an integer of 16
  * bits. */
@@ -232,11 +237,12 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
                 return bad(r, place("mesh", m, "primitive", p),
                            "mode " + std::to_string(list[p].mode) + ", want 0 .. 6");
             if (!has_faces(list[p])) {
-                r.notes->primitives_skipped++;
+                r.notes->primitives_skipped += p == 0 || !is_strokes(list[p]);
                 continue;
             }
             HATCH_TRY(
                 read_primitive(r, list[p], m, place("mesh", m, "primitive", p), &r.scene->meshes[r.scene->mesh_count]));
+            HATCH_TRY(read_strokes(r, list, m, p + 1, &r.scene->meshes[r.scene->mesh_count]));
             r.scene->mesh_count++;
         }
     }

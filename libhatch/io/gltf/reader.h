@@ -83,6 +83,20 @@ enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node);
 enum hatch_status shift_weights(Reader &r, size_t node, const std::string &where,
                                 struct hatch_animation_channel *channel);
 
+/* Returns whether a primitive holds strokes. */
+bool is_strokes(const tinygltf::Primitive &primitive);
+
+/* Reads the primitives of a glTF mesh that hold the strokes of one of its surfaces.
+ *   first    the first of them in the list; the surface comes before it
+ *   surface  in, out: the strokes are added */
+enum hatch_status read_strokes(Reader &r, const std::vector<tinygltf::Primitive> &list, size_t mesh, size_t first,
+                               struct hatch_scene_mesh *surface);
+
+/* Reads the attributes of a primitive.
+ *   mesh  in, out: without attributes */
+enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
+                                  struct hatch_mesh *mesh);
+
 /* Each of these fills a part of the scene. read_all calls them in the order that they need. */
 enum hatch_status read_nodes(Reader &r);
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh);

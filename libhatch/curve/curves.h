@@ -1,0 +1,77 @@
+/* Strokes that lie on a mesh: curves whose points are places on faces, so that they follow the mesh when it moves
+ * (strokes(5)). trace/trace.h makes them.
+ *
+ * A set holds the strokes of one family (the strokes of one direction) and one level (the strokes that halve the gaps
+ * of the level before). Each point has a threshold: the stroke is drawn there where the strokes that are wanted, per
+ * unit of length across them, are at least as many. Sets are ordered by family, then by level, and the strokes of a set
+ * by their least threshold, so that the strokes of a lighter picture come before those of a darker one. */
+#ifndef HATCH_CURVE_CURVES_H
+#define HATCH_CURVE_CURVES_H
+
+#include "mesh/mesh.h"
+
+#define HATCH_CURVE_FAMILIES_MAX 8u
+#define HATCH_CURVE_LEVELS_MAX 16u
+
+struct hatch_curve_point {
+    uint32_t face;   /* of the mesh */
+    float share[2];  /* barycentric coordinates of the face's corners 1 and 2; that of corner 0 is the rest to 1 */
+    float threshold; /* strokes per mesh unit, greater than 0 */
+};
+
+struct hatch_curve {
+    uint32_t first, count; /* its points: at least two */
+    uint32_t id;           /* a hash: the same for the same stroke whenever it is traced */
+};
+
+struct hatch_curve_set {
+    uint32_t family, level;
+    float angle_rad;       /* from the direction field to the strokes, counter-clockwise seen from outside */
+    float gap;             /* mean gap between strokes where this level is complete, in mesh units */
+    uint32_t first, count; /* its curves */
+};
+
+/* The strokes of a mesh. Zeroed: none. */
+struct hatch_curves {
+    uint32_t set_count, count, point_count;
+    struct hatch_curve_set *sets;
+    struct hatch_curve *curves;       /* count of them; their points are consecutive, without gaps */
+    struct hatch_curve_point *points; /* point_count of them */
+};
+
+/* Computes the position of a point, in mesh units. */
+void hatch_curve_position(const struct hatch_mesh *mesh, const struct hatch_curve_point *point, float position[3]);
+
+/* Checks strokes from a file.
+ *   mesh  that they lie on
+ * HATCH_BAD_INPUT for a face that does not exist, a place outside of its face, a threshold that is not greater than 0,
+ * and sets out of order. */
+enum hatch_status hatch_curves_check(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
+                                     struct hatch_err *err) HATCH_MUST_USE;
+
+/* Names of the attributes of hatch_curves_as_vertices, besides POSITION, JOINTS_0, WEIGHTS_0 and morph targets. */
+#define HATCH_CURVE_FACE "_HATCH_FACE"           /* 1: the face's number */
+#define HATCH_CURVE_SHARE "_HATCH_SHARE"         /* 2: share */
+#define HATCH_CURVE_STROKE "_HATCH_STROKE"       /* 2: the stroke's id: low and high 16 bits */
+#define HATCH_CURVE_THRESHOLD "_HATCH_THRESHOLD" /* 1: threshold */
+
+/* Makes the points of a set the vertices of a mesh without faces, whose indices are pairs: the ends of each line from a
+ * point to the next of the same stroke. Where the surface has joints or morph targets, so have its points: of the
+ * joints of a face's corners, the four that weigh most. vertices    out: in arena; face_count is 0 line_count  out:
+ * pairs in vertices->indices */
+enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, const struct hatch_curve_set *set,
+                                           const struct hatch_mesh *mesh, struct hatch_arena *arena,
+                                           struct hatch_mesh *vertices, uint32_t *line_count,
+                                           struct hatch_err *err) HATCH_MUST_USE;
+
+/* Makes the curves of a set from such vertices: the opposite of hatch_curves_as_vertices.
+ *   vertices    has the four attributes above
+ *   indices     2 * line_count vertices
+ *   curves      in, out: the set's curves and points are appended; its arrays have room for line_count curves and
+ *               vertices->vertex_count points more
+ * HATCH_BAD_INPUT where an attribute is missing or a line does not join a vertex to the next. */
+enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, const uint32_t *indices,
+                                             uint32_t line_count, struct hatch_curves *curves,
+                                             struct hatch_err *err) HATCH_MUST_USE;
+
+#endif

@@ -1,0 +1,96 @@
+/* Reads the strokes of a surface: primitives of lines that follow it in its glTF mesh. */
+#include "io/gltf/reader.h"
+
+#include <cmath>
+
+namespace hatch
+{
+
+bool is_strokes(const tinygltf::Primitive &primitive)
+{
+    return primitive.mode == TINYGLTF_MODE_LINE && primitive.extras.IsObject() && primitive.extras.Has("hatch") &&
+           primitive.extras.Get("hatch").IsObject() && primitive.extras.Get("hatch").Has("family");
+}
+
+namespace
+{
+
+/* A primitive of strokes as it is in the file. */
+struct Lines {
+    struct hatch_mesh vertices;
+    uint32_t *indices, count;
+};
+
+double number_of(const tinygltf::Primitive &primitive, const char *key)
+{
+    const tinygltf::Value &extras = primitive.extras.Get("hatch");
+    return extras.Has(key) && extras.Get(key).IsNumber() ? extras.Get(key).GetNumberAsDouble() : NAN;
+}
+
+enum hatch_status read_lines(Reader &r, const tinygltf::Primitive &primitive, const std::string &where, Lines *lines)
+{
+    *lines = {};
+    HATCH_TRY(read_attributes(r, primitive, where, &lines->vertices));
+    if (primitive.indices == -1)
+        return bad(r, where, "strokes without indices");
+    HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &lines->indices, &lines->count));
+    if (lines->count % 2 != 0)
+        return bad(r, where, std::to_string(lines->count) + " ends do not form lines");
+    return HATCH_OK;
+}
+
+enum hatch_status read_set(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
+                           struct hatch_curve_set *set)
+{
+    double family = number_of(primitive, "family"), level = number_of(primitive, "level");
+    double angle = number_of(primitive, "angle"), gap = number_of(primitive, "gap");
+    if (!(family >= 0 && family < HATCH_CURVE_FAMILIES_MAX && level >= 0 && level < HATCH_CURVE_LEVELS_MAX &&
+          std::fabs(angle) < 100 && gap > 0 && gap < 1e38))
+        return bad(r, where, "strokes: family, level, angle or gap is missing or out of range");
+    *set = {};
+    set->family = static_cast<uint32_t>(family);
+    set->level = static_cast<uint32_t>(level);
+    set->angle_rad = static_cast<float>(angle);
+    set->gap = static_cast<float>(gap);
+    return HATCH_OK;
+}
+
+} // namespace
+
+enum hatch_status read_strokes(Reader &r, const std::vector<tinygltf::Primitive> &list, size_t mesh, size_t first,
+                               struct hatch_scene_mesh *surface)
+{
+    size_t sets = 0, points = 0, lines = 0;
+    struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
+    while (first + sets < list.size() && is_strokes(list[first + sets]))
+        sets++;
+    if (sets == 0)
+        return HATCH_OK;
+    Lines *parts = HATCH_NEW(r.scratch, Lines, sets, r.err);
+    if (!parts)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < sets; i++) {
+        HATCH_TRY(read_lines(r, list[first + i], place("mesh", mesh, "primitive", first + i), &parts[i]));
+        points += parts[i].vertices.vertex_count;
+        lines += parts[i].count / 2;
+    }
+    struct hatch_curves curves = {};
+    curves.sets = HATCH_NEW(r.arena, struct hatch_curve_set, sets, r.err);
+    curves.curves = HATCH_NEW(r.arena, struct hatch_curve, lines, r.err);
+    curves.points = HATCH_NEW(r.arena, struct hatch_curve_point, points, r.err);
+    if (!curves.sets || !curves.curves || !curves.points)
+        return HATCH_LIMIT;
+    for (size_t i = 0; i < sets; i++) {
+        struct hatch_curve_set *set = &curves.sets[curves.set_count++];
+        HATCH_TRY(read_set(r, list[first + i], place("mesh", mesh, "primitive", first + i), set));
+        set->first = curves.count;
+        HATCH_TRY(hatch_curves_from_vertices(&parts[i].vertices, parts[i].indices, parts[i].count / 2, &curves, r.err));
+        set->count = curves.count - set->first;
+    }
+    HATCH_TRY(hatch_curves_check(&curves, &surface->mesh, r.err));
+    hatch_arena_rewind(r.scratch, mark);
+    surface->curves = curves;
+    return HATCH_OK;
+}
+
+} // namespace hatch
