@@ -14,12 +14,6 @@ struct lapped_param_options {
     bool atlas;                /* make one atlas per mesh in place of patches */
 };
 
-/* Sizes of the scene in its rest pose, in its units. */
-struct lapped_param_extent {
-    double diagonal; /* diagonal of the box around everything that nodes draw */
-    double *scale;   /* per mesh: scene units per unit of the mesh, as its first node places it */
-};
-
 /* A mesh of the scene and the meshes made from it. */
 struct lapped_param_part {
     const char *name; /* name of the input, for messages */
@@ -32,9 +26,6 @@ struct lapped_param_part {
     uint64_t solved_faces;
     double atlas_side; /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
 };
-
-/* Measures the scene in its rest pose. */
-void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent);
 
 /* Removes the old texture coordinates of the scene, and the tangents and textures that depend on them; warns of the
  * textures. Normal maps stay, and so do their tangents; their texture coordinates become TEXCOORD_2. A scene that

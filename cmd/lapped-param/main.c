@@ -5,6 +5,7 @@
 #include "shared/surface.h"
 #include "io/glb/glb.h"
 #include "lapped_param.h"
+#include "scene/extent.h"
 
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
@@ -75,7 +76,7 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
 }
 
 /* Sets the sizes of a part: converts lengths in the scene to the units of its mesh, which a node may scale. */
-static void set_sizes(const struct lapped_param_options *settings, const struct lapped_param_extent *extent,
+static void set_sizes(const struct lapped_param_options *settings, const struct hatch_scene_extent *extent,
                       uint32_t index, struct lapped_param_part *part)
 {
     float low[3] = {0}, high[3] = {0};
@@ -103,11 +104,11 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
                                        struct hatch_scene *scene)
 {
     struct hatch_err err;
-    struct lapped_param_extent extent;
+    struct hatch_scene_extent extent;
     const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
     struct lapped_param_part *parts;
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
-    lapped_param_measure(args, scene, &extent);
+    cmd_check(hatch_scene_measure(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
     double faces = 0;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         faces += scene->meshes[i].mesh.face_count;

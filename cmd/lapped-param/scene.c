@@ -70,6 +70,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
                       &err);
         if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
+        mesh->curves = (struct hatch_curves){0};
         clear_mesh(&mesh->mesh, material && material->normals.used ? &material->normals : NULL);
     }
     uint32_t count = 0;

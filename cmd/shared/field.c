@@ -36,6 +36,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     }
     cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &made, CMD_CREASE_RAD, &err), name, &err);
     mesh->mesh = made;
+    mesh->curves = (struct hatch_curves){0}; /* they lie on the old faces */
     mesh->file_vertices = made.vertex_count;
     mesh->had_normals = true;
 }

@@ -1,6 +1,7 @@
+#include "scene/extent.h"
+
 #include <math.h>
 
-#include "lapped_param.h"
 #include "math/box.h"
 #include "math/vector.h"
 
@@ -43,18 +44,20 @@ static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const
     return joints;
 }
 
-void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene, struct lapped_param_extent *extent)
+enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
+                                      struct hatch_err *err)
 {
-    struct hatch_err err;
+    struct hatch_scene_extent made;
     struct hatch_box box = {.any = false};
     size_t joint_count = 0;
     for (uint32_t s = 0; s < scene->skin_count; s++)
         joint_count = scene->skins[s].joint_count > joint_count ? scene->skins[s].joint_count : joint_count;
-    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *world, *joints;
-    cmd_check(HATCH_ALLOC(&args->scratch, &world, 16 * (size_t)scene->node_count, &err), NULL, &err);
-    cmd_check(HATCH_ALLOC(&args->scratch, &joints, 16 * joint_count, &err), NULL, &err);
-    cmd_check(HATCH_ALLOC(&args->keep, &extent->scale, scene->mesh_count, &err), NULL, &err);
+    HATCH_TRY(HATCH_ALLOC(scratch, &world, 16 * (size_t)scene->node_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &joints, 16 * joint_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.scale, scene->mesh_count, err));
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t n = 0; n < scene->node_count; n++) {
         const struct hatch_node *node = &scene->nodes[n];
@@ -63,15 +66,16 @@ void lapped_param_measure(struct cmd_args *args, const struct hatch_scene *scene
         const float *matrix = matrix_of(scene, n, world, joints);
         for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++) {
             add_mesh(&box, &scene->meshes[m].mesh, matrix);
-            extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : scale_of(matrix);
+            made.scale[m] = made.scale[m] > 0 ? made.scale[m] : scale_of(matrix);
         }
     }
-    /* Meshes that no node draws, or only with scale 0, keep their own units. */
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        extent->scale[m] = extent->scale[m] > 0 ? extent->scale[m] : 1;
+        made.scale[m] = made.scale[m] > 0 ? made.scale[m] : 1;
     static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     for (uint32_t m = 0; m < scene->mesh_count && !box.any; m++)
         add_mesh(&box, &scene->meshes[m].mesh, identity);
-    extent->diagonal = hatch_vec_distance(box.low, box.high);
-    hatch_arena_rewind(&args->scratch, mark);
+    made.diagonal = hatch_vec_distance(box.low, box.high);
+    hatch_arena_rewind(scratch, mark);
+    *extent = made;
+    return HATCH_OK;
 }

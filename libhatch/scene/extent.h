@@ -1,0 +1,19 @@
+/* Sizes of a scene in its rest pose. */
+#ifndef HATCH_SCENE_EXTENT_H
+#define HATCH_SCENE_EXTENT_H
+
+#include "scene/scene.h"
+
+struct hatch_scene_extent {
+    double diagonal; /* diagonal of the box around everything that nodes draw, in scene units */
+    double *scale; /* per mesh: scene units per unit of the mesh, as its first node places it; 1 for meshes that no node
+                      draws, or only with scale 0 */
+};
+
+/* Measures a scene.
+ *   extent  out: its array is in arena */
+enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
