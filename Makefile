@@ -39,6 +39,7 @@ LINK_hatchstat := exr png foreign gltf cxx texture
 LINK_render-gl := exr png foreign gltf cxx texture gl
 LINK_dirfield  := gltf openmesh cxx cholmod
 LINK_lapped-param := gltf cxx png cholmod
+LINK_strokegen := gltf cxx cholmod
 libs_exr       := -lOpenEXRCore -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl

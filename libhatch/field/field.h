@@ -126,6 +126,12 @@ bool hatch_field_of_mesh(const struct hatch_surface *surface, const struct hatch
 void hatch_field_face_direction(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                 const double *direction, uint32_t face, double face_direction[3], double *spread_rad);
 
+/* Computes the directions at the corners of a face, in the plane of the face.
+ *   direction  3 per point: the field
+ *   z          out: per corner, cosine and sine of twice the angle from side 0 of the face, towards its third corner */
+void hatch_field_corner_directions(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                   const double *direction, uint32_t face, double z[3][2]);
+
 /* Computes the mean of three directions in a plane.
  *   z              cosine and sine of twice each direction's angle from u towards v; 0, 0: no direction
  *   u, v           orthonormal axes of the plane

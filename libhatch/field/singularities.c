@@ -155,20 +155,35 @@ void hatch_field_mean_direction(const double z[3][2], const double u[3], const d
         mean[k] = cosine * u[k] + sine * v[k];
 }
 
-void hatch_field_face_direction(const struct hatch_surface *surface, const struct hatch_frames *frames,
-                                const double *direction, uint32_t face, double face_direction[3], double *spread_rad)
+/* Computes axes of a face's plane: u along side 0, v towards the third corner. */
+static void face_axes(const struct hatch_surface *surface, uint32_t face, double u[3], double v[3])
 {
-    const struct field field = {surface, frames, direction, NULL};
     const uint32_t *corner = &surface->corners[(size_t)face * 3];
     const double *a = &surface->points[(size_t)corner[0] * 3], *b = &surface->points[(size_t)corner[1] * 3];
-    double normal[3], u[3], v[3], z[3][2], cosine_min;
+    double normal[3];
     hatch_vec_triangle(a, b, &surface->points[(size_t)corner[2] * 3], normal);
     hatch_vec_normalize(normal);
     hatch_vec_sub(b, a, u);
     hatch_vec_normalize(u);
     hatch_vec_cross(normal, u, v);
+}
+
+void hatch_field_corner_directions(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                   const double *direction, uint32_t face, double z[3][2])
+{
+    const struct field field = {surface, frames, direction, NULL};
+    double u[3], v[3];
+    face_axes(surface, face, u, v);
     for (uint32_t c = 0; c < 3; c++)
         corner_z(&field, face, c, u, v, z[c]);
+}
+
+void hatch_field_face_direction(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                const double *direction, uint32_t face, double face_direction[3], double *spread_rad)
+{
+    double u[3], v[3], z[3][2], cosine_min;
+    hatch_field_corner_directions(surface, frames, direction, face, z);
+    face_axes(surface, face, u, v);
     hatch_field_mean_direction((const double(*)[2])z, u, v, face_direction, &cosine_min);
     *spread_rad = acos(cosine_min) / 2;
 }

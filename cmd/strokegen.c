@@ -1,0 +1,143 @@
+/* strokegen: traces strokes on surfaces along a direction field, nested by density. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "field/field.h"
+#include "io/glb/glb.h"
+#include "scene/extent.h"
+#include "shared/field.h"
+#include "shared/surface.h"
+#include "trace/trace.h"
+
+#define PI 3.14159265358979323846
+
+static double gap = 0.08, length = 40, hard_deg = 40;
+static int64_t levels = 6;
+static const char *angles = "0,60";
+
+static const struct cmd_option options[] = {
+    {'g', "gap", CMD_REAL, 1e-6, 1, "SHARE",
+     "gap between the strokes of the coarsest level, as a share of the scene's diagonal (default 0.08)", &gap, NULL,
+     NULL},
+    {'l', "levels", CMD_INT, 1, HATCH_CURVE_LEVELS_MAX, "N",
+     "levels, each with half the gaps of the one before (default 6)", &levels, NULL, NULL},
+    {'a', "angles", CMD_TEXT, 0, 0, "LIST",
+     "angles in degrees from the field to the strokes of each family, with commas (default 0,60)", &angles, NULL, NULL},
+    {'L', "length", CMD_REAL, 2, 1000, "GAPS", "greatest length of a stroke, in gaps of its level (default 40)",
+     &length, NULL, NULL},
+    {'H', "hard", CMD_REAL, 0, 180, "DEGREES", "strokes end at edges sharper than this (default 40)", &hard_deg, NULL,
+     NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "meshgen torus | dirfield | strokegen -o torus.glb",
+    "strokegen --levels 4 --angles 0,90 model.glb -o model-strokes.glb",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "strokegen",
+    .operands = "[FILE]",
+    .summary = "trace strokes on surfaces along a direction field, nested by density",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .seeded = true,
+    .binary = true,
+};
+
+/* Reads the list of angles; returns their number. */
+static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
+{
+    uint32_t count = 0;
+    for (const char *at = angles; at; count++) {
+        const char *end = strchr(at, ',');
+        double degrees;
+        if (count == HATCH_CURVE_FAMILIES_MAX)
+            cmd_usage("--angles: more than %u", HATCH_CURVE_FAMILIES_MAX);
+        if (!hatch_text_number((struct hatch_text){at, end ? (size_t)(end - at) : strlen(at)}, &degrees) ||
+            !(fabs(degrees) <= 360))
+            cmd_usage("--angles: '%s' is not a list of numbers from -360 to 360", angles);
+        angle_rad[count] = (float)(degrees * (PI / 180));
+        at = end ? end + 1 : NULL;
+    }
+    return count;
+}
+
+static void report_share(void *context, double share)
+{
+    (void)context;
+    cmd_progress("strokes", share);
+}
+
+/* Traces the strokes of a mesh, whose direction field is computed if it has none.
+ *   options  its gap is in scene units
+ *   scale    scene units per unit of the mesh */
+static void trace(struct cmd_args *args, const char *name, const struct hatch_surface *surface, double scale,
+                  const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
+{
+    struct hatch_err err;
+    struct hatch_surface cut;
+    struct hatch_surface_notes notes;
+    struct hatch_frames frames;
+    struct hatch_trace_options local = *how;
+    double *direction, *confidence;
+    local.gap /= scale;
+    if (!(local.gap > 0 && isfinite(local.gap)))
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "the size of a mesh in the scene is zero or infinite"), name, &err);
+    if (!hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
+        cmd_add_field(args, name, surface, mesh);
+    cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
+    cmd_check(hatch_frames_make(&cut, &args->keep, &args->scratch, &frames, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);
+    hatch_field_of_mesh(&cut, &frames, &mesh->mesh, direction, confidence);
+    cmd_check(hatch_trace_make(&cut, &mesh->mesh, &frames, direction, &local, cmd_pool(args), &args->keep,
+                               &args->scratch, &mesh->curves, &err),
+              name, &err);
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    struct hatch_scene scene;
+    struct hatch_scene_extent extent;
+    struct hatch_err err;
+    float angle_rad[HATCH_CURVE_FAMILIES_MAX];
+    const struct hatch_progress progress = {report_share, NULL};
+    cmd_begin(&program, argc, argv, &args);
+    uint32_t families = read_angles(angle_rad), strokes = 0, points = 0;
+    const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
+    struct cmd_output *output = cmd_open_output(args.output, "glb", true);
+
+    cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    const struct hatch_surface *surfaces = cmd_make_surfaces(&args, input, &scene);
+    cmd_check(hatch_scene_measure(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
+    const struct hatch_trace_options how = {.family_count = families,
+                                            .angle_rad = angle_rad,
+                                            .gap = gap * extent.diagonal,
+                                            .levels = (uint32_t)levels,
+                                            .length = length,
+                                            .hard_rad = hard_deg * (PI / 180),
+                                            .seed = args.seed,
+                                            .progress = &progress};
+    for (uint32_t i = 0; i < scene.mesh_count; i++) {
+        trace(&args, name, &surfaces[i], extent.scale[i], &how, &scene.meshes[i]);
+        strokes += scene.meshes[i].curves.count;
+        points += scene.meshes[i].curves.point_count;
+    }
+    cmd_note("%u %s, %u points", strokes, cmd_plural(strokes, "stroke", "strokes"), points);
+
+    char comment[256];
+    snprintf(comment, sizeof comment,
+             "strokegen --gap %g --levels %u --angles %.100s --length %g --hard %g --seed %llu", gap, (unsigned)levels,
+             angles, length, hard_deg, (unsigned long long)args.seed);
+    struct hatch_buffer file = {.arena = &args.keep};
+    cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), name, &err);
+    cmd_write(output, file.data, file.size);
+    return cmd_end(&args, HATCH_OK);
+}

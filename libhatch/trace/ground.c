@@ -1,0 +1,219 @@
+/* Faces laid out in the plane, and walks over them. */
+#include <math.h>
+
+#include "math/vector.h"
+#include "field/field.h"
+#include "trace/ground.h"
+
+#define CALM_MIN 0.15 /* length of the mean of the corners' directions below which there is none */
+
+static void corner_position(const struct hatch_surface *surface, uint32_t face, uint32_t c, double at[3])
+{
+    hatch_vec_copy(&surface->points[3 * (size_t)surface->corners[3 * (size_t)face + c]], at);
+}
+
+static void lay_out_face(const struct hatch_surface *surface, uint32_t f, struct hatch_trace_face *face)
+{
+    double p[3][3], e1[3], e2[3], n[3], v[3];
+    for (uint32_t c = 0; c < 3; c++)
+        corner_position(surface, f, c, p[c]);
+    hatch_vec_triangle(p[0], p[1], p[2], n);
+    hatch_vec_normalize(n);
+    hatch_vec_sub(p[1], p[0], e1);
+    hatch_vec_sub(p[2], p[0], e2);
+    face->x1 = (float)hatch_vec_normalize(e1);
+    hatch_vec_cross(n, e1, v);
+    face->x2 = (float)hatch_vec_dot(e2, e1);
+    face->y2 = (float)hatch_vec_dot(e2, v);
+    hatch_vec_round(e1, face->u);
+    hatch_vec_round(v, face->v);
+    hatch_vec_round(p[0], face->at);
+}
+
+static void face_normal(const struct hatch_trace_face *face, double normal[3])
+{
+    double u[3], v[3];
+    hatch_vec_of(face->u, u);
+    hatch_vec_of(face->v, v);
+    hatch_vec_cross(u, v, normal);
+}
+
+/* Marks the sides at which strokes end. */
+static void close_sides(const struct hatch_surface *surface, double hard_rad, struct hatch_trace_face *faces)
+{
+    double cosine = cos(hard_rad);
+    for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
+        uint32_t other = surface->opposite[side];
+        double bend = -2;
+        if (other != HATCH_NO_SIDE) {
+            double normals[2][3];
+            for (int k = 0; k < 2; k++)
+                face_normal(&faces[(k == 0 ? side : other) / 3], normals[k]);
+            bend = hatch_vec_dot(normals[0], normals[1]);
+            if (surface->corners[side] == surface->corners[other])
+                bend = -bend; /* across a contrary edge the faces have opposite outsides */
+        }
+        if (bend < cosine)
+            faces[side / 3].closed |= (uint8_t)(1u << side % 3);
+    }
+}
+
+enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                      const double *direction, double angle_rad, double hard_rad,
+                                      struct hatch_arena *arena, struct hatch_trace_ground *ground,
+                                      struct hatch_err *err)
+{
+    struct hatch_trace_ground made = {.surface = surface};
+    double cosine = cos(2 * angle_rad), sine = sin(2 * angle_rad);
+    HATCH_TRY(HATCH_ALLOC(arena, &made.faces, surface->face_count, err));
+    for (uint32_t f = 0; f < surface->face_count; f++) {
+        double z[3][2];
+        lay_out_face(surface, f, &made.faces[f]);
+        hatch_field_corner_directions(surface, frames, direction, f, z);
+        for (int c = 0; c < 3; c++) {
+            made.faces[f].z[c][0] = (float)(z[c][0] * cosine - z[c][1] * sine);
+            made.faces[f].z[c][1] = (float)(z[c][0] * sine + z[c][1] * cosine);
+        }
+    }
+    close_sides(surface, hard_rad, made.faces);
+    *ground = made;
+    return HATCH_OK;
+}
+
+void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y, double share[3])
+{
+    share[2] = y / (double)face->y2;
+    share[1] = (x - share[2] * (double)face->x2) / (double)face->x1;
+    share[0] = 1 - share[1] - share[2];
+}
+
+bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place,
+                           double direction[2])
+{
+    const struct hatch_trace_face *face = &ground->faces[place->face];
+    double share[3], z[2] = {0, 0};
+    hatch_trace_shares(face, place->x, place->y, share);
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < 2; k++)
+            z[k] += share[c] * (double)face->z[c][k];
+    double length = sqrt(z[0] * z[0] + z[1] * z[1]);
+    if (!(length >= CALM_MIN))
+        return false;
+    double x = z[0] / length, y = z[1] / length;
+    double larger = sqrt((1 + fabs(x)) / 2), smaller = fabs(y) / (2 * larger);
+    direction[0] = x < 0 ? smaller : larger;
+    direction[1] = copysign(x < 0 ? larger : smaller, y);
+    if (direction[0] * place->heading[0] + direction[1] * place->heading[1] < 0) {
+        direction[0] = -direction[0];
+        direction[1] = -direction[1];
+    }
+    return true;
+}
+
+static void corners_of(const struct hatch_trace_face *face, double corner[3][2])
+{
+    corner[0][0] = corner[0][1] = corner[1][1] = 0;
+    corner[1][0] = (double)face->x1;
+    corner[2][0] = (double)face->x2;
+    corner[2][1] = (double)face->y2;
+}
+
+/* Moves straight on in the face, by `length` at most. Returns the side that was reached, 3 if none.
+ *   moved  out: the way */
+static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_place *place, double length, double *moved)
+{
+    double corner[3][2];
+    uint32_t reached = 3;
+    corners_of(face, corner);
+    for (uint32_t c = 0; c < 3; c++) {
+        const double *a = corner[c], *b = corner[(c + 1) % 3];
+        double edge[2] = {b[0] - a[0], b[1] - a[1]};
+        double rate = edge[0] * place->heading[1] - edge[1] * place->heading[0]; /* towards the inside */
+        double inside = edge[0] * (place->y - a[1]) - edge[1] * (place->x - a[0]);
+        if (!(rate < 0))
+            continue;
+        double way = fmax(0, inside / -rate);
+        if (way < length) {
+            length = way;
+            reached = c;
+        }
+    }
+    place->x += length * place->heading[0];
+    place->y += length * place->heading[1];
+    *moved = length;
+    return reached;
+}
+
+/* Crosses a side to the next face. The heading keeps its angle to the edge; across a contrary edge it is mirrored. */
+static void cross_side(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, uint32_t c)
+{
+    const uint32_t *point = ground->surface->corners;
+    uint32_t side = 3 * place->face + c, other = ground->surface->opposite[side];
+    double from[3][2], to[3][2];
+    corners_of(&ground->faces[place->face], from);
+    corners_of(&ground->faces[other / 3], to);
+    const double *a = from[c], *b = from[(c + 1) % 3], *p = to[other % 3], *q = to[(other + 1) % 3];
+    double edge[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {q[0] - p[0], q[1] - p[1]};
+    double square = edge[0] * edge[0] + edge[1] * edge[1], next_square = next[0] * next[0] + next[1] * next[1];
+    double share = fmin(1, fmax(0, ((place->x - a[0]) * edge[0] + (place->y - a[1]) * edge[1]) / square));
+    double along = place->heading[0] * edge[0] + place->heading[1] * edge[1];
+    double out = place->heading[0] * edge[1] - place->heading[1] * edge[0];
+    if (point[side] != point[other]) {
+        share = 1 - share;
+        along = -along;
+    }
+    double size = sqrt(square * next_square);
+    place->face = other / 3;
+    place->x = p[0] + share * next[0];
+    place->y = p[1] + share * next[1];
+    place->heading[0] = (along * next[0] - out * next[1]) / size;
+    place->heading[1] = (along * next[1] + out * next[0]) / size;
+}
+
+/* Turns the heading to the direction of the field half a step ahead, within the face. */
+static bool follow(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, double length)
+{
+    struct hatch_trace_place ahead = *place;
+    double moved;
+    if (!hatch_trace_direction(ground, place, ahead.heading))
+        return false;
+    move(&ground->faces[place->face], &ahead, length / 2, &moved);
+    return hatch_trace_direction(ground, &ahead, place->heading);
+}
+
+bool hatch_trace_walk(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, double length,
+                      enum hatch_trace_way way, struct hatch_trace_leg *leg)
+{
+    const struct hatch_trace_face *face = &ground->faces[place->face];
+    *leg = (struct hatch_trace_leg){place->face, {place->x, place->y}, {place->x, place->y}, 0};
+    if (way == HATCH_TRACE_ALONG && !follow(ground, place, length))
+        return false;
+    uint32_t side = move(face, place, length, &leg->length);
+    leg->to[0] = place->x;
+    leg->to[1] = place->y;
+    if (side == 3)
+        return true;
+    if (face->closed >> side & 1)
+        return false;
+    cross_side(ground, place, side);
+    return true;
+}
+
+void hatch_trace_turn(struct hatch_trace_place *place, double sign)
+{
+    double x = place->heading[0];
+    place->heading[0] = -sign * place->heading[1];
+    place->heading[1] = sign * x;
+}
+
+void hatch_trace_position(const struct hatch_trace_face *face, double x, double y, float position[3])
+{
+    for (int k = 0; k < 3; k++)
+        position[k] = (float)((double)face->at[k] + x * (double)face->u[k] + y * (double)face->v[k]);
+}
+
+void hatch_trace_vector(const struct hatch_trace_face *face, const double plane[2], float vector[3])
+{
+    for (int k = 0; k < 3; k++)
+        vector[k] = (float)(plane[0] * (double)face->u[k] + plane[1] * (double)face->v[k]);
+}

@@ -1,0 +1,70 @@
+/* The ground that strokes are traced on: the faces of a surface, each laid out in a plane of its own, with the
+ * direction of the strokes. */
+#ifndef HATCH_TRACE_GROUND_H
+#define HATCH_TRACE_GROUND_H
+
+#include <stdbool.h>
+
+#include "surface/frames.h"
+
+/* A face laid out in a plane: corner 0 at the origin, corner 1 on the x axis, corner 2 above it. */
+struct hatch_trace_face {
+    float x1, x2, y2;
+    float z[3][2];           /* per corner: cosine and sine of twice the stroke's angle from the x axis */
+    float u[3], v[3], at[3]; /* axes x and y in space, and corner 0 */
+    uint8_t closed;          /* bit c: strokes end at side c */
+};
+
+struct hatch_trace_ground {
+    const struct hatch_surface *surface;
+    struct hatch_trace_face *faces; /* of the whole surface */
+};
+
+/* A place on the ground, and a heading of length 1 in the plane of its face. */
+struct hatch_trace_place {
+    uint32_t face;
+    double x, y, heading[2];
+};
+
+/* Lays out the faces.
+ *   direction  3 per point of the surface
+ *   angle_rad  from the direction to the strokes
+ *   hard_rad   strokes end at edges with a larger angle
+ *   ground     out: faces in arena */
+enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                      const double *direction, double angle_rad, double hard_rad,
+                                      struct hatch_arena *arena, struct hatch_trace_ground *ground,
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
+/* Computes the direction of strokes at a place, with the sign nearest to the heading. Returns false where there is
+ * none, as at a singularity. */
+bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place,
+                           double direction[2]);
+
+/* A straight part of a walk within a face. */
+struct hatch_trace_leg {
+    uint32_t face;
+    double from[2], to[2], length;
+};
+
+enum hatch_trace_way { HATCH_TRACE_ALONG, HATCH_TRACE_STRAIGHT }; /* along the field; straight on */
+
+/* Walks on within a face, and to the border of the next face where that is reached.
+ *   place   in, out: its heading becomes that of the leg
+ *   length  greatest length of the leg, in surface units, over 0
+ *   leg     out
+ * Returns false where the walk ends: at a border, a hard edge or a singularity. */
+bool hatch_trace_walk(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, double length,
+                      enum hatch_trace_way way, struct hatch_trace_leg *leg);
+
+/* Turns the heading by a right angle, counter-clockwise where sign is 1, clockwise where it is -1. */
+void hatch_trace_turn(struct hatch_trace_place *place, double sign);
+
+/* Computes the position, and a vector in the plane of the face, in surface units. */
+void hatch_trace_position(const struct hatch_trace_face *face, double x, double y, float position[3]);
+void hatch_trace_vector(const struct hatch_trace_face *face, const double plane[2], float vector[3]);
+
+/* Computes the barycentric coordinates of a place. */
+void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y, double share[3]);
+
+#endif

@@ -1,0 +1,137 @@
+/* Strokes grow at both ends, in lock step: all ends are tested against what earlier rounds have drawn before any of
+ * them moves on, so that the order of strokes does not matter. */
+#include <math.h>
+#include <string.h>
+
+#include "trace/work.h"
+
+#define CHUNK 64u       /* ends per task */
+#define ACROSS_MIN 0.45 /* of the gap: nearer strokes block one another */
+#define LEGS_KEPT 6u    /* legs of a round that are kept; longer rounds are walked again */
+
+/* A round of an end. */
+struct stride {
+    uint32_t half; /* 2 * stroke, plus 1 for the half behind the seed */
+    uint32_t leg_count;
+    bool goes_on;
+    struct hatch_trace_place to;
+    struct hatch_trace_leg legs[LEGS_KEPT]; /* the first of leg_count */
+};
+
+struct advance {
+    const struct hatch_tracer *tracer;
+    struct stride *strides;
+    uint32_t count;
+};
+
+static struct hatch_trace_origin origin_of(const struct hatch_tracer *tracer, uint32_t half, double walked)
+{
+    double arc = tracer->strokes[half / 2].length[half % 2] + walked;
+    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true};
+}
+
+/* Returns whether strokes pass too near to both sides of an end. */
+static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *stride, double walked)
+{
+    const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked);
+    double reach = ACROSS_MIN * tracer->gap;
+    for (int side = -1; side <= 1; side += 2) {
+        struct hatch_trace_place aside = stride->to;
+        bool border;
+        hatch_trace_turn(&aside, side);
+        if (hatch_trace_cast(tracer, &aside, reach, &origin, &border) < reach && !border)
+            return true;
+    }
+    return false;
+}
+
+/* Walks one round from the stroke's end.
+ *   legs  out: the first LEGS_KEPT
+ * Returns the length of the way; 0 where a stroke blocks it. */
+static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
+{
+    double length = HATCH_TRACE_STEP * tracer->gap, walked = 0;
+    stride->to = tracer->strokes[stride->half / 2].end[stride->half % 2];
+    stride->leg_count = 0;
+    stride->goes_on = true;
+    for (uint32_t n = 0; stride->goes_on && length - walked > 1e-6 * length; n++) {
+        struct hatch_trace_leg leg;
+        if (n == HATCH_TRACE_LEGS_MAX) { /* directions that lead back to the same edge from both of its sides */
+            stride->goes_on = false;
+            return;
+        }
+        const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked);
+        stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
+                                           HATCH_TRACE_ALONG, &leg);
+        if (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL) {
+            stride->leg_count = 0;
+            stride->goes_on = false;
+            return;
+        }
+        walked += leg.length;
+        if (leg.length > 0 && stride->leg_count < LEGS_KEPT)
+            stride->legs[stride->leg_count] = leg;
+        stride->leg_count += leg.length > 0;
+    }
+    if (stride->leg_count > 0 && is_blocked(tracer, stride, walked)) {
+        stride->leg_count = 0;
+        stride->goes_on = false;
+    }
+}
+
+static void advance_chunk(void *context, uint32_t chunk)
+{
+    const struct advance *advance = context;
+    uint32_t stop = (chunk + 1) * CHUNK < advance->count ? (chunk + 1) * CHUNK : advance->count;
+    for (uint32_t i = chunk * CHUNK; i < stop; i++)
+        walk_stride(advance->tracer, &advance->strides[i]);
+}
+
+/* Draws the legs of a round, and ends the growth where it is due. */
+static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride *stride, struct hatch_err *err)
+{
+    struct hatch_trace_stroke *stroke = &tracer->strokes[stride->half / 2];
+    uint32_t way = stride->half % 2;
+    struct hatch_trace_place place = stroke->end[way];
+    double left = HATCH_TRACE_STEP * tracer->gap;
+    for (uint32_t i = 0; i < stride->leg_count;) {
+        struct hatch_trace_leg leg;
+        if (stride->leg_count <= LEGS_KEPT)
+            leg = stride->legs[i];
+        else
+            hatch_trace_walk(&tracer->ground, &place, fmin(left, tracer->leg_max), HATCH_TRACE_ALONG, &leg);
+        i += leg.length > 0;
+        left -= leg.length;
+        if (leg.length > 0)
+            HATCH_TRY(hatch_trace_add_piece(tracer, stride->half, &leg, err));
+    }
+    stroke->end[way] = stride->to;
+    stroke->growing[way] = stride->goes_on && stroke->length[way] < stroke->length_max[way];
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_trace_grow(struct hatch_tracer *tracer, struct hatch_err *err)
+{
+    struct advance advance = {.tracer = tracer};
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < tracer->stroke_count; s++)
+        count += (uint32_t)tracer->strokes[s].growing[0] + (uint32_t)tracer->strokes[s].growing[1];
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &advance.strides, count, err));
+    for (uint32_t half = 0; half < 2 * tracer->stroke_count; half++)
+        if (tracer->strokes[half / 2].growing[half % 2])
+            advance.strides[advance.count++].half = half;
+    while (advance.count > 0) {
+        uint32_t kept = 0;
+        tracer->round++;
+        hatch_parallel_for(tracer->pool, (advance.count + CHUNK - 1) / CHUNK, advance_chunk, &advance);
+        for (uint32_t i = 0; i < advance.count; i++)
+            HATCH_TRY(commit(tracer, &advance.strides[i], err));
+        for (uint32_t i = 0; i < advance.count; i++) {
+            uint32_t half = advance.strides[i].half;
+            if (tracer->strokes[half / 2].growing[half % 2])
+                advance.strides[kept++].half = half;
+        }
+        advance.count = kept;
+    }
+    return HATCH_OK;
+}

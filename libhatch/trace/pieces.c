@@ -1,0 +1,277 @@
+/* The pieces of strokes on the faces, and the ways between strokes. */
+#include <math.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "trace/work.h"
+
+#define ITEMS_MIN 1024u
+#define CELLS_MAX 1024.0 /* of a face, along each axis */
+#define OWN_GAPS 2.5     /* pieces of the same stroke that are nearer along it do not count */
+#define SLACK 1e-4f      /* of a piece's length: pieces that meet at a face's border leave no hole */
+
+enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
+                                      uint32_t *capacity, struct hatch_err *err)
+{
+    void *old, *made;
+    if (count < *capacity)
+        return HATCH_OK;
+    memcpy(&old, array, sizeof old);
+    if (count > UINT32_MAX / 4)
+        return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
+    uint32_t wanted = count > 0 ? 2 * count : ITEMS_MIN;
+    made = hatch_arena_unset(arena, wanted, size, err);
+    if (!made)
+        return HATCH_LIMIT;
+    if (count > 0)
+        memcpy(made, old, count * size);
+    memcpy(array, &made, sizeof made);
+    *capacity = wanted;
+    return HATCH_OK;
+}
+
+/* The rectangle around a face in its plane: its width begins at x_low, its height at 0. */
+static void extent_of(const struct hatch_trace_face *face, double *x_low, double *width, double *height)
+{
+    *x_low = fmin(0, (double)face->x2);
+    *width = fmax((double)face->x1, (double)face->x2) - *x_low;
+    *height = (double)face->y2;
+}
+
+static uint32_t cells_along(double size, double cell)
+{
+    return (uint32_t)fmin(fmax(ceil(size / cell), 1), CELLS_MAX);
+}
+
+/* Returns which of `count` cells along an axis a coordinate is in. */
+static uint32_t cell_at(double coordinate, double size, uint32_t count)
+{
+    double cell = coordinate / size * count;
+    return cell > 0 ? (uint32_t)fmin(cell, count - 1) : 0;
+}
+
+static void put_in_cell(struct hatch_tracer *tracer, uint32_t number)
+{
+    struct hatch_trace_piece *piece = &tracer->pieces[number];
+    const struct hatch_trace_cells *cells = &tracer->cells;
+    uint32_t f = piece->face - tracer->component->first_face;
+    uint32_t cell = cells->first[f], across = cells->across[f], count = cells->first[f + 1] - cell;
+    if (count > 1) {
+        double x_low, width, height;
+        extent_of(&tracer->ground.faces[piece->face], &x_low, &width, &height);
+        double x = 0.5 * (double)(piece->from[0] + piece->to[0]) - x_low;
+        cell += cell_at(x, width, across) +
+                across * cell_at(0.5 * (double)(piece->from[1] + piece->to[1]), height, count / across);
+    }
+    piece->next_in_cell = cells->heads[cell];
+    cells->heads[cell] = number;
+}
+
+enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err *err)
+{
+    const struct hatch_component *component = tracer->component;
+    struct hatch_trace_cells *cells = &tracer->cells;
+    double size = fmax(tracer->gap, tracer->leg_max), sum = 0;
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->first, (size_t)component->face_count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->across, component->face_count, err));
+    for (uint32_t f = 0; f < component->face_count; f++) {
+        double x_low, width, height;
+        extent_of(&tracer->ground.faces[component->first_face + f], &x_low, &width, &height);
+        cells->first[f] = (uint32_t)sum;
+        cells->across[f] = (uint16_t)cells_along(width, size);
+        sum += (double)cells->across[f] * cells_along(height, size);
+        if (sum >= UINT32_MAX)
+            return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
+    }
+    cells->first[component->face_count] = (uint32_t)sum;
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->heads, (size_t)sum, err));
+    memset(cells->heads, 0xff, (size_t)sum * sizeof *cells->heads);
+    for (uint32_t i = 0; i < tracer->piece_count; i++)
+        put_in_cell(tracer, i);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_trace_add_stroke(struct hatch_tracer *tracer, const struct hatch_trace_seed *seed,
+                                         struct hatch_err *err)
+{
+    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &tracer->strokes, sizeof *tracer->strokes, tracer->stroke_count,
+                                  &tracer->stroke_capacity, err));
+    struct hatch_trace_stroke *stroke = &tracer->strokes[tracer->stroke_count++];
+    *stroke = (struct hatch_trace_stroke){.id = seed->id,
+                                          .seed = seed->place,
+                                          .level = tracer->level,
+                                          .growing = {true, true},
+                                          .first = {HATCH_TRACE_NONE, HATCH_TRACE_NONE},
+                                          .last = {HATCH_TRACE_NONE, HATCH_TRACE_NONE},
+                                          .end = {seed->place, seed->place}};
+    for (int k = 0; k < 2; k++)
+        stroke->end[1].heading[k] = -stroke->end[1].heading[k];
+    for (uint32_t way = 0; way < 2; way++) {
+        double share = 0.5 + 0.5 * (double)hatch_random_unit(tracer->seed, seed->id, way);
+        stroke->length_max[way] = share * tracer->options->length / 2 * tracer->gap;
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t half, const struct hatch_trace_leg *leg,
+                                        struct hatch_err *err)
+{
+    struct hatch_trace_stroke *stroke = &tracer->strokes[half / 2];
+    uint32_t way = half % 2, number = tracer->piece_count;
+    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
+                                  &tracer->piece_capacity, err));
+    stroke->length[way] += leg->length;
+    tracer->pieces[tracer->piece_count++] =
+        (struct hatch_trace_piece){.from = {(float)leg->from[0], (float)leg->from[1]},
+                                   .to = {(float)leg->to[0], (float)leg->to[1]},
+                                   .face = leg->face,
+                                   .half = half,
+                                   .arc = (float)stroke->length[way],
+                                   .round = tracer->round,
+                                   .next = HATCH_TRACE_NONE};
+    if (stroke->last[way] == HATCH_TRACE_NONE)
+        stroke->first[way] = number;
+    else
+        tracer->pieces[stroke->last[way]].next = number;
+    stroke->last[way] = number;
+    put_in_cell(tracer, number);
+    return HATCH_OK;
+}
+
+/* Returns whether a piece does not hinder the way from an origin. */
+static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece,
+                       const struct hatch_trace_origin *origin)
+{
+    uint32_t stroke = piece->half / 2;
+    if (stroke == origin->stroke) {
+        double arc = piece->half % 2 ? -(double)piece->arc : (double)piece->arc;
+        return fabs(arc - origin->arc) < OWN_GAPS * tracer->gap;
+    }
+    return origin->growing && piece->round + 1 == tracer->round && origin->stroke != HATCH_TRACE_NONE &&
+           tracer->strokes[stroke].growing[piece->half % 2] &&
+           tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id;
+}
+
+/* Returns the share of a way at which a piece crosses it, or HUGE_VALF. */
+static float crossing(const float from[2], const float way[2], const struct hatch_trace_piece *piece)
+{
+    float along[2] = {piece->to[0] - piece->from[0], piece->to[1] - piece->from[1]};
+    float off[2] = {piece->from[0] - from[0], piece->from[1] - from[1]};
+    float area = way[0] * along[1] - way[1] * along[0];
+    float on_way = off[0] * along[1] - off[1] * along[0], on_piece = off[0] * way[1] - off[1] * way[0];
+    if (area < 0) {
+        area = -area;
+        on_way = -on_way;
+        on_piece = -on_piece;
+    }
+    if (!(area > 0 && on_way >= 0 && on_way <= area && on_piece >= -SLACK * area && on_piece <= (1 + SLACK) * area))
+        return HUGE_VALF;
+    return on_way / area;
+}
+
+static float first_in_cell(const struct hatch_tracer *tracer, uint32_t cell, const float from[2], const float way[2],
+                           const struct hatch_trace_origin *origin)
+{
+    float nearest = HUGE_VALF;
+    for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell) {
+        const struct hatch_trace_piece *piece = &tracer->pieces[n];
+        float share = crossing(from, way, piece);
+        if (share < nearest && !is_ignored(tracer, piece, origin))
+            nearest = share;
+    }
+    return nearest;
+}
+
+double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_trace_leg *leg,
+                        const struct hatch_trace_origin *origin)
+{
+    const struct hatch_trace_cells *cells = &tracer->cells;
+    uint32_t f = leg->face - tracer->component->first_face;
+    uint32_t first = cells->first[f], across = cells->across[f], count = cells->first[f + 1] - first;
+    float nearest = HUGE_VALF;
+    const float from[2] = {(float)leg->from[0], (float)leg->from[1]};
+    const float way[2] = {(float)(leg->to[0] - leg->from[0]), (float)(leg->to[1] - leg->from[1])};
+    if (count == 1) {
+        nearest = first_in_cell(tracer, first, from, way, origin);
+    } else {
+        double x_low, width, height, margin = tracer->leg_max;
+        extent_of(&tracer->ground.faces[leg->face], &x_low, &width, &height);
+        uint32_t x0 = cell_at(fmin(leg->from[0], leg->to[0]) - margin - x_low, width, across);
+        uint32_t x1 = cell_at(fmax(leg->from[0], leg->to[0]) + margin - x_low, width, across);
+        uint32_t y0 = cell_at(fmin(leg->from[1], leg->to[1]) - margin, height, count / across);
+        uint32_t y1 = cell_at(fmax(leg->from[1], leg->to[1]) + margin, height, count / across);
+        for (uint32_t y = y0; y <= y1; y++)
+            for (uint32_t x = x0; x <= x1; x++)
+                nearest = fminf(nearest, first_in_cell(tracer, first + x + across * y, from, way, origin));
+    }
+    return nearest < HUGE_VALF ? (double)nearest * leg->length : HUGE_VAL;
+}
+
+double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double reach,
+                        const struct hatch_trace_origin *origin, bool *border)
+{
+    double walked = 0;
+    if (border)
+        *border = false;
+    for (uint32_t n = 0; n < HATCH_TRACE_LEGS_MAX && reach - walked > 1e-6 * tracer->gap; n++) {
+        struct hatch_trace_leg leg;
+        bool goes_on = hatch_trace_walk(&tracer->ground, place, reach - walked, HATCH_TRACE_STRAIGHT, &leg);
+        double met = hatch_trace_look(tracer, &leg, origin);
+        if (met < HUGE_VAL)
+            return walked + met;
+        walked += leg.length;
+        if (!goes_on) {
+            if (border)
+                *border = true;
+            return walked;
+        }
+    }
+    return reach;
+}
+
+struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, const struct hatch_trace_place *place,
+                                            const struct hatch_trace_origin *origin)
+{
+    double gap[2], reach = HATCH_TRACE_REACH * tracer->gap;
+    for (int side = 0; side < 2; side++) {
+        struct hatch_trace_place aside = *place;
+        bool border;
+        hatch_trace_turn(&aside, side == 0 ? 1 : -1);
+        gap[side] = hatch_trace_cast(tracer, &aside, reach, origin, &border);
+        if (border)
+            gap[side] = fmin(2 * gap[side], reach);
+    }
+    return (struct hatch_trace_gaps){gap[0], gap[1]};
+}
+
+struct hatch_trace_stops hatch_trace_stops_begin(const struct hatch_trace_stroke *stroke, uint32_t way, double step)
+{
+    return (struct hatch_trace_stops){.piece = stroke->first[way], .step = step};
+}
+
+bool hatch_trace_stops_next(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, uint32_t way,
+                            struct hatch_trace_stops *stops)
+{
+    double arc = stops->count * stops->step;
+    if (stops->count == 0) {
+        stops->place = stroke->seed;
+        for (int k = 0; k < 2 && way == 1; k++)
+            stops->place.heading[k] = -stops->place.heading[k];
+        stops->count++;
+        return true;
+    }
+    while (stops->piece != HATCH_TRACE_NONE && (double)tracer->pieces[stops->piece].arc < arc)
+        stops->piece = tracer->pieces[stops->piece].next;
+    if (stops->piece == HATCH_TRACE_NONE)
+        return false;
+    const struct hatch_trace_piece *piece = &tracer->pieces[stops->piece];
+    double way_x = (double)(piece->to[0] - piece->from[0]), way_y = (double)(piece->to[1] - piece->from[1]);
+    double length = sqrt(way_x * way_x + way_y * way_y), back = (double)piece->arc - arc;
+    if (length > 0)
+        stops->place = (struct hatch_trace_place){.face = piece->face,
+                                                  .x = (double)piece->to[0] - back / length * way_x,
+                                                  .y = (double)piece->to[1] - back / length * way_y,
+                                                  .heading = {way_x / length, way_y / length}};
+    stops->count++;
+    return true;
+}

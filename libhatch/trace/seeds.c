@@ -1,0 +1,207 @@
+/* Seeds of new strokes: beside strokes that have room there, and on faces that have none nearby. Every random number is
+ * a hash of the stroke or face that a seed comes from, so that the seeds do not depend on an order. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "trace/work.h"
+
+#define CHUNK 64u
+#define GAP_MIN 1.45  /* of the gap: wider ones get a stroke */
+#define CLEAR_MIN 0.7 /* of the gap: least distance of a seed from the strokes beside it */
+
+/* Seeds per gap of stroke and side, and per square of a gap of surface, phase by phase. */
+static const double beside[HATCH_TRACE_PHASES] = {1 / 12.0, 1 / 12.0, 1 / 6.0, 1 / 3.0, 1};
+static const double on_faces[HATCH_TRACE_PHASES] = {0, 0, 0, 0.25, 1};
+#define FIRST_ON_FACES 0.02 /* in the first phase of all */
+
+/* Streams of random numbers. */
+enum { STREAM_CHOICE = 1, STREAM_COUNT, STREAM_PLACE, STREAM_ITEM, STREAM_PHASES };
+
+/* The place that a seed comes from. */
+struct source {
+    struct hatch_trace_place place; /* its heading is along the stroke beside which the seed will be */
+    double arc;
+    uint32_t stroke; /* HATCH_TRACE_NONE: on a face */
+    double side;     /* 1: to the left of the stroke; -1: to the right */
+};
+
+struct search {
+    const struct hatch_tracer *tracer;
+    uint64_t stream;
+    struct hatch_trace_seed *seeds;
+    struct source *sources; /* one per seed */
+    uint32_t count, capacity, source_capacity;
+};
+
+static enum hatch_status add_source(struct search *search, const struct source *source, uint64_t id,
+                                    struct hatch_err *err)
+{
+    struct hatch_arena *scratch = search->tracer->scratch;
+    HATCH_TRY(
+        hatch_trace_reserve(scratch, &search->seeds, sizeof *search->seeds, search->count, &search->capacity, err));
+    HATCH_TRY(hatch_trace_reserve(scratch, &search->sources, sizeof *search->sources, search->count,
+                                  &search->source_capacity, err));
+    search->sources[search->count] = *source;
+    search->seeds[search->count++] = (struct hatch_trace_seed){.id = id};
+    return HATCH_OK;
+}
+
+/* Chooses places on half a stroke. */
+static enum hatch_status choose_on_half(struct search *search, uint32_t number, uint32_t way, double share,
+                                        struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    const struct hatch_trace_stroke *stroke = &tracer->strokes[number];
+    struct hatch_trace_stops stops = hatch_trace_stops_begin(stroke, way, HATCH_TRACE_STEP * tracer->gap);
+    while (hatch_trace_stops_next(tracer, stroke, way, &stops))
+        for (uint32_t side = 0; side < 2; side++) {
+            uint64_t item = (uint64_t)stops.count << 2 | way << 1 | side;
+            uint64_t id = hatch_random_u64(stroke->id, search->stream, item);
+            double arc = (stops.count - 1) * stops.step;
+            struct source source = {stops.place, way ? -arc : arc, number, side ? 1 : -1};
+            if ((way == 0 || stops.count > 1) && hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share)
+                HATCH_TRY(add_source(search, &source, id, err));
+        }
+    return HATCH_OK;
+}
+
+/* Chooses places on faces. */
+static enum hatch_status choose_faces(struct search *search, double density, struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    const struct hatch_component *component = tracer->component;
+    for (uint32_t f = component->first_face; f < component->first_face + component->face_count && density > 0; f++) {
+        const struct hatch_trace_face *face = &tracer->ground.faces[f];
+        double wanted = density * (double)face->x1 * (double)face->y2 / 2;
+        uint64_t id = hatch_random_u64(tracer->seed, search->stream, tracer->ground.surface->face_source[f]);
+        double count = floor(wanted + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
+        for (uint64_t i = 0; (double)i < count; i++) {
+            uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
+            double a = (double)hatch_random_unit(item, STREAM_PLACE, 0);
+            double b = (double)hatch_random_unit(item, STREAM_PLACE, 1);
+            if (a + b > 1) {
+                a = 1 - a;
+                b = 1 - b;
+            }
+            const struct source source = {
+                {f, a * (double)face->x1 + b * (double)face->x2, b * (double)face->y2, {1, 0}}, 0, HATCH_TRACE_NONE, 0};
+            HATCH_TRY(add_source(search, &source, item, err));
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Walks straight aside, to the left of the heading where `way` is positive, and heads along the strokes again. Returns
+ * false where the walk meets a stroke or ends early. */
+static bool step_aside(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double way,
+                       const struct hatch_trace_origin *origin)
+{
+    double sign = way < 0 ? -1 : 1, heading[2];
+    bool border;
+    hatch_trace_turn(place, sign);
+    if (hatch_trace_cast(tracer, place, fabs(way), origin, &border) < 0.999 * fabs(way) || border)
+        return false;
+    hatch_trace_turn(place, -sign);
+    if (!hatch_trace_direction(&tracer->ground, place, heading))
+        return false;
+    memcpy(place->heading, heading, sizeof heading);
+    return true;
+}
+
+/* Moves a seed away from the nearer of the strokes beside it, to the middle of a gap or to the wanted distance. */
+static bool center(const struct hatch_tracer *tracer, struct hatch_trace_place *place)
+{
+    const struct hatch_trace_origin nowhere = {.stroke = HATCH_TRACE_NONE};
+    struct hatch_trace_gaps gaps = hatch_trace_gaps_at(tracer, place, &nowhere);
+    double reach = HATCH_TRACE_REACH * tracer->gap, way = 0;
+    if (gaps.left + gaps.right < GAP_MIN * tracer->gap)
+        return false;
+    if (gaps.left < reach && gaps.right < reach)
+        way = (gaps.left - gaps.right) / 2;
+    else if (gaps.left < reach)
+        way = gaps.left - tracer->gap;
+    else if (gaps.right < reach)
+        way = tracer->gap - gaps.right;
+    if (fabs(way) > 0.05 * tracer->gap) {
+        if (!step_aside(tracer, place, way, &nowhere))
+            return false;
+        gaps = hatch_trace_gaps_at(tracer, place, &nowhere);
+    }
+    return fmin(gaps.left, gaps.right) >= CLEAR_MIN * tracer->gap;
+}
+
+static bool find_place(const struct hatch_tracer *tracer, const struct source *source, struct hatch_trace_seed *seed)
+{
+    const struct hatch_trace_face *face;
+    double heading[2];
+    float normal[3], left[3];
+    seed->place = source->place;
+    if (source->stroke == HATCH_TRACE_NONE) {
+        if (!hatch_trace_direction(&tracer->ground, &seed->place, heading))
+            return false;
+        memcpy(seed->place.heading, heading, sizeof heading);
+    } else {
+        const struct hatch_trace_origin origin = {source->stroke, source->arc, false};
+        struct hatch_trace_place beyond;
+        if (!step_aside(tracer, &seed->place, source->side * tracer->gap, &origin))
+            return false;
+        beyond = seed->place;
+        if (!step_aside(tracer, &beyond, source->side * (GAP_MIN - 1) * tracer->gap, &origin))
+            return false;
+    }
+    if (!center(tracer, &seed->place))
+        return false;
+    face = &tracer->ground.faces[seed->place.face];
+    hatch_trace_position(face, seed->place.x, seed->place.y, seed->at);
+    hatch_trace_vector(face, seed->place.heading, seed->heading);
+    memcpy(normal, face->u, sizeof normal);
+    memcpy(left, face->v, sizeof left);
+    for (int k = 0; k < 3; k++)
+        seed->normal[k] = normal[(k + 1) % 3] * left[(k + 2) % 3] - normal[(k + 2) % 3] * left[(k + 1) % 3];
+    return true;
+}
+
+static void find_places(void *context, uint32_t chunk)
+{
+    struct search *search = context;
+    for (uint32_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < search->count; i++)
+        search->seeds[i].valid = find_place(search->tracer, &search->sources[i], &search->seeds[i]);
+}
+
+static void drop_invalid(struct search *search)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < search->count; i++)
+        if (search->seeds[i].valid)
+            search->seeds[kept++] = search->seeds[i];
+    search->count = kept;
+}
+
+static int by_id(const void *a, const void *b)
+{
+    const struct hatch_trace_seed *x = a, *y = b;
+    return x->id < y->id ? -1 : x->id > y->id;
+}
+
+enum hatch_status hatch_trace_add_seeds(struct hatch_tracer *tracer, uint32_t phase, struct hatch_err *err)
+{
+    struct search search = {
+        .tracer = tracer,
+        .stream = STREAM_PHASES + (uint64_t)tracer->level * HATCH_TRACE_PHASES + phase,
+    };
+    double density = tracer->level == 0 && phase == 0 ? FIRST_ON_FACES : on_faces[phase];
+    for (uint32_t half = 0; half < 2 * tracer->stroke_count; half++)
+        HATCH_TRY(choose_on_half(&search, half / 2, half % 2, beside[phase] * HATCH_TRACE_STEP, err));
+    HATCH_TRY(choose_faces(&search, density / (tracer->gap * tracer->gap), err));
+    hatch_parallel_for(tracer->pool, (search.count + CHUNK - 1) / CHUNK, find_places, &search);
+    drop_invalid(&search);
+    HATCH_TRY(hatch_trace_thin(tracer, search.seeds, search.count, err));
+    drop_invalid(&search);
+    if (search.count > 0)
+        qsort(search.seeds, search.count, sizeof *search.seeds, by_id);
+    for (uint32_t i = 0; i < search.count; i++)
+        HATCH_TRY(hatch_trace_add_stroke(tracer, &search.seeds[i], err));
+    return HATCH_OK;
+}

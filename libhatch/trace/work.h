@@ -1,0 +1,160 @@
+/* Parts of the tracer: the pieces of strokes on the faces, and the rounds of a level. */
+#ifndef HATCH_TRACE_WORK_H
+#define HATCH_TRACE_WORK_H
+
+#include "trace/ground.h"
+#include "trace/trace.h"
+
+#define HATCH_TRACE_NONE UINT32_MAX
+#define HATCH_TRACE_STEP 0.5       /* of the gap: a round of growth, and the way between two measured gaps */
+#define HATCH_TRACE_REACH 1.5      /* of the gap: how far gaps are measured to each side */
+#define HATCH_TRACE_LEGS_MAX 4096u /* of a short walk: longer ones get nowhere */
+
+/* A straight part of a stroke on a face. The pieces of each half of a stroke are a list, from the seed to the end. */
+struct hatch_trace_piece {
+    float from[2], to[2]; /* on the face; the end `to` is farther from the seed */
+    uint32_t face;
+    uint32_t half;         /* 2 * stroke, plus 1 for the half behind the seed */
+    float arc;             /* length along the stroke from the seed to `to`, at least 0 */
+    uint32_t round;        /* in which it was drawn */
+    uint32_t next;         /* of this half, or HATCH_TRACE_NONE */
+    uint32_t next_in_cell; /* the one that was drawn before it in its cell, or HATCH_TRACE_NONE */
+};
+
+struct hatch_trace_stroke {
+    uint64_t id;
+    struct hatch_trace_place seed;
+    uint32_t level;
+    bool growing[2];
+    double length[2], length_max[2]; /* of its halves, in surface units */
+    struct hatch_trace_place end[2]; /* the heading leads on */
+    uint32_t first[2], last[2];      /* pieces of its halves, or HATCH_TRACE_NONE */
+    uint32_t first_threshold;        /* of its thresholds: at the seed's half behind first, to the end of the front */
+    uint32_t threshold_count[2];     /* of its halves; the seed's counts for the front */
+};
+
+/* The cells in which pieces are found: each face is cut into cells of about a gap. A piece is in the cell of its
+ * middle. */
+struct hatch_trace_cells {
+    uint32_t *first;  /* per face of the component, and the end of the last: its first cell */
+    uint16_t *across; /* per face: cells along x */
+    uint32_t *heads;  /* per cell: its last piece, or HATCH_TRACE_NONE */
+};
+
+/* The strokes of one family on a component while levels are added. Arrays are in scratch. */
+struct hatch_tracer {
+    const struct hatch_trace_options *options;
+    uint64_t seed; /* of the family */
+    struct hatch_trace_ground ground;
+    const struct hatch_component *component;
+    struct hatch_arena *scratch;
+    struct hatch_pool *pool;
+    uint32_t level, round;
+    double gap, leg_max; /* wanted gap of the level, and the greatest length of a piece, in surface units */
+    struct hatch_trace_cells cells;
+    struct hatch_trace_piece *pieces;
+    uint32_t piece_count, piece_capacity;
+    struct hatch_trace_stroke *strokes;
+    uint32_t stroke_count, stroke_capacity;
+    float *thresholds; /* in strokes per surface unit */
+    uint32_t threshold_count, threshold_capacity;
+};
+
+/* A place where a stroke may begin. */
+struct hatch_trace_seed {
+    struct hatch_trace_place place;
+    float at[3], heading[3], normal[3];
+    uint64_t id;
+    bool valid;
+};
+
+/* pieces.c */
+
+/* Sorts the pieces into cells for the gap of the level. */
+enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Adds a stroke without pieces.
+ *   seed  its heading is along the stroke */
+enum hatch_status hatch_trace_add_stroke(struct hatch_tracer *tracer, const struct hatch_trace_seed *seed,
+                                         struct hatch_err *err) HATCH_MUST_USE;
+
+/* Adds a piece to the end of half a stroke. */
+enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t half, const struct hatch_trace_leg *leg,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+
+/* The point of a stroke from which a way is looked along. */
+struct hatch_trace_origin {
+    uint32_t stroke; /* HATCH_TRACE_NONE: of no stroke */
+    double arc;      /* from the seed, negative behind it: pieces nearby on the same stroke do not count */
+    bool growing;    /* strokes that drew in the round before and have a lower id do not count: they will end */
+};
+
+/* Looks along a way within a face. Returns the length to the first stroke that crosses it, or HUGE_VAL.
+ *   leg  of the way */
+double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_trace_leg *leg,
+                        const struct hatch_trace_origin *origin);
+
+/* Walks straight on until a stroke or the reach is met.
+ *   place   in: the heading leads the way; out: at the reach
+ *   border  out: whether the ground ended; may be NULL
+ * Returns the length to the stroke or to the end of the ground; reach if there is neither. */
+double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double reach,
+                        const struct hatch_trace_origin *origin, bool *border);
+
+/* The gaps to both sides of a place, at most HATCH_TRACE_REACH gaps. A border counts as if there were a stroke as far
+ * behind it. */
+struct hatch_trace_gaps {
+    double left, right;
+};
+
+/* Measures the gaps beside a place, whose heading is along the strokes. */
+struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, const struct hatch_trace_place *place,
+                                            const struct hatch_trace_origin *origin);
+
+/* A walk along half a stroke, stopping at even distances from the seed. */
+struct hatch_trace_stops {
+    uint32_t piece; /* the next to look at */
+    uint32_t count; /* stops so far */
+    double step;
+    struct hatch_trace_place place; /* of the stop; its heading leads from the seed */
+};
+
+/* Begins before the first stop, which is the seed. */
+struct hatch_trace_stops hatch_trace_stops_begin(const struct hatch_trace_stroke *stroke, uint32_t way, double step);
+
+/* Goes to the next stop; returns false behind the last. */
+bool hatch_trace_stops_next(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, uint32_t way,
+                            struct hatch_trace_stops *stops);
+
+/* Makes room for one more item in an array that doubles. */
+enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
+                                      uint32_t *capacity, struct hatch_err *err) HATCH_MUST_USE;
+
+/* seeds.c: finds places for new strokes and adds those strokes.
+ *   phase  0 .. HATCH_TRACE_PHASES - 1 */
+#define HATCH_TRACE_PHASES 5u
+enum hatch_status hatch_trace_add_seeds(struct hatch_tracer *tracer, uint32_t phase,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+
+/* thin.c: of seeds that are too near to one another, keeps those of the highest ids. */
+enum hatch_status hatch_trace_thin(const struct hatch_tracer *tracer, struct hatch_trace_seed *seeds, uint32_t count,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* grow.c: lets all strokes grow that can. */
+enum hatch_status hatch_trace_grow(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
+
+/* thresholds.c: computes those of the strokes of the level. */
+enum hatch_status hatch_trace_find_thresholds(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
+
+/* collect.c: the strokes that are traced so far, as curves of a mesh. */
+struct hatch_trace_sink {
+    const struct hatch_mesh *mesh;
+    struct hatch_arena *arena;
+    struct hatch_curves curves; /* unsorted; without sets */
+    uint32_t capacity, point_capacity, level_capacity;
+    uint8_t *levels; /* per curve */
+};
+enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct hatch_trace_sink *sink,
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
