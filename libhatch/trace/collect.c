@@ -33,7 +33,7 @@ static void set_joint(const struct hatch_tracer *tracer, const struct hatch_trac
                       const float place[2], double arc, struct joint *joint)
 {
     *joint = (struct joint){.face = face, .x = place[0], .y = place[1], .arc = arc};
-    hatch_trace_position(&tracer->ground.faces[face], (double)place[0], (double)place[1], joint->at);
+    hatch_trace_position(&tracer->ground.poses[face], (double)place[0], (double)place[1], joint->at);
     joint->log_threshold = threshold_at(tracer, stroke, arc);
 }
 
@@ -108,9 +108,9 @@ static void fill_point(const struct hatch_tracer *tracer, const struct hatch_mes
                        struct hatch_curve_point *point)
 {
     const struct hatch_surface *surface = tracer->ground.surface;
-    const uint32_t *vertex = &surface->corner_vertex[3 * (size_t)joint->face];
+    uint32_t from = tracer->ground.source[joint->face], face = surface->face_source[from];
+    const uint32_t *vertex = &surface->corner_vertex[3 * (size_t)from];
     double share[3], of_mesh[3] = {0, 0, 0}, sum = 0;
-    uint32_t face = surface->face_source[joint->face];
     hatch_trace_shares(&tracer->ground.faces[joint->face], (double)joint->x, (double)joint->y, share);
     for (int c = 0; c < 3; c++) {
         share[c] = fmin(fmax(share[c], 0), 1);

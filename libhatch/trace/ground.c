@@ -1,6 +1,8 @@
 /* Faces laid out in the plane, and walks over them. */
 #include <math.h>
+#include <stdlib.h>
 
+#include "math/box.h"
 #include "math/vector.h"
 #include "field/field.h"
 #include "trace/ground.h"
@@ -12,7 +14,8 @@ static void corner_position(const struct hatch_surface *surface, uint32_t face, 
     hatch_vec_copy(&surface->points[3 * (size_t)surface->corners[3 * (size_t)face + c]], at);
 }
 
-static void lay_out_face(const struct hatch_surface *surface, uint32_t f, struct hatch_trace_face *face)
+static void lay_out_face(const struct hatch_surface *surface, uint32_t f, struct hatch_trace_face *face,
+                         struct hatch_trace_pose *pose)
 {
     double p[3][3], e1[3], e2[3], n[3], v[3];
     for (uint32_t c = 0; c < 3; c++)
@@ -25,37 +28,92 @@ static void lay_out_face(const struct hatch_surface *surface, uint32_t f, struct
     hatch_vec_cross(n, e1, v);
     face->x2 = (float)hatch_vec_dot(e2, e1);
     face->y2 = (float)hatch_vec_dot(e2, v);
-    hatch_vec_round(e1, face->u);
-    hatch_vec_round(v, face->v);
-    hatch_vec_round(p[0], face->at);
+    hatch_vec_round(e1, pose->u);
+    hatch_vec_round(v, pose->v);
+    hatch_vec_round(p[0], pose->at);
 }
 
-static void face_normal(const struct hatch_trace_face *face, double normal[3])
+/* Returns the cosine of the angle between two faces that share an edge. */
+static double bend_of(const struct hatch_trace_pose *a, const struct hatch_trace_pose *b, bool contrary)
 {
-    double u[3], v[3];
-    hatch_vec_of(face->u, u);
-    hatch_vec_of(face->v, v);
-    hatch_vec_cross(u, v, normal);
+    double u[3], v[3], normals[2][3];
+    for (int k = 0; k < 2; k++) {
+        hatch_vec_of(k == 0 ? a->u : b->u, u);
+        hatch_vec_of(k == 0 ? a->v : b->v, v);
+        hatch_vec_cross(u, v, normals[k]);
+    }
+    double bend = hatch_vec_dot(normals[0], normals[1]);
+    return contrary ? -bend : bend; /* across a contrary edge the faces have opposite outsides */
 }
 
-/* Marks the sides at which strokes end. */
-static void close_sides(const struct hatch_surface *surface, double hard_rad, struct hatch_trace_face *faces)
+/* Joins the faces at the edges that strokes cross.
+ *   number  per face of the surface: its number on the ground */
+static void join_sides(const struct hatch_surface *surface, const uint32_t *number, double hard_rad,
+                       struct hatch_trace_ground *ground)
 {
     double cosine = cos(hard_rad);
     for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
-        uint32_t other = surface->opposite[side];
-        double bend = -2;
-        if (other != HATCH_NO_SIDE) {
-            double normals[2][3];
-            for (int k = 0; k < 2; k++)
-                face_normal(&faces[(k == 0 ? side : other) / 3], normals[k]);
-            bend = hatch_vec_dot(normals[0], normals[1]);
-            if (surface->corners[side] == surface->corners[other])
-                bend = -bend; /* across a contrary edge the faces have opposite outsides */
-        }
-        if (bend < cosine)
-            faces[side / 3].closed |= (uint8_t)(1u << side % 3);
+        uint32_t from = 3 * ground->source[side / 3] + side % 3, to = surface->opposite[from], other = to;
+        struct hatch_trace_face *face = &ground->faces[side / 3];
+        if (to != HATCH_NO_SIDE)
+            other = 3 * number[to / 3] + to % 3;
+        bool contrary = to != HATCH_NO_SIDE && surface->corners[from] == surface->corners[to];
+        bool open =
+            other != HATCH_NO_SIDE && bend_of(&ground->poses[side / 3], &ground->poses[other / 3], contrary) >= cosine;
+        face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
+        face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
     }
+}
+
+/* Spreads the low ten bits of a number: two zeros come before each. */
+static uint32_t spread(uint32_t bits)
+{
+    uint32_t result = 0;
+    for (uint32_t i = 0; i < 10; i++)
+        result |= (bits >> i & 1) << 3 * i;
+    return result;
+}
+
+struct coded {
+    uint32_t code, face;
+};
+
+static int by_code(const void *a, const void *b)
+{
+    const struct coded *x = a, *y = b;
+    if (x->code != y->code)
+        return x->code < y->code ? -1 : 1;
+    return x->face < y->face ? -1 : x->face > y->face;
+}
+
+/* Numbers the faces of each component along a Z-order curve through their first corners.
+ *   source, number  out: per number its face, per face its number */
+static enum hatch_status order_faces(const struct hatch_surface *surface, struct hatch_arena *arena, uint32_t *source,
+                                     uint32_t *number, struct hatch_err *err)
+{
+    struct coded *coded;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &coded, surface->face_count, err));
+    for (uint32_t c = 0; c < surface->component_count; c++) {
+        const struct hatch_component *component = &surface->components[c];
+        struct hatch_box box = {.any = false};
+        for (uint32_t p = 0; p < component->point_count; p++)
+            hatch_box_add(&box, &surface->points[3 * (size_t)(component->first_point + p)]);
+        for (uint32_t f = component->first_face; f < component->first_face + component->face_count; f++) {
+            double at[3];
+            corner_position(surface, f, 0, at);
+            coded[f] = (struct coded){0, f};
+            for (int k = 0; k < 3; k++) {
+                double size = box.high[k] - box.low[k], share = size > 0 ? (at[k] - box.low[k]) / size : 0;
+                coded[f].code |= spread((uint32_t)(share * 1023)) << k;
+            }
+        }
+        qsort(&coded[component->first_face], component->face_count, sizeof *coded, by_code);
+    }
+    for (uint32_t f = 0; f < surface->face_count; f++) {
+        source[f] = coded[f].face;
+        number[coded[f].face] = f;
+    }
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const struct hatch_frames *frames,
@@ -65,17 +123,22 @@ enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const
 {
     struct hatch_trace_ground made = {.surface = surface};
     double cosine = cos(2 * angle_rad), sine = sin(2 * angle_rad);
+    uint32_t *number;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.source, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &number, surface->face_count, err));
+    HATCH_TRY(order_faces(surface, arena, made.source, number, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.faces, surface->face_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.poses, surface->face_count, err));
     for (uint32_t f = 0; f < surface->face_count; f++) {
         double z[3][2];
-        lay_out_face(surface, f, &made.faces[f]);
-        hatch_field_corner_directions(surface, frames, direction, f, z);
+        lay_out_face(surface, made.source[f], &made.faces[f], &made.poses[f]);
+        hatch_field_corner_directions(surface, frames, direction, made.source[f], z);
         for (int c = 0; c < 3; c++) {
-            made.faces[f].z[c][0] = (float)(z[c][0] * cosine - z[c][1] * sine);
-            made.faces[f].z[c][1] = (float)(z[c][0] * sine + z[c][1] * cosine);
+            made.poses[f].z[c][0] = (float)(z[c][0] * cosine - z[c][1] * sine);
+            made.poses[f].z[c][1] = (float)(z[c][0] * sine + z[c][1] * cosine);
         }
     }
-    close_sides(surface, hard_rad, made.faces);
+    join_sides(surface, number, hard_rad, &made);
     *ground = made;
     return HATCH_OK;
 }
@@ -95,7 +158,7 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
     hatch_trace_shares(face, place->x, place->y, share);
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < 2; k++)
-            z[k] += share[c] * (double)face->z[c][k];
+            z[k] += share[c] * (double)ground->poses[place->face].z[c][k];
     double length = sqrt(z[0] * z[0] + z[1] * z[1]);
     if (!(length >= CALM_MIN))
         return false;
@@ -147,8 +210,7 @@ static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_pla
 /* Crosses a side to the next face. The heading keeps its angle to the edge; across a contrary edge it is mirrored. */
 static void cross_side(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, uint32_t c)
 {
-    const uint32_t *point = ground->surface->corners;
-    uint32_t side = 3 * place->face + c, other = ground->surface->opposite[side];
+    uint32_t other = ground->faces[place->face].beyond[c];
     double from[3][2], to[3][2];
     corners_of(&ground->faces[place->face], from);
     corners_of(&ground->faces[other / 3], to);
@@ -158,7 +220,7 @@ static void cross_side(const struct hatch_trace_ground *ground, struct hatch_tra
     double share = fmin(1, fmax(0, ((place->x - a[0]) * edge[0] + (place->y - a[1]) * edge[1]) / square));
     double along = place->heading[0] * edge[0] + place->heading[1] * edge[1];
     double out = place->heading[0] * edge[1] - place->heading[1] * edge[0];
-    if (point[side] != point[other]) {
+    if (!(ground->faces[place->face].contrary >> c & 1)) {
         share = 1 - share;
         along = -along;
     }
@@ -185,18 +247,28 @@ bool hatch_trace_walk(const struct hatch_trace_ground *ground, struct hatch_trac
                       enum hatch_trace_way way, struct hatch_trace_leg *leg)
 {
     const struct hatch_trace_face *face = &ground->faces[place->face];
-    *leg = (struct hatch_trace_leg){place->face, {place->x, place->y}, {place->x, place->y}, 0};
+    *leg = (struct hatch_trace_leg){place->face, {place->x, place->y}, {place->x, place->y}, 0, 3};
     if (way == HATCH_TRACE_ALONG && !follow(ground, place, length))
         return false;
-    uint32_t side = move(face, place, length, &leg->length);
+    leg->side = move(face, place, length, &leg->length);
     leg->to[0] = place->x;
     leg->to[1] = place->y;
-    if (side == 3)
+    if (leg->side == 3)
         return true;
-    if (face->closed >> side & 1)
+    if (face->beyond[leg->side] == HATCH_NO_SIDE)
         return false;
-    cross_side(ground, place, side);
+    cross_side(ground, place, leg->side);
     return true;
+}
+
+double hatch_trace_steepness(const struct hatch_trace_ground *ground, const struct hatch_trace_leg *leg,
+                             const double heading[2])
+{
+    double corner[3][2];
+    corners_of(&ground->faces[leg->face], corner);
+    const double *a = corner[leg->side], *b = corner[(leg->side + 1) % 3];
+    double edge[2] = {b[0] - a[0], b[1] - a[1]}, length = sqrt(edge[0] * edge[0] + edge[1] * edge[1]);
+    return fabs(edge[0] * heading[1] - edge[1] * heading[0]) / length;
 }
 
 void hatch_trace_turn(struct hatch_trace_place *place, double sign)
@@ -206,14 +278,14 @@ void hatch_trace_turn(struct hatch_trace_place *place, double sign)
     place->heading[1] = sign * x;
 }
 
-void hatch_trace_position(const struct hatch_trace_face *face, double x, double y, float position[3])
+void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, float position[3])
 {
     for (int k = 0; k < 3; k++)
-        position[k] = (float)((double)face->at[k] + x * (double)face->u[k] + y * (double)face->v[k]);
+        position[k] = (float)((double)pose->at[k] + x * (double)pose->u[k] + y * (double)pose->v[k]);
 }
 
-void hatch_trace_vector(const struct hatch_trace_face *face, const double plane[2], float vector[3])
+void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[2], float vector[3])
 {
     for (int k = 0; k < 3; k++)
-        vector[k] = (float)(plane[0] * (double)face->u[k] + plane[1] * (double)face->v[k]);
+        vector[k] = (float)(plane[0] * (double)pose->u[k] + plane[1] * (double)pose->v[k]);
 }

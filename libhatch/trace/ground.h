@@ -10,14 +10,24 @@
 /* A face laid out in a plane: corner 0 at the origin, corner 1 on the x axis, corner 2 above it. */
 struct hatch_trace_face {
     float x1, x2, y2;
-    float z[3][2];           /* per corner: cosine and sine of twice the stroke's angle from the x axis */
-    float u[3], v[3], at[3]; /* axes x and y in space, and corner 0 */
-    uint8_t closed;          /* bit c: strokes end at side c */
+    uint32_t
+        beyond[3];    /* per side: the side of the next face that is the same edge; HATCH_NO_SIDE: strokes end there */
+    uint8_t contrary; /* bit c: that side runs in the same direction */
 };
 
+/* Where a face is in space, and its strokes. */
+struct hatch_trace_pose {
+    float z[3][2];           /* per corner: cosine and sine of twice the stroke's angle from the x axis */
+    float u[3], v[3], at[3]; /* axes x and y, and corner 0 */
+};
+
+/* Arrays have an entry for each face of the surface. Its faces have numbers of their own, which are close for faces
+ * that are close in space; those of a component are the same range as on the surface. */
 struct hatch_trace_ground {
     const struct hatch_surface *surface;
-    struct hatch_trace_face *faces; /* of the whole surface */
+    uint32_t *source; /* the face of the surface */
+    struct hatch_trace_face *faces;
+    struct hatch_trace_pose *poses;
 };
 
 /* A place on the ground, and a heading of length 1 in the plane of its face. */
@@ -45,6 +55,7 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
 struct hatch_trace_leg {
     uint32_t face;
     double from[2], to[2], length;
+    uint32_t side; /* that it ends at, 0 .. 2; 3: none */
 };
 
 enum hatch_trace_way { HATCH_TRACE_ALONG, HATCH_TRACE_STRAIGHT }; /* along the field; straight on */
@@ -57,12 +68,16 @@ enum hatch_trace_way { HATCH_TRACE_ALONG, HATCH_TRACE_STRAIGHT }; /* along the f
 bool hatch_trace_walk(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, double length,
                       enum hatch_trace_way way, struct hatch_trace_leg *leg);
 
+/* Returns the sine of the angle between a leg that has reached a side and that side. */
+double hatch_trace_steepness(const struct hatch_trace_ground *ground, const struct hatch_trace_leg *leg,
+                             const double heading[2]);
+
 /* Turns the heading by a right angle, counter-clockwise where sign is 1, clockwise where it is -1. */
 void hatch_trace_turn(struct hatch_trace_place *place, double sign);
 
 /* Computes the position, and a vector in the plane of the face, in surface units. */
-void hatch_trace_position(const struct hatch_trace_face *face, double x, double y, float position[3]);
-void hatch_trace_vector(const struct hatch_trace_face *face, const double plane[2], float vector[3]);
+void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, float position[3]);
+void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[2], float vector[3]);
 
 /* Computes the barycentric coordinates of a place. */
 void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y, double share[3]);

@@ -37,9 +37,9 @@ static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *s
     double reach = ACROSS_MIN * tracer->gap;
     for (int side = -1; side <= 1; side += 2) {
         struct hatch_trace_place aside = stride->to;
-        bool border;
+        double border;
         hatch_trace_turn(&aside, side);
-        if (hatch_trace_cast(tracer, &aside, reach, &origin, &border) < reach && !border)
+        if (hatch_trace_cast(tracer, &aside, reach, &origin, &border) < reach && border == 0)
             return true;
     }
     return false;

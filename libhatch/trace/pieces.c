@@ -8,7 +8,10 @@
 #define ITEMS_MIN 1024u
 #define CELLS_MAX 1024.0 /* of a face, along each axis */
 #define OWN_GAPS 2.5     /* pieces of the same stroke that are nearer along it do not count */
-#define SLACK 1e-4f      /* of a piece's length: pieces that meet at a face's border leave no hole */
+#define GAP_LEAST 0.2    /* of the gap: nothing is nearer, but for rounding and strokes that cross */
+#define OBLIQUE 0.7   /* sine of the angle between a border and the way across: below, strokes run into the border, */
+#define PARALLEL 0.95 /* and above, beside it */
+#define SLACK 1e-4f   /* of a piece's length: pieces that meet at a face's border leave no hole */
 
 enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
                                       uint32_t *capacity, struct hatch_err *err)
@@ -85,9 +88,42 @@ enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err
     }
     cells->first[component->face_count] = (uint32_t)sum;
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->heads, (size_t)sum, err));
-    memset(cells->heads, 0xff, (size_t)sum * sizeof *cells->heads);
+    for (uint32_t i = 0; i < (uint32_t)sum; i++)
+        cells->heads[i] = HATCH_TRACE_NONE;
     for (uint32_t i = 0; i < tracer->piece_count; i++)
         put_in_cell(tracer, i);
+    return HATCH_OK;
+}
+
+/* Returns the new number of a piece. */
+static uint32_t renumbered(const uint32_t *number, uint32_t piece)
+{
+    return piece == HATCH_TRACE_NONE ? HATCH_TRACE_NONE : number[piece];
+}
+
+enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_err *err)
+{
+    struct hatch_trace_piece *gathered;
+    uint32_t *number, next = 0, cells = tracer->cells.first[tracer->component->face_count];
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &gathered, tracer->piece_capacity, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &number, tracer->piece_count, err));
+    for (uint32_t cell = 0; cell < cells; cell++)
+        for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell)
+            number[n] = next++;
+    for (uint32_t n = 0; n < tracer->piece_count; n++) {
+        struct hatch_trace_piece *piece = &gathered[number[n]];
+        *piece = tracer->pieces[n];
+        piece->next = renumbered(number, piece->next);
+        piece->next_in_cell = renumbered(number, piece->next_in_cell);
+    }
+    for (uint32_t cell = 0; cell < cells; cell++)
+        tracer->cells.heads[cell] = renumbered(number, tracer->cells.heads[cell]);
+    for (uint32_t s = 0; s < tracer->stroke_count; s++)
+        for (int way = 0; way < 2; way++) {
+            tracer->strokes[s].first[way] = renumbered(number, tracer->strokes[s].first[way]);
+            tracer->strokes[s].last[way] = renumbered(number, tracer->strokes[s].last[way]);
+        }
+    tracer->pieces = gathered;
     return HATCH_OK;
 }
 
@@ -208,11 +244,10 @@ double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_tr
 }
 
 double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double reach,
-                        const struct hatch_trace_origin *origin, bool *border)
+                        const struct hatch_trace_origin *origin, double *border)
 {
     double walked = 0;
-    if (border)
-        *border = false;
+    *border = 0;
     for (uint32_t n = 0; n < HATCH_TRACE_LEGS_MAX && reach - walked > 1e-6 * tracer->gap; n++) {
         struct hatch_trace_leg leg;
         bool goes_on = hatch_trace_walk(&tracer->ground, place, reach - walked, HATCH_TRACE_STRAIGHT, &leg);
@@ -221,8 +256,7 @@ double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_pl
             return walked + met;
         walked += leg.length;
         if (!goes_on) {
-            if (border)
-                *border = true;
+            *border = leg.side < 3 ? hatch_trace_steepness(&tracer->ground, &leg, place->heading) : 1;
             return walked;
         }
     }
@@ -235,43 +269,14 @@ struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, c
     double gap[2], reach = HATCH_TRACE_REACH * tracer->gap;
     for (int side = 0; side < 2; side++) {
         struct hatch_trace_place aside = *place;
-        bool border;
+        double border, share;
         hatch_trace_turn(&aside, side == 0 ? 1 : -1);
         gap[side] = hatch_trace_cast(tracer, &aside, reach, origin, &border);
-        if (border)
-            gap[side] = fmin(2 * gap[side], reach);
+        if (border > 0) {
+            share = fmin(fmax((border - OBLIQUE) / (PARALLEL - OBLIQUE), 0), 1);
+            gap[side] = fmin(fmax(2 * gap[side], (1 - share) * tracer->gap), reach);
+        }
+        gap[side] = fmax(gap[side], GAP_LEAST * tracer->gap);
     }
     return (struct hatch_trace_gaps){gap[0], gap[1]};
-}
-
-struct hatch_trace_stops hatch_trace_stops_begin(const struct hatch_trace_stroke *stroke, uint32_t way, double step)
-{
-    return (struct hatch_trace_stops){.piece = stroke->first[way], .step = step};
-}
-
-bool hatch_trace_stops_next(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, uint32_t way,
-                            struct hatch_trace_stops *stops)
-{
-    double arc = stops->count * stops->step;
-    if (stops->count == 0) {
-        stops->place = stroke->seed;
-        for (int k = 0; k < 2 && way == 1; k++)
-            stops->place.heading[k] = -stops->place.heading[k];
-        stops->count++;
-        return true;
-    }
-    while (stops->piece != HATCH_TRACE_NONE && (double)tracer->pieces[stops->piece].arc < arc)
-        stops->piece = tracer->pieces[stops->piece].next;
-    if (stops->piece == HATCH_TRACE_NONE)
-        return false;
-    const struct hatch_trace_piece *piece = &tracer->pieces[stops->piece];
-    double way_x = (double)(piece->to[0] - piece->from[0]), way_y = (double)(piece->to[1] - piece->from[1]);
-    double length = sqrt(way_x * way_x + way_y * way_y), back = (double)piece->arc - arc;
-    if (length > 0)
-        stops->place = (struct hatch_trace_place){.face = piece->face,
-                                                  .x = (double)piece->to[0] - back / length * way_x,
-                                                  .y = (double)piece->to[1] - back / length * way_y,
-                                                  .heading = {way_x / length, way_y / length}};
-    stops->count++;
-    return true;
 }

@@ -12,8 +12,8 @@
 #define CLEAR_MIN 0.7 /* of the gap: least distance of a seed from the strokes beside it */
 
 /* Seeds per gap of stroke and side, and per square of a gap of surface, phase by phase. */
-static const double beside[HATCH_TRACE_PHASES] = {1 / 12.0, 1 / 12.0, 1 / 6.0, 1 / 3.0, 1};
-static const double on_faces[HATCH_TRACE_PHASES] = {0, 0, 0, 0.25, 1};
+static const double beside[HATCH_TRACE_PHASES] = {1 / 12.0, 1 / 12.0, 1 / 6.0, 1 / 3.0, 1 / 2.0};
+static const double on_faces[HATCH_TRACE_PHASES] = {0, 0, 0, 0.1, 0.25};
 #define FIRST_ON_FACES 0.02 /* in the first phase of all */
 
 /* Streams of random numbers. */
@@ -48,21 +48,19 @@ static enum hatch_status add_source(struct search *search, const struct source *
     return HATCH_OK;
 }
 
-/* Chooses places on half a stroke. */
-static enum hatch_status choose_on_half(struct search *search, uint32_t number, uint32_t way, double share,
-                                        struct hatch_err *err)
+/* Chooses places beside strokes. */
+static enum hatch_status choose_stops(struct search *search, double share, struct hatch_err *err)
 {
     const struct hatch_tracer *tracer = search->tracer;
-    const struct hatch_trace_stroke *stroke = &tracer->strokes[number];
-    struct hatch_trace_stops stops = hatch_trace_stops_begin(stroke, way, HATCH_TRACE_STEP * tracer->gap);
-    while (hatch_trace_stops_next(tracer, stroke, way, &stops))
+    for (uint32_t i = 0; i < tracer->stop_count; i++)
         for (uint32_t side = 0; side < 2; side++) {
-            uint64_t item = (uint64_t)stops.count << 2 | way << 1 | side;
-            uint64_t id = hatch_random_u64(stroke->id, search->stream, item);
-            double arc = (stops.count - 1) * stops.step;
-            struct source source = {stops.place, way ? -arc : arc, number, side ? 1 : -1};
-            if ((way == 0 || stops.count > 1) && hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share)
-                HATCH_TRY(add_source(search, &source, id, err));
+            const struct hatch_trace_stop *stop = &tracer->stops[i];
+            uint64_t item = (uint64_t)(uint32_t)stop->number << 1 | side;
+            uint64_t id = hatch_random_u64(tracer->strokes[stop->stroke].id, search->stream, item);
+            if (!(hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share))
+                continue;
+            const struct source source = {hatch_trace_stop_place(stop), (double)stop->arc, stop->stroke, side ? 1 : -1};
+            HATCH_TRY(add_source(search, &source, id, err));
         }
     return HATCH_OK;
 }
@@ -75,7 +73,8 @@ static enum hatch_status choose_faces(struct search *search, double density, str
     for (uint32_t f = component->first_face; f < component->first_face + component->face_count && density > 0; f++) {
         const struct hatch_trace_face *face = &tracer->ground.faces[f];
         double wanted = density * (double)face->x1 * (double)face->y2 / 2;
-        uint64_t id = hatch_random_u64(tracer->seed, search->stream, tracer->ground.surface->face_source[f]);
+        uint64_t id = hatch_random_u64(tracer->seed, search->stream,
+                                       tracer->ground.surface->face_source[tracer->ground.source[f]]);
         double count = floor(wanted + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
         for (uint64_t i = 0; (double)i < count; i++) {
             uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
@@ -99,9 +98,9 @@ static bool step_aside(const struct hatch_tracer *tracer, struct hatch_trace_pla
                        const struct hatch_trace_origin *origin)
 {
     double sign = way < 0 ? -1 : 1, heading[2];
-    bool border;
+    double border;
     hatch_trace_turn(place, sign);
-    if (hatch_trace_cast(tracer, place, fabs(way), origin, &border) < 0.999 * fabs(way) || border)
+    if (hatch_trace_cast(tracer, place, fabs(way), origin, &border) < 0.999 * fabs(way) || border > 0)
         return false;
     hatch_trace_turn(place, -sign);
     if (!hatch_trace_direction(&tracer->ground, place, heading))
@@ -134,7 +133,7 @@ static bool center(const struct hatch_tracer *tracer, struct hatch_trace_place *
 
 static bool find_place(const struct hatch_tracer *tracer, const struct source *source, struct hatch_trace_seed *seed)
 {
-    const struct hatch_trace_face *face;
+    const struct hatch_trace_pose *pose;
     double heading[2];
     float normal[3], left[3];
     seed->place = source->place;
@@ -153,11 +152,11 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
     }
     if (!center(tracer, &seed->place))
         return false;
-    face = &tracer->ground.faces[seed->place.face];
-    hatch_trace_position(face, seed->place.x, seed->place.y, seed->at);
-    hatch_trace_vector(face, seed->place.heading, seed->heading);
-    memcpy(normal, face->u, sizeof normal);
-    memcpy(left, face->v, sizeof left);
+    pose = &tracer->ground.poses[seed->place.face];
+    hatch_trace_position(pose, seed->place.x, seed->place.y, seed->at);
+    hatch_trace_vector(pose, seed->place.heading, seed->heading);
+    memcpy(normal, pose->u, sizeof normal);
+    memcpy(left, pose->v, sizeof left);
     for (int k = 0; k < 3; k++)
         seed->normal[k] = normal[(k + 1) % 3] * left[(k + 2) % 3] - normal[(k + 2) % 3] * left[(k + 1) % 3];
     return true;
@@ -179,9 +178,12 @@ static void drop_invalid(struct search *search)
     search->count = kept;
 }
 
-static int by_id(const void *a, const void *b)
+/* Orders seeds that are near to one another on the surface near in memory. */
+static int by_face(const void *a, const void *b)
 {
     const struct hatch_trace_seed *x = a, *y = b;
+    if (x->place.face != y->place.face)
+        return x->place.face < y->place.face ? -1 : 1;
     return x->id < y->id ? -1 : x->id > y->id;
 }
 
@@ -192,15 +194,14 @@ enum hatch_status hatch_trace_add_seeds(struct hatch_tracer *tracer, uint32_t ph
         .stream = STREAM_PHASES + (uint64_t)tracer->level * HATCH_TRACE_PHASES + phase,
     };
     double density = tracer->level == 0 && phase == 0 ? FIRST_ON_FACES : on_faces[phase];
-    for (uint32_t half = 0; half < 2 * tracer->stroke_count; half++)
-        HATCH_TRY(choose_on_half(&search, half / 2, half % 2, beside[phase] * HATCH_TRACE_STEP, err));
+    HATCH_TRY(choose_stops(&search, beside[phase] * HATCH_TRACE_STEP, err));
     HATCH_TRY(choose_faces(&search, density / (tracer->gap * tracer->gap), err));
     hatch_parallel_for(tracer->pool, (search.count + CHUNK - 1) / CHUNK, find_places, &search);
     drop_invalid(&search);
     HATCH_TRY(hatch_trace_thin(tracer, search.seeds, search.count, err));
     drop_invalid(&search);
     if (search.count > 0)
-        qsort(search.seeds, search.count, sizeof *search.seeds, by_id);
+        qsort(search.seeds, search.count, sizeof *search.seeds, by_face);
     for (uint32_t i = 0; i < search.count; i++)
         HATCH_TRY(hatch_trace_add_stroke(tracer, &search.seeds[i], err));
     return HATCH_OK;

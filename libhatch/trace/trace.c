@@ -15,9 +15,16 @@ static enum hatch_status add_level(struct hatch_tracer *tracer, uint32_t level, 
     tracer->level = level;
     tracer->gap = ldexp(tracer->options->gap, -(int)level) / tracer->component->scale;
     HATCH_TRY(hatch_trace_sort(tracer, err));
+    HATCH_TRY(hatch_trace_gather(tracer, err));
+    tracer->stop_count = 0;
+    HATCH_TRY(hatch_trace_add_stops(tracer, 0, err));
     for (uint32_t phase = 0; phase < HATCH_TRACE_PHASES; phase++) {
+        uint32_t before = tracer->stroke_count;
         HATCH_TRY(hatch_trace_add_seeds(tracer, phase, err));
         HATCH_TRY(hatch_trace_grow(tracer, err));
+        HATCH_TRY(hatch_trace_add_stops(tracer, before, err));
+        if (phase == 0)
+            HATCH_TRY(hatch_trace_gather(tracer, err));
     }
     return hatch_trace_find_thresholds(tracer, err);
 }

@@ -29,8 +29,16 @@ struct hatch_trace_stroke {
     double length[2], length_max[2]; /* of its halves, in surface units */
     struct hatch_trace_place end[2]; /* the heading leads on */
     uint32_t first[2], last[2];      /* pieces of its halves, or HATCH_TRACE_NONE */
-    uint32_t first_threshold;        /* of its thresholds: at the seed's half behind first, to the end of the front */
+    uint32_t first_threshold;        /* of its thresholds, at the stops of its own level */
     uint32_t threshold_count[2];     /* of its halves; the seed's counts for the front */
+};
+
+/* A point of a stroke. Each stroke has one at its seed, and others every HATCH_TRACE_STEP gaps of the level. */
+struct hatch_trace_stop {
+    uint32_t face, stroke;
+    float x, y, heading[2]; /* away from the seed; at the seed, forward */
+    float arc;              /* from the seed, negative behind it */
+    int32_t number;         /* from the seed, negative behind it */
 };
 
 /* The cells in which pieces are found: each face is cut into cells of about a gap. A piece is in the cell of its
@@ -56,6 +64,8 @@ struct hatch_tracer {
     uint32_t piece_count, piece_capacity;
     struct hatch_trace_stroke *strokes;
     uint32_t stroke_count, stroke_capacity;
+    struct hatch_trace_stop *stops; /* of the level, by stroke, each from its back to its front */
+    uint32_t stop_count, stop_capacity;
     float *thresholds; /* in strokes per surface unit */
     uint32_t threshold_count, threshold_capacity;
 };
@@ -72,6 +82,9 @@ struct hatch_trace_seed {
 
 /* Sorts the pieces into cells for the gap of the level. */
 enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Moves the pieces of a cell, and the cells of neighbouring faces, next to one another in memory. */
+enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds a stroke without pieces.
  *   seed  its heading is along the stroke */
@@ -96,13 +109,13 @@ double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_tr
 
 /* Walks straight on until a stroke or the reach is met.
  *   place   in: the heading leads the way; out: at the reach
- *   border  out: whether the ground ended; may be NULL
+ *   border  out: where the ground ended, the sine of the angle between its border and the way; else 0
  * Returns the length to the stroke or to the end of the ground; reach if there is neither. */
 double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double reach,
-                        const struct hatch_trace_origin *origin, bool *border);
+                        const struct hatch_trace_origin *origin, double *border);
 
-/* The gaps to both sides of a place, at most HATCH_TRACE_REACH gaps. A border counts as if there were a stroke as far
- * behind it. */
+/* The gaps to both sides of a place, at most HATCH_TRACE_REACH gaps. A border beside strokes counts as if there were a
+ * stroke as far behind it; one that strokes run into, as if there were one a gap away. */
 struct hatch_trace_gaps {
     double left, right;
 };
@@ -111,24 +124,16 @@ struct hatch_trace_gaps {
 struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, const struct hatch_trace_place *place,
                                             const struct hatch_trace_origin *origin);
 
-/* A walk along half a stroke, stopping at even distances from the seed. */
-struct hatch_trace_stops {
-    uint32_t piece; /* the next to look at */
-    uint32_t count; /* stops so far */
-    double step;
-    struct hatch_trace_place place; /* of the stop; its heading leads from the seed */
-};
-
-/* Begins before the first stop, which is the seed. */
-struct hatch_trace_stops hatch_trace_stops_begin(const struct hatch_trace_stroke *stroke, uint32_t way, double step);
-
-/* Goes to the next stop; returns false behind the last. */
-bool hatch_trace_stops_next(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, uint32_t way,
-                            struct hatch_trace_stops *stops);
-
 /* Makes room for one more item in an array that doubles. */
 enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
                                       uint32_t *capacity, struct hatch_err *err) HATCH_MUST_USE;
+
+/* stops.c: adds the stops of strokes from `first` on. */
+enum hatch_status hatch_trace_add_stops(struct hatch_tracer *tracer, uint32_t first,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the place of a stop, whose heading is forward. */
+struct hatch_trace_place hatch_trace_stop_place(const struct hatch_trace_stop *stop);
 
 /* seeds.c: finds places for new strokes and adds those strokes.
  *   phase  0 .. HATCH_TRACE_PHASES - 1 */
