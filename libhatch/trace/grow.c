@@ -93,15 +93,15 @@ static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride
     struct hatch_trace_stroke *stroke = &tracer->strokes[stride->half / 2];
     uint32_t way = stride->half % 2;
     struct hatch_trace_place place = stroke->end[way];
-    double left = HATCH_TRACE_STEP * tracer->gap;
+    double length = HATCH_TRACE_STEP * tracer->gap, walked = 0; /* as in walk_stride, to the last bit */
     for (uint32_t i = 0; i < stride->leg_count;) {
         struct hatch_trace_leg leg;
         if (stride->leg_count <= LEGS_KEPT)
             leg = stride->legs[i];
         else
-            hatch_trace_walk(&tracer->ground, &place, fmin(left, tracer->leg_max), HATCH_TRACE_ALONG, &leg);
+            hatch_trace_walk(&tracer->ground, &place, fmin(length - walked, tracer->leg_max), HATCH_TRACE_ALONG, &leg);
         i += leg.length > 0;
-        left -= leg.length;
+        walked += leg.length;
         if (leg.length > 0)
             HATCH_TRY(hatch_trace_add_piece(tracer, stride->half, &leg, err));
     }
