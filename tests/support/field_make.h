@@ -10,8 +10,6 @@
 #include "meshes.h"
 #include "field/field.h"
 
-#define PI 3.14159265358979323846
-
 struct field_case {
     struct hatch_mesh mesh;
     struct hatch_surface surface;

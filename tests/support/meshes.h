@@ -8,6 +8,8 @@
 #include "arenas.h"
 #include "shapes/shapes.h"
 
+#define PI 3.14159265358979323846
+
 static inline struct hatch_mesh mesh_of(const float *positions, uint32_t vertices, const uint32_t *indices,
                                         uint32_t faces)
 {
@@ -38,6 +40,20 @@ static inline struct hatch_mesh bare_shape(enum hatch_shape kind, uint32_t faces
     return mesh;
 }
 
+/* Makes a flat fan of count faces around its last point. */
+static inline struct hatch_mesh fan(uint32_t count)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, count + 1, count, &mesh, &err), &err);
+    for (uint32_t i = 0; i < count; i++) {
+        mesh.attributes[0].data[3 * i] = (float)cos(2 * PI * i / count);
+        mesh.attributes[0].data[3 * i + 1] = (float)sin(2 * PI * i / count);
+        const uint32_t face[3] = {i, (i + 1) % count, count};
+        memcpy(&mesh.indices[3 * (size_t)i], face, sizeof face);
+    }
+    return mesh;
+}
+
 /* Makes a band of n by width squares, closed into a ring.
  *   twisted  true: a Möbius strip */
 static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
@@ -46,7 +62,7 @@ static inline struct hatch_mesh band(uint32_t n, uint32_t width, bool twisted)
     uint32_t rows = width + 1;
     HATCH_TEST_OK(hatch_mesh_make(&keep, rows * n, 2 * n * width, &mesh, &err), &err);
     for (uint32_t i = 0; i < n * rows; i++) {
-        double a = 2 * 3.14159265358979 * (i / rows) / n, tilt = twisted ? a / 2 : 0;
+        double a = 2 * PI * (i / rows) / n, tilt = twisted ? a / 2 : 0;
         double across = 0.6 * (i % rows) / width - 0.3, radius = 1 + across * sin(tilt);
         float *p = &mesh.attributes[0].data[3 * i];
         p[0] = (float)(radius * cos(a));
@@ -71,7 +87,7 @@ static inline struct hatch_mesh klein(uint32_t m, uint32_t n)
     HATCH_TEST_OK(hatch_mesh_make(&keep, m * n, 2 * m * n, &mesh, &err), &err);
     for (uint32_t i = 0; i < m; i++)
         for (uint32_t j = 0; j < n; j++) {
-            double u = 2 * 3.14159265358979 * i / m, v = 2 * 3.14159265358979 * (j + 0.5) / n;
+            double u = 2 * PI * i / m, v = 2 * PI * (j + 0.5) / n;
             double r = 3 + cos(u / 2) * sin(v) - sin(u / 2) * sin(2 * v);
             float *p = &mesh.attributes[0].data[(i * n + j) * 3];
             p[0] = (float)(r * cos(u));

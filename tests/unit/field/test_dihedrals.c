@@ -4,7 +4,6 @@
 #include "surface_check.h"
 #include "field/field.h"
 
-#define PI 3.14159265358979323846
 #define CREASE_RAD (75 * PI / 180)
 #define SIDES 24u
 

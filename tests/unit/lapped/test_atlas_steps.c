@@ -2,20 +2,6 @@
 #include "lapped_make.h"
 #include "steps.h"
 
-/* A flat fan whose hub is its last point. */
-static struct hatch_mesh fan(uint32_t count)
-{
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, count + 1, count, &mesh, &err), &err);
-    for (uint32_t i = 0; i < count; i++) {
-        mesh.attributes[0].data[3 * i] = (float)cos(2 * PI * i / count);
-        mesh.attributes[0].data[3 * i + 1] = (float)sin(2 * PI * i / count);
-        const uint32_t face[3] = {i, (i + 1) % count, count};
-        memcpy(&mesh.indices[3 * (size_t)i], face, sizeof face);
-    }
-    return mesh;
-}
-
 static double steps_a_face(uint32_t count)
 {
     struct field_case field = case_of(fan(count));

@@ -5,8 +5,6 @@
 #include "measure/field_figures.h"
 #include "meshes.h"
 
-#define PI 3.14159265358979323846
-
 static struct hatch_mesh shape(enum hatch_shape kind, bool field)
 {
     return shape_with(kind, (struct hatch_shape_options){.faces = 2000, .jitter = 0.5f, .seed = 3, .field = field});

@@ -4,8 +4,6 @@
 #include "math/vector.h"
 #include "meshes.h"
 
-#define PI 3.14159265358979323846
-
 static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise, uint64_t seed)
 {
     return shape_with(shape,

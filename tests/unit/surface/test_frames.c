@@ -175,16 +175,7 @@ END_TEST
 /* A vertex in every face. test_surface_steps.c counts the steps that it takes. */
 START_TEST(frames_at_a_vertex_of_high_valence_are_consistent)
 {
-    struct hatch_mesh mesh;
-    const uint32_t count = 50000;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, count + 1, count, &mesh, &err), &err);
-    for (uint32_t i = 0; i < count; i++) {
-        mesh.attributes[0].data[3 * i] = (float)cos(2 * PI * i / count);
-        mesh.attributes[0].data[3 * i + 1] = (float)sin(2 * PI * i / count);
-        const uint32_t face[3] = {i, (i + 1) % count, count};
-        memcpy(&mesh.indices[3 * (size_t)i], face, sizeof face);
-    }
-    struct field_case of = case_of(mesh);
+    struct field_case of = case_of(fan(50000));
     ck_assert_uint_eq(of.surface.component_count, 1);
     check_entries(&of);
 }

@@ -10,20 +10,6 @@ static double steps_a_face(struct hatch_mesh mesh)
     return (double)steps / mesh.face_count;
 }
 
-/* Faces around one point. Searching through all of them for each of them would show in the count. */
-static struct hatch_mesh fan(uint32_t count)
-{
-    struct hatch_mesh mesh;
-    HATCH_TEST_OK(hatch_mesh_make(&keep, count + 1, count, &mesh, &err), &err);
-    for (uint32_t i = 0; i < count; i++) {
-        mesh.attributes[0].data[3 * i] = (float)cos(2 * PI * i / count);
-        mesh.attributes[0].data[3 * i + 1] = (float)sin(2 * PI * i / count);
-        const uint32_t face[3] = {i, (i + 1) % count, count};
-        memcpy(&mesh.indices[3 * (size_t)i], face, sizeof face);
-    }
-    return mesh;
-}
-
 /* Measured: 860 steps per face of both fans, 797 and 796 of the tori; a search through the fan adds 500 per thousand
  * faces. Fewer than 100 would mean that steps are not counted. */
 START_TEST(a_fan_takes_as_many_steps_as_it_has_faces)
