@@ -6,19 +6,7 @@ set -u
 folder=$1 file=$2
 shift 2
 words=$*
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-count=$#
-while [ $count -gt 0 ]; do
-    word=$1
-    shift
-    case $word in
-    IN) word=$folder/$file ;;
-    OUT | OUT.*) word=$work/out${word#OUT} ;;
-    esac
-    set -- "$@" "$word"
-    count=$((count - 1))
-done
+. "$TOP/tests/bad/words.sh"
 # The limit only ends what would run for ever.
 spent=$("$MEASURE" 1 sh -c '
     work=$1

@@ -6,20 +6,7 @@ set -u
 expect=$1 says=$2 figures=$3 folder=$4 file=$5
 shift 5
 name="$file ($expect): $*"
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-count=$#
-while [ $count -gt 0 ]; do
-    word=$1
-    shift
-    case $word in
-    IN) word=$folder/$file ;;
-    OUT) word=$work/out ;;
-    OUT.*) word=$work/out.${word#OUT.} ;;
-    esac
-    set -- "$@" "$word"
-    count=$((count - 1))
-done
+. "$TOP/tests/bad/words.sh"
 
 # A shell can limit the address space only; sanitizers and OpenGL drivers reserve more than they use. OpenImageIO, which
 # reads formats other than PNG and EXR, reserves 400 MB when it is loaded.
