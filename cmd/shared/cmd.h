@@ -137,8 +137,9 @@ struct cmd_output;
 struct cmd_output *cmd_open_output(const char *path, const char *endings, bool binary);
 
 /* Dies with HATCH_USAGE if a file name has the ending of a known format that is not among the allowed ones. Other
- * endings, and names without one, are allowed. path     may be NULL endings  allowed endings, without dots, separated
- * by spaces, such as "png exr" */
+ * endings, and names without one, are allowed.
+ *   path     may be NULL
+ *   endings  allowed endings, without dots, separated by spaces, such as "png exr" */
 void cmd_check_ending(const char *path, const char *endings);
 
 /* An output and its content: size bytes of data, followed by the pieces. */

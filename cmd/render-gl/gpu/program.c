@@ -90,7 +90,8 @@ static enum hatch_status add_file(struct stage_text *stage, const char *name, st
 
 /* Fails with the first line of the compiler's log. It may begin with the numbers of the file and of the line there, as
  * in "0:12(5): error: ..." (Mesa) or "0(12) : error C0000: ..." (NVIDIA), and names the severity, both of which are cut
- * off. stage  NULL: the log is the linker's */
+ * off.
+ *   stage  NULL: the log is the linker's */
 static enum hatch_status fail_with_log(const struct stage_text *stage, const char *what, const char *log,
                                        struct hatch_err *err)
 {
