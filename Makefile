@@ -70,7 +70,7 @@ $(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(B)/lib/hatch/hatch-oiio.so
-# What is not a binary lies in share as it will be installed, so that commands find it in both places.
+# All but binaries lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
 SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
           $(call copies,cmd/render-gl/shaders,hatch/shaders,*/*) $(call copies,pipelines,hatch/pipelines,*)

@@ -55,8 +55,8 @@ struct cmd_option {
     bool *given;                /* set to true when the option is on the command line; may be NULL */
 };
 
-/* What options need to have an effect; without it they are refused. An option that is given with its default value
- * counts as given. A table of rules ends with an entry without options.
+/* A rule tells what options need to have an effect; without it they are refused. An option that is given with its
+ * default value counts as given. A table of rules ends with an entry without options.
  *
  * The conditions of a rule are separated by spaces, and all must hold; the alternatives of a condition are separated by
  * '|', and one must hold: "NAME", option NAME is given; "!NAME", it is not given; "NAME=A,B", the value of NAME, a

@@ -1,4 +1,4 @@
-# What a file that promises more than it holds gets: a refusal within 50 ms and 16 MiB.
+# A file that promises more than it holds is refused within 50 ms and 16 MiB.
 
 # within KIB COMMAND ...
 within() {

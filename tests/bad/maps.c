@@ -156,7 +156,7 @@ static void save_broken_nesting(const char *folder)
     save(folder, "nesting-broken-colour");
 }
 
-/* What our writer refuses to make: parts of other sizes and channels, by OpenEXR's. Flat parts of one pixel are
+/* Writes parts of other sizes and channels with OpenEXR, because our writer refuses to. Flat parts of one pixel are
  * whole maps, as far as levels go. */
 static void save_unequal(const char *folder, const char *name, int32_t size, const char *channel)
 {

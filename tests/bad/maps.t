@@ -23,7 +23,7 @@ commands() {
 told() {
     grep -qE "$1" .err && [ "$(wc -l <.err)" -eq 1 ]
 }
-# What each file is told of.
+# reason FILE: the words of its message
 reason() {
     case $1 in
     no-first-part | part-*) echo "part [0-3] is named 'tone.*, want tone\.00[0-3]: not a tonal art map" ;;

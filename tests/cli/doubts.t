@@ -1,4 +1,5 @@
-# What a mesh may hold, but is hardly ever meant: one warning per kind, with a count and what the command does about it.
+# A mesh may hold things that are hardly ever meant: one warning per kind, with a count and what the command does about
+# it.
 . "${TOP:-.}/tests/tap.sh"
 
 # A glTF of a tetrahedron, into NAME.gltf. Arguments: positions, normals, colours, texture coordinates and scale as Perl.

@@ -95,7 +95,7 @@ printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
 says "the second of two scenes" 3 1 "render-gl: plain.obj: primitive 0 has no texture coordinates" \
     render-gl mesh.glb plain.obj --tam map.exr
 
-# What other libraries say stands behind a sentence that names the fault.
+# The words of other libraries stand behind a sentence that names the fault.
 echo '{"asset":{"version":"2.0",},"meshes":3}' >bad.gltf
 says "JSON with a comma too many" 3 1 "bad.gltf: JSON line 1, column 27: not valid: unexpected '}'" \
     hatchstat mesh bad.gltf

@@ -64,7 +64,7 @@ static void set(GLuint program, const char *name, float value)
     glUniform1f(glGetUniformLocation(program, name), value);
 }
 
-/* What the keys of all files say. */
+/* The values of the keys that all files have. */
 struct metadata {
     float tones, darkest, ink_is;
 };
