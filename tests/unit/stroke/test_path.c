@@ -231,6 +231,26 @@ START_TEST(points_not_finite_or_too_far_are_rejected)
 }
 END_TEST
 
+/* Adds points at x = -64 and 64 in turn, as far from their middle as is allowed: each but the first adds 128 tiles. */
+static void add_widest(struct hatch_path_builder *b, int points)
+{
+    for (int i = 0; i < points; i++)
+        HATCH_TEST_OK(hatch_path_add_line(b, i % 2 ? HATCH_PATH_REACH_MAX : -HATCH_PATH_REACH_MAX, 0, &err), &err);
+}
+
+START_TEST(the_longest_path_is_accepted_and_a_longer_one_is_not)
+{
+    struct hatch_path_builder b = builder();
+    struct hatch_stroke stroke = {.width_px = 1}, before = stroke;
+    add_widest(&b, 513);
+    ck_assert_float_eq(finished(&b, 1).length, HATCH_PATH_LENGTH_MAX);
+    HATCH_TEST_OK(hatch_path_add_line(&b, 1 - HATCH_PATH_REACH_MAX, 0, &err), &err);
+    ck_assert_int_eq(hatch_path_finish(&b, &keep, &stroke, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "a stroke is 65537 tiles long, want 65536 at most");
+    ck_assert_mem_eq(&stroke, &before, sizeof stroke);
+}
+END_TEST
+
 /* Arcs, paths and the columns of each level are read back exactly. */
 START_TEST(scripts_keep_arcs_paths_and_levels)
 {
@@ -319,6 +339,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_point_is_a_dot_and_a_tiny_circle_does_not_vanish);
     tcase_add_test(tests, curves_keep_to_the_tolerance);
     tcase_add_test(tests, points_not_finite_or_too_far_are_rejected);
+    tcase_add_test(tests, the_longest_path_is_accepted_and_a_longer_one_is_not);
     tcase_add_test(tests, scripts_keep_arcs_paths_and_levels);
     tcase_add_loop_test(tests, a_bad_row_is_reported, 0, sizeof bad_rows / sizeof *bad_rows);
     tcase_add_test(tests, every_failed_allocation_is_a_status);

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "fail_alloc.h"
+#include "stroke/path.h"
 #include "stroke/script.h"
 
 #define HEADER "x\ty\tlength\tangle\twidth\ttone\tr\tg\tb"
@@ -151,6 +152,21 @@ START_TEST(too_many_columns_are_rejected)
 }
 END_TEST
 
+/* Points at x = -64 and 64 in turn: each but the first adds 128 tiles. */
+START_TEST(the_longest_path_is_accepted_and_a_longer_one_is_not)
+{
+    char text[6000];
+    int size = snprintf(text, sizeof text, HEADER "\tpath\n" ROW "\t-64,0");
+    for (int i = 1; i <= 512; i++)
+        size += snprintf(text + size, sizeof text - (size_t)size, i % 2 ? " 64,0" : " -64,0");
+    HATCH_TEST_OK(parse(text), &err);
+    ck_assert_float_eq(list.items[0].length, HATCH_PATH_LENGTH_MAX);
+    snprintf(text + size, sizeof text - (size_t)size, " -63,0");
+    ck_assert_int_eq(parse(text), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "line 2: path: 65537 tiles long, want 65536 at most");
+}
+END_TEST
+
 static enum hatch_status read_again(void *context, struct hatch_arena *to, struct hatch_arena *scratch,
                                     struct hatch_err *error)
 {
@@ -191,6 +207,7 @@ static Suite *suite(void)
     tcase_add_test(tests, centres_are_wrapped_into_the_tile);
     tcase_add_loop_test(tests, a_bad_line_is_reported, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tests, too_many_columns_are_rejected);
+    tcase_add_test(tests, the_longest_path_is_accepted_and_a_longer_one_is_not);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
