@@ -25,8 +25,6 @@
 #define REUSE_MIN 0.8
 /* Positions are solved for the faces that an outline larger by this factor touches, since solving moves faces. */
 #define SOLVE_MARGIN 1.03
-/* faces_max becomes the number of faces over this factor when solving for them would be costly. */
-#define COSTLY_FACTOR 64u
 /* The initial faces_max of a patch is this factor times the number of faces of the last patch there, but at least
  * START_MIN. While no limit is exceeded, faces_max is raised by the same factor. */
 #define START_FACTOR 4
@@ -313,25 +311,6 @@ static void set_start_faces_max(struct hatch_growth *growth)
         growth->start_faces_max[growth->first_attempt[i]] = start > START_MIN ? start : START_MIN;
 }
 
-/* Grows the patch for a solution, smaller where that would be costly. */
-static enum hatch_status grow_to_solve(struct hatch_growth *growth, struct hatch_solver *solver, struct trial *trial,
-                                       struct hatch_err *err)
-{
-    struct hatch_patch *patch = &growth->patch;
-    bool costly = true;
-    while (costly) {
-        patch->radius *= SOLVE_MARGIN;
-        HATCH_TRY(hatch_growth_grow(growth, err));
-        patch->radius /= SOLVE_MARGIN;
-        HATCH_TRY(hatch_solver_prepare(solver, patch, &costly, err));
-        if (costly) {
-            patch->faces_max = (patch->face_count + COSTLY_FACTOR - 1) / COSTLY_FACTOR;
-            trial->shrinking = true;
-        }
-    }
-    return HATCH_OK;
-}
-
 /* Grows the patch, solves for positions when necessary, and judges the result. */
 static enum hatch_status run_round(struct hatch_growth *growth, struct hatch_solver *solver,
                                    const struct hatch_lapped_options *options, struct trial *trial,
@@ -348,7 +327,9 @@ static enum hatch_status run_round(struct hatch_growth *growth, struct hatch_sol
     }
     trial->regrow = false;
     if (trial->solved) {
-        HATCH_TRY(grow_to_solve(growth, solver, trial, err));
+        patch->radius *= SOLVE_MARGIN;
+        HATCH_TRY(hatch_growth_grow(growth, err));
+        patch->radius /= SOLVE_MARGIN;
         HATCH_TRY(hatch_solver_solve(solver, growth->domain, patch, err));
         hatch_growth_store_positions(growth);
         center_on_seed(growth);

@@ -26,8 +26,8 @@
 #define ENTRY_MAX 1e7
 /* Least pivot as a share of the diagonal entry. */
 #define PIVOT_MIN 1e-12
-/* Multiplications of a factorization that is costly. Patches of 20,000 faces on scans need up to half as many. */
-#define COST_MAX 3e10
+/* Largest number of multiplications of a factorization within the envelope. Beyond it, sparse factors are faster. */
+#define COST_MAX 1e9
 /* Relative weight of a face in which the field has an index; such a face need not follow the field. */
 #define SINGULAR_WEIGHT 1e-3
 
@@ -226,11 +226,20 @@ static void find_gradients(struct hatch_solver *solver, const struct hatch_patch
     }
 }
 
+void hatch_solver_entry(const struct hatch_solver *solver, uint32_t local, uint32_t row, uint32_t column,
+                        double entry[2])
+{
+    const double *gradient = &solver->gradients[8 * local], weight = gradient[6];
+    double along = weight * gradient[2 * row] * gradient[2 * column];
+    double across = weight * gradient[2 * row + 1] * gradient[2 * column + 1];
+    entry[0] = along + TURN_WEIGHT * across;
+    entry[1] = TURN_WEIGHT * along + across;
+}
+
 /* Adds a face's part of the normal equations. Vertex 0 is fixed at the origin: its row and column are left out. */
 static void add_matrix(struct hatch_solver *solver, const struct hatch_patch *patch, uint32_t local)
 {
     const uint32_t *corner = &patch->corners[3 * local];
-    const double *gradient = &solver->gradients[8 * local], weight = gradient[6];
     for (uint32_t a = 0; a < 3; a++) {
         if (corner[a] == 0)
             continue;
@@ -239,11 +248,10 @@ static void add_matrix(struct hatch_solver *solver, const struct hatch_patch *pa
             uint32_t column = solver->rank[corner[b]];
             if (corner[b] == 0 || column > row)
                 continue;
-            double along = weight * gradient[2 * a] * gradient[2 * b];
-            double across = weight * gradient[2 * a + 1] * gradient[2 * b + 1];
-            double *entry = solver->matrix[(uint32_t)(solver->row_start[row] + column)];
-            entry[0] += along + TURN_WEIGHT * across;
-            entry[1] += TURN_WEIGHT * along + across;
+            double own[2], *entry = solver->matrix[(uint32_t)(solver->row_start[row] + column)];
+            hatch_solver_entry(solver, local, a, b, own);
+            entry[0] += own[0];
+            entry[1] += own[1];
         }
     }
 }
@@ -357,18 +365,47 @@ static bool update_scales(struct hatch_solver *solver, const struct hatch_patch 
     return change > SCALE_SETTLED * whole;
 }
 
-/* Solves for the positions with the faces' present target scales. */
-static void solve_positions(struct hatch_solver *solver, struct hatch_patch *patch)
+/* Solves for the positions with the faces' present target scales.
+ *   sparse  NULL: the factors are those within the envelope */
+static enum hatch_status solve_positions(struct hatch_solver *solver, const struct hatch_sparse_solver *sparse,
+                                         struct hatch_patch *patch, struct hatch_err *err)
 {
     memset(solver->right_side, 0, patch->vertex_count * sizeof *solver->right_side);
     for (uint32_t f = 0; f < patch->face_count; f++)
         add_right_side(solver, patch, f);
-    substitute(solver, patch->vertex_count);
+    if (sparse)
+        HATCH_TRY(hatch_sparse_solver_solve(sparse, solver->right_side, patch->vertex_count, err));
+    else
+        substitute(solver, patch->vertex_count);
     for (uint32_t v = 0; v < patch->vertex_count; v++)
         memcpy(&patch->xy[2 * v], solver->right_side[solver->rank[v]], sizeof *solver->right_side);
+    return HATCH_OK;
 }
 
-/* Returns the number of multiplications of the factorization. */
+static enum hatch_status solve_in_rounds(struct hatch_solver *solver, const struct hatch_sparse_solver *sparse,
+                                         struct hatch_patch *patch, struct hatch_err *err)
+{
+    HATCH_TRY(solve_positions(solver, sparse, patch, err));
+    for (int round = 1; round < SCALE_ROUNDS && update_scales(solver, patch); round++)
+        HATCH_TRY(solve_positions(solver, sparse, patch, err));
+    return HATCH_OK;
+}
+
+static enum hatch_status solve_sparse(struct hatch_solver *solver, struct hatch_patch *patch, struct hatch_err *err)
+{
+    struct hatch_sparse_solver sparse = {.column = NULL};
+    struct hatch_arena_mark mark = hatch_arena_mark(solver->arena);
+    for (uint32_t v = 0; v < patch->vertex_count; v++)
+        solver->rank[v] = v;
+    enum hatch_status status = hatch_sparse_solver_make(solver, patch, &sparse, err);
+    if (status == HATCH_OK)
+        status = solve_in_rounds(solver, &sparse, patch, err);
+    hatch_sparse_solver_free(&sparse);
+    hatch_arena_rewind(solver->arena, mark);
+    return status;
+}
+
+/* Returns the number of multiplications of the factorization within the envelope. */
 static double cost_of(const struct hatch_solver *solver, uint32_t count)
 {
     double cost = 0;
@@ -379,30 +416,22 @@ static double cost_of(const struct hatch_solver *solver, uint32_t count)
     return cost;
 }
 
-enum hatch_status hatch_solver_prepare(struct hatch_solver *solver, const struct hatch_patch *patch, bool *costly,
-                                       struct hatch_err *err)
-{
-    HATCH_TRY(reserve_arrays(solver, patch, err));
-    choose_numbering(solver, patch);
-    *costly = cost_of(solver, patch->vertex_count) > COST_MAX;
-    return HATCH_OK;
-}
-
 enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err)
 {
-    HATCH_TRY(reserve_matrix(solver, patch, err));
+    HATCH_TRY(reserve_arrays(solver, patch, err));
+    choose_numbering(solver, patch);
     find_gradients(solver, domain, patch);
+    if (cost_of(solver, patch->vertex_count) > COST_MAX)
+        return solve_sparse(solver, patch, err);
+    HATCH_TRY(reserve_matrix(solver, patch, err));
     for (uint32_t f = 0; f < patch->face_count; f++)
         add_matrix(solver, patch, f);
     uint32_t fixed = solver->rank[0];
     double *pivot = solver->matrix[(uint32_t)(solver->row_start[fixed] + fixed)];
     pivot[0] = pivot[1] = 1;
     factorize(solver, patch->vertex_count);
-    solve_positions(solver, patch);
-    for (int round = 1; round < SCALE_ROUNDS && update_scales(solver, patch); round++)
-        solve_positions(solver, patch);
-    return HATCH_OK;
+    return solve_in_rounds(solver, NULL, patch, err);
 }
 
 void hatch_patch_fit(const struct hatch_patch_domain *domain, const struct hatch_patch *patch, uint32_t local,

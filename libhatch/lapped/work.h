@@ -173,12 +173,28 @@ struct hatch_solver {
     uint32_t gradient_capacity, matrix_capacity, right_capacity;
 };
 
-/* Numbers the patch's vertices for hatch_solver_solve.
- *   costly  out: long faces lie across each other so that solving would take seconds: the patch is to be smaller */
-enum hatch_status hatch_solver_prepare(struct hatch_solver *solver, const struct hatch_patch *patch, bool *costly,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+/* The same systems for patches whose envelope would be long, because long faces lie across each other: their factors
+ * are sparse. */
+struct hatch_sparse_solver {
+    struct hatch_sparse_factor *factor[2]; /* for x and for y */
+    double *column;                        /* per vertex */
+};
 
-/* Computes new positions for the patch's vertices, after hatch_solver_prepare. */
+/* Factorizes the systems with the solver's gradients. The array of the result lives in the solver's arena; factors are
+ * freed with hatch_sparse_solver_free, also after a failure. */
+enum hatch_status hatch_sparse_solver_make(const struct hatch_solver *solver, const struct hatch_patch *patch,
+                                           struct hatch_sparse_solver *made, struct hatch_err *err) HATCH_MUST_USE;
+void hatch_sparse_solver_free(struct hatch_sparse_solver *made);
+
+/* Replaces right-hand sides, 2 per vertex, by the solutions. */
+enum hatch_status hatch_sparse_solver_solve(const struct hatch_sparse_solver *made, double (*right_side)[2],
+                                            uint32_t count, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Computes what a face adds to the matrices for x and for y, in the row and column of two of its corners (0 .. 2). */
+void hatch_solver_entry(const struct hatch_solver *solver, uint32_t local, uint32_t row, uint32_t column,
+                        double entry[2]);
+
+/* Computes new positions for the patch's vertices. */
 enum hatch_status hatch_solver_solve(struct hatch_solver *solver, const struct hatch_patch_domain *domain,
                                      struct hatch_patch *patch, struct hatch_err *err) HATCH_MUST_USE;
 

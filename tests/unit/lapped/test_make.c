@@ -69,6 +69,36 @@ START_TEST(a_plane_keeps_its_lengths)
 }
 END_TEST
 
+/* Makes a flat star: a fan of count faces, and a face of the same height beyond each side of its rim. */
+static struct hatch_mesh star(uint32_t count)
+{
+    struct hatch_mesh hub = fan(count), mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 2 * count + 1, 2 * count, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, hub.attributes[0].data, 12 * ((size_t)count + 1));
+    memcpy(mesh.indices, hub.indices, 12 * (size_t)count);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t next = (i + 1) % count, tip = count + 1 + i, face[3] = {next, i, tip};
+        for (uint32_t k = 0; k < 2; k++)
+            mesh.attributes[0].data[3 * tip + k] =
+                mesh.attributes[0].data[3 * i + k] + mesh.attributes[0].data[3 * next + k];
+        memcpy(&mesh.indices[3 * (size_t)(count + i)], face, sizeof face);
+    }
+    return mesh;
+}
+
+/* Its faces lie across each other wherever a line sweeps over them, so that the factors of one patch are sparse. */
+START_TEST(a_star_keeps_its_lengths)
+{
+    struct field_case field = case_of(star(5000));
+    set_direction(&field, 1, 0, 0);
+    struct hatch_lapped_options options = LAPPED_DEFAULTS;
+    options.size = 1;
+    struct lapped_case made = make_lapped(field, &options);
+    check_patches(&made, 10000);
+    check_isometric(&made, flat_plane);
+}
+END_TEST
+
 /* Flattens a prism of SIDES sides: u runs around, v downwards. */
 #define SIDES 64
 static void flat_prism(const double *p, double *u)
@@ -340,6 +370,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("patches");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_plane_keeps_its_lengths);
+    tcase_add_test(tests, a_star_keeps_its_lengths);
     tcase_add_test(tests, a_prism_is_unrolled);
     tcase_add_test(tests, a_torus_has_little_overlap);
     tcase_add_test(tests, patches_end_where_faded_or_hidden);
