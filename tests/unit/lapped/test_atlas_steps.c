@@ -16,13 +16,14 @@ static double steps_a_face(uint32_t count)
     return (double)steps / count;
 }
 
-/* Measured: 3100 and 5900 steps per face. Comparing each face with all others around the point makes it 190,000 and
- * 4,400,000. Fewer than 100 would mean that steps are not counted. */
+/* Measured: 5400 and 10,300 steps per face, or 3100 and 5900 with -O3. Comparing each face with all others around the
+ * point makes it 190,000 and 4,400,000; a grid whose cells are not along the faces, 25,000 and 98,000. Fewer than 100
+ * would mean that steps are not counted. */
 START_TEST(an_atlas_of_a_fan_takes_few_steps_a_face)
 {
     double few = steps_a_face(1000), many = steps_a_face(8000);
     ck_assert_double_gt(few, 100);
-    ck_assert_msg(many < 4 * few, "%g steps a face of 1000, %g of 8000", few, many);
+    ck_assert_msg(many < 3 * few, "%g steps a face of 1000, %g of 8000", few, many);
 }
 END_TEST
 
