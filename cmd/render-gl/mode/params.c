@@ -167,3 +167,9 @@ uint32_t params_move(const struct options *options, double share)
     }
     return subjects;
 }
+
+double params_swing(double time_s, double whole_s)
+{
+    double phase = fmod(time_s / whole_s, 2);
+    return phase < 1 ? phase : 2 - phase;
+}

@@ -29,4 +29,8 @@ void params_read(struct options *options);
  * Returns what has changed, as bits 1 << enum param_subject. */
 uint32_t params_move(const struct options *options, double share);
 
+/* Returns the share of a motion that runs from 0 to 1, back to 0, and so on.
+ *   whole_s  from 0 to 1 */
+double params_swing(double time_s, double whole_s);
+
 #endif

@@ -1,5 +1,4 @@
 /* The window's loop over frames, and saving of pictures. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -82,9 +81,8 @@ static void move_params(struct window *window)
     struct job *job = window->job;
     const struct options *options = job->options;
     double whole_s = options->frames > 1 ? (options->frames - 1) / options->rate : MOVING_S;
-    double phase = fmod(window->moving_s / whole_s, 2);
     struct hatch_err err;
-    uint32_t subjects = params_move(options, phase < 1 ? phase : 2 - phase);
+    uint32_t subjects = params_move(options, params_swing(window->moving_s, whole_s));
     if (job_refresh(job, window->instance, subjects, &err) != HATCH_OK)
         cmd_say("%s", err.text);
 }
