@@ -60,7 +60,8 @@ struct cmd_option {
  *
  * The conditions of a rule are separated by spaces, and all must hold; the alternatives of a condition are separated by
  * '|', and one must hold: "NAME", option NAME is given; "!NAME", it is not given; "NAME=A,B", the value of NAME, a
- * choice or a text, is A or B; "NAME!=A", it is not A. A name in capitals is that of the first operand. */
+ * choice or a text, is A or B; "NAME!=A", it is not A; "NAME=*.svg", the value ends in .svg or .SVG. A name in capitals
+ * is that of the first operand. */
 struct cmd_rule {
     const char *options; /* names, separated by spaces */
     const char *needs;   /* conditions */

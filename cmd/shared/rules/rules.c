@@ -65,6 +65,20 @@ static bool is_given(struct hatch_text name, const struct cmd_line *line)
     return false;
 }
 
+/* Returns whether a value is a word of a condition, or ends as one that begins with '*' does. */
+static bool matches(struct hatch_text word, const char *value)
+{
+    size_t length = strlen(value);
+    if (!word.length || *word.at != '*')
+        return hatch_text_is(word, value);
+    if (length < --word.length)
+        return false;
+    for (size_t i = 0; i < word.length; i++)
+        if (tolower((unsigned char)value[length - word.length + i]) != word.at[i + 1])
+            return false;
+    return true;
+}
+
 static bool holds(const struct atom *atom, const struct cmd_line *line)
 {
     if (!atom->list.length)
@@ -72,7 +86,7 @@ static bool holds(const struct atom *atom, const struct cmd_line *line)
     struct hatch_text rest = atom->list;
     bool listed = false;
     while (rest.length)
-        listed = hatch_text_is(cut(&rest, ','), value_of(atom, line)) || listed;
+        listed = matches(cut(&rest, ','), value_of(atom, line)) || listed;
     return listed != atom->negated;
 }
 
