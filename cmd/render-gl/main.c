@@ -11,7 +11,7 @@ static void open_outputs(struct job *job)
     bool report = options->timed_frames || options->probe;
     struct hatch_err err;
     if (!report)
-        cmd_check_ending(job->args.output, "png exr");
+        cmd_check_ending(job->args.output, "png exr svg");
     if (options->window)
         return;
     uint32_t count = report ? 1 : options->frames;
@@ -20,7 +20,8 @@ static void open_outputs(struct job *job)
     for (uint32_t frame = 0; frame < count; frame++) {
         char name[4096];
         parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
-        job->outputs[frame] = report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr", true);
+        job->outputs[frame] =
+            report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr svg", !options->vectors);
     }
 }
 
@@ -32,6 +33,11 @@ int main(int argc, char **argv)
     job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);
     job_read(&job);
+    if (job.options->vectors) {
+        job_prepare_without_gpu(&job);
+        vectors_write(&job);
+        return cmd_end(&job.args, HATCH_OK);
+    }
     job_prepare(&job);
     if (job.options->window)
         window_run(&job);

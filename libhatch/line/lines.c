@@ -98,38 +98,67 @@ static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_l
     return HATCH_OK;
 }
 
-static enum hatch_status add_item(struct tracing *tracing, const struct hatch_item *item, struct hatch_err *err)
+/* Traces the lines of an item: its features, then its silhouettes.
+ *   curves  room for 2
+ *   count   out: number of curves */
+static enum hatch_status trace_item(const struct hatch_lines *lines, const struct hatch_item *item,
+                                    const struct hatch_line_eye *eye, struct hatch_arena *arena,
+                                    struct hatch_line_curves *curves, uint32_t *count, struct hatch_err *err)
 {
-    const struct hatch_lines *lines = tracing->lines;
-    struct hatch_arena *arena = tracing->arena;
     struct hatch_line_shape shape;
-    struct hatch_line_trace trace;
+    *count = 0;
+    if (!mesh_of(lines, item)->mesh.face_count || item->cut_out)
+        return HATCH_OK;
     HATCH_TRY(pose_item(lines, item, arena, &shape, err));
     if (shape.lines->feature_count) {
-        HATCH_TRY(hatch_line_trace_features(&shape, &tracing->eye, arena, &trace, err));
-        HATCH_TRY(add_trace(tracing, &trace, &shape.lines->chains, err));
+        struct hatch_line_curves *features = &curves[(*count)++];
+        *features = (struct hatch_line_curves){.chains = shape.lines->chains};
+        HATCH_TRY(hatch_line_trace_features(&shape, eye, arena, &features->trace, err));
     }
     if (!(lines->style.kinds & HATCH_LINES_SILHOUETTES))
         return HATCH_OK;
-    HATCH_TRY(hatch_line_trace_silhouettes(&shape, &tracing->eye, arena, lines->scratch, &trace, err));
-    struct hatch_line_chains chains;
-    const struct hatch_line_graph graph = {trace.node_count, trace.segment_count, trace.nodes, trace.ends};
-    HATCH_TRY(hatch_line_chains_make(&graph, arena, lines->scratch, &chains, err));
-    HATCH_TRY(hatch_line_refine(&trace, &chains, arena, err));
-    return add_trace(tracing, &trace, &chains, err);
+    struct hatch_line_curves *outlines = &curves[(*count)++];
+    *outlines = (struct hatch_line_curves){.silhouettes = true};
+    HATCH_TRY(hatch_line_trace_silhouettes(&shape, eye, arena, lines->scratch, &outlines->trace, err));
+    const struct hatch_line_trace *trace = &outlines->trace;
+    const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
+    HATCH_TRY(hatch_line_chains_make(&graph, arena, lines->scratch, &outlines->chains, err));
+    return hatch_line_refine(&outlines->trace, &outlines->chains, arena, err);
+}
+
+/* Returns the view, and the size of a pixel of a picture. */
+static struct hatch_line_eye eye_of(const struct hatch_view *view, double height_px)
+{
+    return (struct hatch_line_eye){view, 0.5 * height_px / view->half_height};
+}
+
+enum hatch_status hatch_lines_pose(const struct hatch_lines *lines, const struct hatch_view *view, double height_px,
+                                   struct hatch_arena *arena, struct hatch_line_curves **curves, uint32_t *count,
+                                   struct hatch_err *err)
+{
+    const struct hatch_line_eye eye = eye_of(view, height_px);
+    HATCH_TRY(HATCH_ALLOC(arena, curves, 2 * (size_t)lines->scene->item_count, err));
+    *count = 0;
+    for (uint32_t i = 0; i < lines->scene->item_count; i++) {
+        uint32_t more;
+        HATCH_TRY(trace_item(lines, &lines->scene->items[i], &eye, arena, *curves + *count, &more, err));
+        *count += more;
+    }
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,
                                     const struct hatch_tile *tile, struct hatch_arena *arena,
                                     struct hatch_line_frame *frame, struct hatch_err *err)
 {
-    struct tracing tracing = {
-        .lines = lines, .eye = {view, 0.5 * tile->full_height / view->half_height}, .tile = tile, .arena = arena};
+    struct tracing tracing = {.lines = lines, .eye = eye_of(view, tile->full_height), .tile = tile, .arena = arena};
+    struct hatch_line_curves curves[2];
     size_t at = 0;
     for (uint32_t i = 0; i < lines->scene->item_count; i++) {
-        const struct hatch_item *item = &lines->scene->items[i];
-        if (mesh_of(lines, item)->mesh.face_count && !item->cut_out)
-            HATCH_TRY(add_item(&tracing, item, err));
+        uint32_t count;
+        HATCH_TRY(trace_item(lines, &lines->scene->items[i], &tracing.eye, arena, curves, &count, err));
+        for (uint32_t k = 0; k < count; k++)
+            HATCH_TRY(add_trace(&tracing, &curves[k].trace, &curves[k].chains, err));
     }
     HATCH_TRY(HATCH_ALLOC(arena, &tracing.frame.samples, tracing.frame.sample_count, err));
     for (const struct hatch_line_part *part = tracing.frame.parts; part; part = part->next) {

@@ -27,6 +27,13 @@ struct hatch_line_frame {
     struct hatch_line_part *parts;     /* internal */
 };
 
+/* The features or the silhouettes of an item, as chains in the unit scene. */
+struct hatch_line_curves {
+    struct hatch_line_trace trace;
+    struct hatch_line_chains chains;
+    bool silhouettes; /* false: creases and boundaries */
+};
+
 /* Finds the edges of a scene's meshes, for all views and poses.
  *   scene, scratch  kept by reference
  *   arena           for the edges */
@@ -39,6 +46,13 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
 enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,
                                     const struct hatch_tile *tile, struct hatch_arena *arena,
                                     struct hatch_line_frame *frame, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Traces the lines of the posed scene without projecting them. Items with cut_out set have no lines.
+ *   height_px  of the picture
+ *   curves     out: in arena, *count of them: at most two per item, the features and then the silhouettes */
+enum hatch_status hatch_lines_pose(const struct hatch_lines *lines, const struct hatch_view *view, double height_px,
+                                   struct hatch_arena *arena, struct hatch_line_curves **curves, uint32_t *count,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 /* Joins the visible pieces of a frame's lines into segments. Closes short gaps and drops short isolated parts.
  *   seen      per sample: bits of enum hatch_line_seen

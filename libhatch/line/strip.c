@@ -1,5 +1,6 @@
 #include "line/strip.h"
 
+#include "math/range.h"
 #include "math/vector.h"
 
 #define PIECE_PX 1.5     /* largest length of a piece */
@@ -44,18 +45,6 @@ static void project(const struct hatch_view *view, const struct hatch_tile *tile
     out[1] = 0.5 * (1 + y) * tile->full_height - tile->y;
 }
 
-/* Narrows begin .. end, positions along a segment in 0 .. 1, to where a linear function with the given values at the
- * segment's ends is at least 0. */
-static void keep_positive(double at_begin, double at_end, double *begin, double *end)
-{
-    if (at_begin < 0 && at_end < 0)
-        *end = -1;
-    else if (at_begin < 0)
-        *begin = fmax(*begin, at_begin / (at_begin - at_end));
-    else if (at_end < 0)
-        *end = fmin(*end, at_begin / (at_begin - at_end));
-}
-
 /* Clips a segment at the near and far planes, and where the error of float positions is too large. Returns false if
  * nothing remains.
  *   whole  out: whether its start, its end is not clipped */
@@ -67,9 +56,9 @@ static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *t
     if (view->orthographic) /* the error is the same everywhere */
         least = least > 1 ? INFINITY : view->near;
     double nearest = fmax(view->near, least);
-    keep_positive(depth[0] - nearest, depth[1] - nearest, &begin, &end);
+    hatch_range_keep(depth[0] - nearest, depth[1] - nearest, &begin, &end);
     if (view->orthographic)
-        keep_positive(view->far - depth[0], view->far - depth[1], &begin, &end);
+        hatch_range_keep(view->far - depth[0], view->far - depth[1], &begin, &end);
     whole[0] = begin <= 0;
     whole[1] = end >= 1;
     if (!(begin < end))
@@ -104,8 +93,8 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
     for (int k = 0; k < 2; k++) {
         double a = cut->at[0][k] + w->margin_px, b = cut->at[1][k] + w->margin_px;
         double most = sizes[k] + 2 * w->margin_px;
-        keep_positive(a, b, &begin, &end);
-        keep_positive(most - a, most - b, &begin, &end);
+        hatch_range_keep(a, b, &begin, &end);
+        hatch_range_keep(most - a, most - b, &begin, &end);
     }
     double x = cut->at[1][0] - cut->at[0][0], y = cut->at[1][1] - cut->at[0][1];
     double length = sqrt(x * x + y * y);

@@ -250,8 +250,10 @@ void job_read(struct job *job)
     open_techniques(job);
     if (options->map_path)
         read_asset(job);
-    enum hatch_status status = job_check(job, options->technique, &file, &err);
-    cmd_check(status, file, &err);
+    if (!options->vectors) {
+        enum hatch_status status = job_check(job, options->technique, &file, &err);
+        cmd_check(status, file, &err);
+    }
     check_animation(job);
     check_faces(job, &notes);
     cmd_warn_mesh(job->name, &notes);
@@ -299,27 +301,37 @@ static void open_context(struct job *job)
         cmd_note("the driver limits --anisotropy to %g", (double)job->gpu.anisotropy_max);
 }
 
-/* Measures the scene, finds the view, opens the GL context, and uploads meshes and materials. */
+/* Measures the scene and finds the view of all frames. */
+static void measure_scene(struct job *job, struct hatch_bounds *bounds)
+{
+    const struct options *options = job->options;
+    struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
+    const char *name = job->name;
+    struct hatch_pose pose;
+    struct hatch_err err;
+    set_span(job);
+    cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
+    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, bounds, &err), name, &err);
+    job->empty = bounds->empty;
+    if (job->empty)
+        cmd_warn(name, "the scene has no visible faces");
+    job->fixed_view.aspect = (double)options->width / options->height;
+    cmd_check(make_view(job, &pose, bounds, &job->fixed_view, &err), name, &err);
+}
+
+/* Opens the GL context, and uploads meshes and materials. */
 static void upload_scene(struct job *job)
 {
     const struct options *options = job->options;
     struct hatch_arena *keep = &job->args.keep, *scratch = &job->args.scratch;
     const char *name = job->name;
     struct hatch_bounds bounds;
-    struct hatch_pose pose;
     struct hatch_err err;
-    set_span(job);
-    cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
-    cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, &bounds, &err), name, &err);
-    job->empty = bounds.empty;
-    if (job->empty)
-        cmd_warn(name, "the scene has no visible faces");
+    measure_scene(job, &bounds);
     uint32_t left_out = options->light_given ? 0 : hatch_lights_left_out(&job->values);
     if (left_out)
         cmd_warn(name, "%u %s left out: at most %u are used", left_out, cmd_plural(left_out, "light is", "lights are"),
                  HATCH_LIGHTS_MAX);
-    job->fixed_view.aspect = (double)options->width / options->height;
-    cmd_check(make_view(job, &pose, &bounds, &job->fixed_view, &err), name, &err);
     open_context(job);
     cmd_check(scene_upload(&job->values, job->patches, &bounds, keep, scratch, &job->scene, &err), name, &err);
     material_upload(&job->args, name, options->base_tone && !options->modulate_path, job->gpu.size_max_px, &job->scene);
@@ -398,6 +410,25 @@ void job_prepare(struct job *job)
     job_use(job, options->technique);
 }
 
+void job_prepare_without_gpu(struct job *job)
+{
+    struct hatch_bounds bounds;
+    struct hatch_err err;
+    measure_scene(job, &bounds);
+    cmd_check(hatch_unit_scene_make(&job->values, job->patches, &bounds, &job->args.keep, &job->scene.unit, &err),
+              job->name, &err);
+    job_set_frame(job, 0, &job->first_view);
+}
+
+/* Poses the scene: on the GPU, too, where it has been uploaded. */
+static enum hatch_status pose_scene(struct job *job, double time_s, struct hatch_err *err)
+{
+    if (job->scene.items)
+        return scene_set_pose(&job->scene, job->span.animation, time_s, &job->args.scratch, err);
+    hatch_unit_scene_pose(&job->scene.unit, job->span.animation, time_s);
+    return HATCH_OK;
+}
+
 void job_view(struct job *job, double time_s, struct hatch_view *view)
 {
     const struct hatch_view_choice choice = options_view(job->options);
@@ -438,8 +469,7 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
     struct technique_instance *instance = job_open(job, options->technique, &err);
     uint32_t subjects = options->frames > 1 ? params_move(options, (double)frame / (options->frames - 1)) : 0;
     cmd_check(job_refresh(job, instance, subjects, &err), NULL, &err);
-    cmd_check(scene_set_pose(&job->scene, job->span.animation, time_of(job, frame), &job->args.scratch, &err),
-              job->name, &err);
+    cmd_check(pose_scene(job, time_of(job, frame), &err), job->name, &err);
     job_view(job, time_of(job, frame), view);
     if (options->turntable)
         hatch_view_turn(view, -TWO_PI * frame / options->frames);

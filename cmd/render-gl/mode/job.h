@@ -40,6 +40,10 @@ void job_read(struct job *job);
  * Exits with a message on failure. */
 void job_prepare(struct job *job);
 
+/* Measures and poses the scene without a context, for the modes that draw nothing with the GPU. Exits with a message on
+ * failure. */
+void job_prepare_without_gpu(struct job *job);
+
 /* Returns the instance of a technique. On the first call, opens it and reads its files; exits with a message if they
  * are wrong. Returns NULL and sets err when memory does not suffice. */
 struct technique_instance *job_open(struct job *job, const struct technique *technique, struct hatch_err *err);

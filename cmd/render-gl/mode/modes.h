@@ -1,11 +1,12 @@
-/* The modes of the command that need no window: writing pictures, --time and --probe. Each function works on a prepared
- * job and exits with a message on failure. */
+/* The modes of the command that need no window: writing pictures, writing drawings, --time and --probe. Each function
+ * works on a prepared job and exits with a message on failure. */
 #ifndef RENDER_MODE_MODES_H
 #define RENDER_MODE_MODES_H
 
 #include "render-gl/mode/job.h"
 
 void pictures_write(struct job *job);
+void vectors_write(struct job *job); /* -o NAME.svg; the job is prepared without the GPU */
 void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
 

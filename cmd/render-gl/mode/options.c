@@ -27,17 +27,21 @@ static struct options chosen = {
     .anisotropy = 1,
     .crease_deg = 40,
     .rate = 24,
+    .page = {.margin_mm = 10},
 };
 
 /* Values of options in the form in which they are parsed; options_read converts them for struct options. */
-static int technique, up = HATCH_UP_Y, show = -1; /* -1: --show is not given */
+static int technique, up = HATCH_UP_Y, hidden, sort, show = -1; /* -1: --show is not given */
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
+static const char *page, *margin, *pen;
 static double size[2] = {1280, 720};
 static int64_t samples = 4, frames = 1, animation, timed_frames;
 static bool samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
 /* Words that options accept among others, for completions. */
-static const char *const axes[] = {"x", "y", "z", NULL}; /* in the order of enum hatch_up */
+static const char *const axes[] = {"x", "y", "z", NULL};                     /* in the order of enum hatch_up */
+static const char *const hidden_choices[] = {"remove", "dash", NULL};        /* in the order of enum option_hidden */
+static const char *const sort_choices[] = {"best", "nearest", "none", NULL}; /* in the order of enum option_sort */
 static const char *const automatic[] = {"auto", NULL}, *const framed[] = {"frame", NULL};
 
 /* Rows before and after the techniques' own options. */
@@ -124,6 +128,15 @@ static const struct cmd_option rest[] = {
      NULL, &time_given},
     {0, "rate", CMD_REAL, 0.001, 1000, "FPS", "+frames per second of the animation (default 24)", &chosen.rate, NULL,
      NULL},
+    {0, "page", CMD_TEXT, 0, 0, "SIZE",
+     "+page of an SVG drawing: a4, letter or WxH in mm (default: the picture's size)", &page, hatch_page_names, NULL},
+    {0, "margin", CMD_TEXT, 0, 0, "LENGTH", "+margin of that page, in mm (default 10mm)", &margin, NULL, NULL},
+    {0, "pen", CMD_TEXT, 0, 0, "LENGTH", "+width of the pen on the page, in mm (default: --line-width)", &pen, NULL,
+     NULL},
+    {0, "hidden", CMD_CHOICE, 0, 0, "HOW", "+remove hidden parts of lines, or dash them (default remove)", &hidden,
+     hidden_choices, NULL},
+    {0, "sort", CMD_CHOICE, 0, 0, "HOW", "+order of the drawing's paths: best, nearest or none (default best)", &sort,
+     sort_choices, NULL},
     {0, "time", CMD_INT, 1, 10000, "N", "print how long N frames take, instead of a picture", &timed_frames, NULL,
      NULL},
     {0, "probe", CMD_FLAG, 0, 0, NULL, "print which tones and mip levels the picture uses, not the picture",
@@ -180,6 +193,13 @@ static const struct cmd_rule rules[] = {
     {"json", "time|probe", NULL},
     {"time", "!probe !window", NULL},
     {"probe", "!window", NULL},
+    {"page margin pen hidden sort", "output=*.svg", "it shapes a drawing"},
+    {"tam samples hatch-turn hatch-scale tone-range tone-gamma show light specular shadows exposure texture-tone "
+     "modulate "
+     "pixel-light haloes uv-scale anisotropy shader-dir time probe window",
+     "output!=*.svg", "a drawing has lines alone"},
+    {"margin", "page", "the page without it is as large as the picture"},
+    {"pen", "!line-width", "give one of them"},
     {NULL, NULL, NULL},
 };
 
@@ -350,7 +370,7 @@ static void check_technique(void)
 {
     const char *name = chosen.technique->name;
     char able[256];
-    if (!chosen.map_path && chosen.technique->asset)
+    if (!chosen.vectors && !chosen.map_path && chosen.technique->asset)
         cmd_usage("technique %s needs %s: --tam FILE", name, chosen.technique->asset->name);
     if (chosen.pixel_light && !(chosen.technique->features & TECHNIQUE_PIXEL_LIGHT)) {
         list_features(TECHNIQUE_PIXEL_LIGHT, able, sizeof able);
@@ -381,6 +401,25 @@ static void read_size(void)
     chosen.height = (uint32_t)size[1];
 }
 
+static void read_page(void)
+{
+    struct hatch_page *made = &chosen.page;
+    if (page && !hatch_page_find(page, size[0] / size[1], made))
+        cmd_usage("--page %s: want a0 to a6, letter, legal, tabloid, or WxH in mm from %gx%g to %gx%g", page,
+                  HATCH_PAGE_LEAST_MM, HATCH_PAGE_LEAST_MM, HATCH_PAGE_MOST_MM, HATCH_PAGE_MOST_MM);
+    if (margin)
+        made->margin_mm = parse_length("margin", margin, 0, HATCH_PAGE_MOST_MM);
+    if (!page)
+        made->margin_mm = 0;
+    if (page && !(2 * made->margin_mm < fmin(made->width_mm, made->height_mm)))
+        cmd_usage("--margin %gmm leaves nothing of a page of %g by %g mm", made->margin_mm, made->width_mm,
+                  made->height_mm);
+    if (pen)
+        chosen.pen_mm = parse_length("pen", pen, 0.01, 100);
+    chosen.hidden = (enum option_hidden)hidden;
+    chosen.sort = (enum option_sort)sort;
+}
+
 struct options *options_read(int argc, char **argv, struct cmd_args *args)
 {
     make_table();
@@ -388,6 +427,8 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     cmd_begin(&program, argc, argv, args);
     chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();
+    chosen.vectors = parse_has_ending(args->output, "svg");
+    read_page();
     check_technique();
     check_frames(args);
     chosen.scene_path = args->operand_count ? args->operands[0] : NULL;

@@ -4,6 +4,7 @@
 
 #include "render-gl/technique/list.h"
 #include "scene/row.h"
+#include "vector/drawing.h"
 
 #define OPTIONS_CHANGES_MAX 24u
 
@@ -30,6 +31,12 @@ struct option_change {
     struct param param;
     double from[2], to[2]; /* in the option's unit; the second entry is used only if the option is a pair */
 };
+
+/* Treatment of the hidden parts of lines in a drawing, in the order of the option's choices. */
+enum option_hidden { OPTION_HIDDEN_REMOVE, OPTION_HIDDEN_DASH };
+
+/* Order of the paths of a drawing, in the order of the option's choices. */
+enum option_sort { OPTION_SORT_BEST, OPTION_SORT_NEAREST, OPTION_SORT_NONE };
 
 struct options {
     const struct technique *technique; /* the choice of --technique or --show */
@@ -76,6 +83,11 @@ struct options {
     bool animation_given;
     uint32_t timed_frames; /* --time; 0: not given */
     bool probe, window;
+    bool vectors;           /* the output is an SVG drawing */
+    struct hatch_page page; /* of the drawing; its size is 0 without --page */
+    double pen_mm;          /* 0: as wide on the page as line_px in the picture */
+    enum option_hidden hidden;
+    enum option_sort sort;
 };
 
 /* Parses and checks the command line; prints help like cmd_begin. Exits with a message of two lines on wrong usage.

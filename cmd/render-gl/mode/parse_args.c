@@ -1,5 +1,6 @@
 #include "render-gl/mode/parse_args.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,6 +58,26 @@ uint32_t parse_line_kinds(const char *list)
             return kinds;
     }
     cmd_usage("--lines %s: want none, all, or silhouettes, creases and boundaries separated by commas", list);
+}
+
+double parse_length(const char *option, const char *text, double least, double most)
+{
+    size_t length = strlen(text);
+    double value;
+    if (length > 2 && strcmp(text + length - 2, "mm") == 0)
+        length -= 2;
+    if (!hatch_text_number((struct hatch_text){text, length}, &value) || !(value >= least && value <= most))
+        cmd_usage("--%s %s: want a length from %g to %g mm", option, text, least, most);
+    return value;
+}
+
+bool parse_has_ending(const char *path, const char *ending)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    size_t i = 0;
+    while (dot && dot[i + 1] && tolower((unsigned char)dot[i + 1]) == ending[i])
+        i++;
+    return dot && i > 0 && !dot[i + 1] && !ending[i];
 }
 
 static const char *find_place(const char *pattern, int *width)

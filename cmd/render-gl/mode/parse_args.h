@@ -25,6 +25,16 @@ extern const char *const line_kind_names[];
  * unknown word. */
 uint32_t parse_line_kinds(const char *list);
 
+/* Parses a length in millimetres, with or without the unit "mm". Exits with a usage message if it is not from least to
+ * most.
+ *   option  name of the option, for the message */
+double parse_length(const char *option, const char *text, double least, double most);
+
+/* Returns whether a file name has an ending, in small or capital letters.
+ *   path    may be NULL
+ *   ending  small letters, without the dot */
+bool parse_has_ending(const char *path, const char *ending);
+
 /* Returns whether a file name has exactly one field for the frame number, such as %d, %3d or %03d.
  *   pattern  the file name; NULL: the result is false */
 bool parse_has_frame(const char *pattern);

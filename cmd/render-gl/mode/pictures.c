@@ -5,14 +5,9 @@
 #include "io/exr/exr.h"
 #include "io/png/png.h"
 #include "render-gl/mode/modes.h"
+#include "render-gl/mode/parse_args.h"
 
 #define BLANK_TOLERANCE 1e-3f /* linear light; a blank picture has rounding errors */
-
-static bool wants_exr(const char *path)
-{
-    const char *dot = path ? strrchr(path, '.') : NULL;
-    return dot && (strcmp(dot, ".exr") == 0 || strcmp(dot, ".EXR") == 0);
-}
 
 void pictures_encode(const char *path, const struct hatch_image *image, struct hatch_arena *scratch,
                      struct hatch_buffer *file)
@@ -20,8 +15,8 @@ void pictures_encode(const char *path, const struct hatch_image *image, struct h
     struct hatch_image level = *image;
     const struct hatch_mipmap part = {.name = "picture", .level_count = 1, .levels = &level};
     struct hatch_err err;
-    cmd_check(wants_exr(path) ? hatch_exr_write(&part, scratch, file, &err)
-                              : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, &err),
+    cmd_check(parse_has_ending(path, "exr") ? hatch_exr_write(&part, scratch, file, &err)
+                                            : hatch_png_write(image, HATCH_PNG_SRGB, 8, NULL, scratch, file, &err),
               path, &err);
 }
 

@@ -1,0 +1,210 @@
+/* Writes drawings for pens: the feature lines of frames as SVG files. The visible parts of lines are computed on the
+ * processor, so that no context is needed. */
+#include <string.h>
+
+#include "io/svg/write.h"
+#include "math/angle.h"
+#include "render-gl/mode/modes.h"
+#include "vector/curves.h"
+#include "vector/project.h"
+#include "vector/tidy/tidy.h"
+
+/* The pens of a drawing, in the order of its layers. */
+enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_COUNT };
+
+#define REACH_PX 1.0          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
+#define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it; this covers their rounding */
+
+#define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
+#define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
+#define TOLERANCE_MM 0.05 /* largest distance from a line to its simplified path */
+#define SHORTEST_PX 2.0   /* shorter paths are left out */
+#define DASH_PENS 6.0     /* length of dashes and of the gaps between them, in pen widths */
+#define GAP_PENS 4.0
+
+static const struct hatch_vector_care care = {.gap_px = 1, .speck_px = 1};
+
+/* State of writing the frames of a job. */
+struct drawing {
+    struct job *job;
+    struct hatch_lines lines;
+    struct hatch_arena *arena; /* of one frame */
+};
+
+/* Returns the slack of a segment of a chain (struct hatch_line_trace) for exact visibility. */
+static float slack_of(const struct hatch_line_curves *from, const struct hatch_line_eye *eye, uint32_t segment,
+                      const double at[3])
+{
+    float slack = from->trace.slack[segment];
+    return from->silhouettes || slack < 0 ? slack : (float)(FEATURE_SLACK_PX * hatch_line_pixel(eye, at));
+}
+
+/* Curves under construction. */
+struct gathering {
+    struct hatch_line_eye eye;
+    uint32_t count;
+    struct hatch_buffer curves, points, slack;
+};
+
+/* Converts chains to curves; these are numbered from 1. */
+static enum hatch_status add_chains(struct gathering *gathering, const struct hatch_line_curves *from,
+                                    struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < from->chains.count; i++) {
+        const struct hatch_line_chain *chain = &from->chains.chains[i];
+        const uint32_t *nodes = &from->chains.nodes[chain->first + i];
+        const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof(float)),
+                                                 .count = chain->segment_count + 1,
+                                                 .layer = LAYER_OUTLINES,
+                                                 .id = ++gathering->count,
+                                                 .reach_px = from->silhouettes ? REACH_PX : 0,
+                                                 .closed = chain->closed};
+        HATCH_TRY(hatch_buffer_add(&gathering->curves, &curve, sizeof curve, err));
+        for (uint32_t k = 0; k <= chain->segment_count; k++) {
+            uint32_t segment = from->chains.segments[chain->first + (k < chain->segment_count ? k : k - 1)];
+            const double *at = &from->trace.nodes[3 * (size_t)nodes[k]];
+            const float slack = slack_of(from, &gathering->eye, segment, at);
+            HATCH_TRY(hatch_buffer_add(&gathering->points, at, 3 * sizeof *at, err));
+            HATCH_TRY(hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err));
+        }
+    }
+    return HATCH_OK;
+}
+
+/* Traces the feature lines of the posed scene as curves. */
+static enum hatch_status trace(struct drawing *drawing, const struct hatch_view *view,
+                               struct hatch_vector_curves *curves, struct hatch_err *err)
+{
+    struct hatch_arena *arena = drawing->arena;
+    struct gathering gathering = {.curves = {.arena = arena}, .points = {.arena = arena}, .slack = {.arena = arena}};
+    const double height_px = drawing->job->options->height;
+    struct hatch_line_curves *sets;
+    uint32_t count;
+    gathering.eye = (struct hatch_line_eye){view, 0.5 * height_px / view->half_height};
+    HATCH_TRY(hatch_lines_pose(&drawing->lines, view, height_px, arena, &sets, &count, err));
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TRY(add_chains(&gathering, &sets[i], err));
+    *curves = (struct hatch_vector_curves){.count = gathering.count,
+                                           .curves = (const void *)gathering.curves.data,
+                                           .points = (const void *)gathering.points.data,
+                                           .slack = (const void *)gathering.slack.data};
+    return HATCH_OK;
+}
+
+/* Makes the paths of a layer ready for the pen. Lengths of paths change from pixels to millimetres.
+ *   page  with its size set */
+static enum hatch_status tidy(struct drawing *drawing, const struct hatch_page *page, double pixel_mm, double pen_mm,
+                              struct hatch_vector_paths *paths, struct hatch_err *err)
+{
+    const struct options *options = drawing->job->options;
+    struct hatch_arena *arena = drawing->arena, *scratch = &drawing->job->args.scratch;
+    struct hatch_vector_paths single;
+    hatch_page_place(page, options->width, options->height, pixel_mm, paths);
+    HATCH_TRY(hatch_vector_drop_doubles(paths, DOUBLE_PENS * pen_mm, arena, scratch, &single, err));
+    HATCH_TRY(hatch_vector_join(&single, JOIN_PENS * pen_mm, arena, scratch, paths, err));
+    return hatch_vector_simplify(paths, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err);
+}
+
+/* Appends paths to others, in another layer. */
+static enum hatch_status append(struct hatch_vector_paths *paths, const struct hatch_vector_paths *more, uint32_t layer,
+                                struct hatch_arena *arena, struct hatch_err *err)
+{
+    struct hatch_vector_builder builder = hatch_vector_builder_of(arena);
+    const struct hatch_vector_paths *const both[2] = {paths, more};
+    for (int i = 0; i < 2; i++)
+        for (uint32_t k = 0; k < both[i]->count; k++) {
+            const struct hatch_vector_path *path = &both[i]->paths[k];
+            hatch_vector_begin(&builder, path);
+            builder.path.layer = i ? layer : path->layer;
+            for (uint32_t at = 0; at < path->count; at++)
+                HATCH_TRY(hatch_vector_add(&builder, hatch_vector_point(both[i], path, at), err));
+            HATCH_TRY(hatch_vector_end(&builder, path->closed, err));
+        }
+    *paths = hatch_vector_built(&builder);
+    return HATCH_OK;
+}
+
+/* Finds the paths of the posed scene on a page. */
+static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_view *view,
+                                    const struct hatch_page *page, double pixel_mm, double pen_mm,
+                                    struct hatch_vector_paths *paths, struct hatch_err *err)
+{
+    struct job *job = drawing->job;
+    const struct options *options = job->options;
+    struct hatch_arena *arena = drawing->arena, *scratch = &job->args.scratch;
+    struct hatch_occluders occluders;
+    struct hatch_vector_curves curves;
+    struct hatch_vector_paths hidden, dashes;
+    bool dashed = options->hidden == OPTION_HIDDEN_DASH;
+    HATCH_TRY(trace(drawing, view, &curves, err));
+    HATCH_TRY(
+        hatch_occluders_make(&job->scene.unit, view, options->width, options->height, arena, scratch, &occluders, err));
+    HATCH_TRY(hatch_vector_see(&occluders, &curves, NULL, &care, arena, scratch, paths, dashed ? &hidden : NULL, err));
+    HATCH_TRY(tidy(drawing, page, pixel_mm, pen_mm, paths, err));
+    if (dashed) {
+        HATCH_TRY(tidy(drawing, page, pixel_mm, pen_mm, &hidden, err));
+        HATCH_TRY(hatch_vector_dash(&hidden, DASH_PENS * pen_mm, GAP_PENS * pen_mm, arena, scratch, &dashes, err));
+        HATCH_TRY(append(paths, &dashes, LAYER_HIDDEN, arena, err));
+    }
+    if (options->sort != OPTION_SORT_NONE)
+        HATCH_TRY(hatch_vector_sort(
+            paths, options->sort == OPTION_SORT_BEST ? HATCH_VECTOR_IMPROVED : HATCH_VECTOR_NEAREST, scratch, err));
+    return HATCH_OK;
+}
+
+/* Tells with --verbose what the pen does. */
+static void note_ways(const struct hatch_vector_paths *paths)
+{
+    double drawn_mm, lifted_mm;
+    hatch_vector_ways(paths, &drawn_mm, &lifted_mm);
+    cmd_note("%u paths, %.0f mm drawn, %.0f mm lifted", paths->count, drawn_mm, lifted_mm);
+}
+
+/* Draws the posed scene as an SVG file. */
+static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *view, struct hatch_buffer *file,
+                              struct hatch_err *err)
+{
+    const struct options *options = drawing->job->options;
+    struct hatch_drawing made = {.layer_count = options->hidden == OPTION_HIDDEN_DASH ? 2 : 1};
+    struct hatch_page page = options->page;
+    struct hatch_drawing_layer layers[LAYER_COUNT] = {{.name = "outlines"}, {.name = "hidden"}};
+    double pixel_mm = hatch_page_pixel_mm(&page, options->width, options->height);
+    double pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * pixel_mm;
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        memcpy(layers[i].color, options->line_color, sizeof layers[i].color);
+        layers[i].pen_mm = pen_mm;
+    }
+    memcpy(made.paper, options->inks.paper, sizeof made.paper);
+    made.layers = layers;
+    made.width_mm = page.width_mm;
+    made.height_mm = page.height_mm;
+    HATCH_TRY(find_paths(drawing, view, &page, pixel_mm, pen_mm, &made.paths, err));
+    note_ways(&made.paths);
+    return hatch_svg_write(&made, &drawing->job->args.scratch, file, err);
+}
+
+void vectors_write(struct job *job)
+{
+    const struct options *options = job->options;
+    struct hatch_arena *keep = &job->args.keep;
+    const struct hatch_line_style style = {options->line_kinds, options->line_px, options->crease_deg * HATCH_RADIANS};
+    struct drawing drawing = {.job = job, .arena = keep};
+    struct hatch_err err;
+    struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
+    cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    cmd_check(hatch_lines_make(&job->scene.unit, &style, keep, &job->args.scratch, &drawing.lines, &err), NULL, &err);
+    for (uint32_t frame = 0; frame < options->frames; frame++) {
+        struct hatch_view view;
+        cmd_progress("drawing", (double)frame / options->frames);
+        job_set_frame(job, frame, &view);
+        struct hatch_arena_mark mark = hatch_arena_mark(keep);
+        struct hatch_buffer bytes = {.arena = keep};
+        cmd_check(draw(&drawing, &view, &bytes, &err), NULL, &err);
+        files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
+        if (cmd_write_ahead(&files[frame])) {
+            files[frame] = (struct cmd_file){.output = job->outputs[frame]};
+            hatch_arena_rewind(keep, mark);
+        }
+    }
+    cmd_write_all(files, options->frames);
+}

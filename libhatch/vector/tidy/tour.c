@@ -1,0 +1,111 @@
+#include "vector/tidy/tour.h"
+
+#include <string.h>
+
+#define WINDOW 100u     /* stops that are looked at after each */
+#define PASSES_MOST 20u /* over all stops */
+#define MOVED_MOST 3u   /* length of parts that are moved */
+#define GAIN_LEAST 1e-9 /* less counts as rounding */
+
+/* A tour, with the point that the pen comes from before its first stop. */
+struct work {
+    const struct hatch_tour *tour;
+    const struct hatch_vector_paths *paths;
+    const double *from;
+};
+
+/* Returns where the pen leaves before stop i. */
+static const double *before(const struct work *w, uint32_t i)
+{
+    return i ? w->tour->stops[i - 1].ends[1] : w->from;
+}
+
+/* Returns the way from a point to the begin of stop i; there is none after the last stop. */
+static double way_to(const struct work *w, const double at[2], uint32_t i)
+{
+    return i < w->tour->count ? hatch_vector_distance(at, w->tour->stops[i].ends[0]) : 0;
+}
+
+static void reverse_stop(const struct work *w, struct hatch_tour_stop *stop)
+{
+    const struct hatch_vector_path *path = &w->paths->paths[stop->path];
+    double begin[2];
+    if (path->closed)
+        return;
+    memcpy(begin, stop->ends[0], sizeof begin);
+    memcpy(stop->ends[0], stop->ends[1], sizeof begin);
+    memcpy(stop->ends[1], begin, sizeof begin);
+    stop->entry = path->count - 1 - stop->entry;
+}
+
+/* Reverses stops i to k. */
+static void reverse(const struct work *w, uint32_t i, uint32_t k)
+{
+    struct hatch_tour_stop *stops = w->tour->stops;
+    for (uint32_t a = i, b = k; a < b; a++, b--) {
+        const struct hatch_tour_stop stop = stops[a];
+        stops[a] = stops[b];
+        stops[b] = stop;
+    }
+    for (uint32_t a = i; a <= k; a++)
+        reverse_stop(w, &stops[a]);
+}
+
+/* Reverses a part that begins at stop i, if that shortens the way. */
+static bool try_reversals(const struct work *w, uint32_t i)
+{
+    const struct hatch_tour_stop *stops = w->tour->stops;
+    uint32_t last = w->tour->count - 1 - i < WINDOW ? w->tour->count - 1 : i + WINDOW;
+    const double *at = before(w, i);
+    for (uint32_t k = i; k <= last; k++) {
+        double old = way_to(w, at, i) + way_to(w, stops[k].ends[1], k + 1);
+        double new = hatch_vector_distance(at, stops[k].ends[1]) + way_to(w, stops[i].ends[0], k + 1);
+        if (new < old - GAIN_LEAST) {
+            reverse(w, i, k);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Exchanges stops i .. m - 1 with stops m .. k - 1, by reversing each part and then both. */
+static void exchange(const struct work *w, uint32_t i, uint32_t m, uint32_t k)
+{
+    reverse(w, i, m - 1);
+    reverse(w, m, k - 1);
+    reverse(w, i, k - 1);
+}
+
+/* Moves a short part that begins at stop i further back, or stops of its neighbourhood before it, if that shortens the
+ * way. */
+static bool try_moves(const struct work *w, uint32_t i)
+{
+    const struct hatch_tour_stop *stops = w->tour->stops;
+    uint32_t end = w->tour->count - i < WINDOW ? w->tour->count : i + WINDOW;
+    const double *at = before(w, i);
+    for (uint32_t k = i + 2; k <= end; k++)
+        for (uint32_t size = 1; size <= MOVED_MOST && size < k - i; size++)
+            for (int front = 0; front < 2; front++) {
+                uint32_t m = front ? i + size : k - size;
+                double old = way_to(w, at, i) + way_to(w, stops[m - 1].ends[1], m) + way_to(w, stops[k - 1].ends[1], k);
+                double new = way_to(w, at, m) + way_to(w, stops[k - 1].ends[1], i) + way_to(w, stops[m - 1].ends[1], k);
+                if (new < old - GAIN_LEAST) {
+                    exchange(w, i, m, k);
+                    return true;
+                }
+            }
+    return false;
+}
+
+void hatch_tour_improve(const struct hatch_tour *tour, const double from[2], const struct hatch_vector_paths *paths)
+{
+    const struct work work = {tour, paths, from};
+    bool better = true;
+    for (uint32_t pass = 0; pass < PASSES_MOST && better; pass++) {
+        better = false;
+        for (uint32_t i = 0; i < tour->count; i++) {
+            better = try_reversals(&work, i) || better;
+            better = try_moves(&work, i) || better;
+        }
+    }
+}

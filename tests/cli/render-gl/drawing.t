@@ -1,0 +1,97 @@
+# Drawings of render-gl: the paths of scenes with a closed form, pages, layers, films and refusals.
+. "${TOP:-.}/tests/tap.sh"
+
+# measure FILE: prints "LAYER PATHS MM" for each layer, with the length of its paths in hundredths of a millimetre
+cat >measure.pl <<'END'
+my ($layer, %paths, %mm);
+while (<>) {
+    $layer = $1, $paths{$1} = $mm{$1} = 0 if /<g id="([a-z]+)" inkscape:groupmode="layer" inkscape:label="\1"/;
+    next if !/ d="M([^"Z]*)(Z?)"/;
+    my @at = split /[ L]/, $1;
+    push @at, @at[0, 1] if $2;
+    $paths{$layer}++;
+    $mm{$layer} += sqrt(($at[$_] - $at[$_ - 2])**2 + ($at[$_ + 1] - $at[$_ - 1])**2) for map { 2 * $_ } 1 .. @at / 2 - 1;
+}
+print join(' ', map { sprintf '%s %d %.2f', $_, $paths{$_}, $mm{$_} } sort keys %mm), "\n";
+END
+measure() {
+    perl measure.pl "$@"
+}
+
+# From (0, 0, 10), with half a field of view of 0.2 in each direction, a point is at 200 + 1000 x / (10 - z) of 400
+# pixels; a pixel is 25.4 / 96 mm. The front square's half side is 500 / 9 pixels. The one behind it reaches from 0 to
+# 120 and from -20 to 20: it loses its left side, and 500 / 9 pixels of its upper and lower side.
+cat >squares.obj <<'END'
+v -0.5 -0.5 1
+v 0.5 -0.5 1
+v 0.5 0.5 1
+v -0.5 0.5 1
+v 0 -0.2 0
+v 1.2 -0.2 0
+v 1.2 0.2 0
+v 0 0.2 0
+f 1 2 3 4
+f 5 6 7 8
+END
+draw="render-gl -q squares.obj --camera 0,0,10:0,0,0 --fov 22.61986494804043 --size 400x400"
+$draw -o squares.svg
+is "a square hides a part of another one" "$(measure squares.svg)" \
+    "outlines 2 $(awk 'BEGIN {printf "%.2f", (8 * 500 / 9 + 40 + 2 * (120 - 500 / 9)) * 25.4 / 96}')"
+is "the page is as large as the picture" "$(grep -o 'width="[^"]*mm" height="[^"]*" viewBox="[^"]*"' squares.svg)" \
+    'width="105.833mm" height="105.833mm" viewBox="0 0 105.833 105.833"'
+is "the pen is as wide as the lines of the picture" "$(grep -o 'stroke-width="[^"]*"' squares.svg)" 'stroke-width="0.529"'
+
+# The hidden path is 40 + 2 * 500 / 9 = 151.1 pixels long; dashes of 6 pens have gaps of about 4 between them.
+$draw --hidden dash -o dashed.svg
+is "hidden parts are dashed in a layer of their own" "$(measure dashed.svg | sed 's/ [0-9]* .*outlines/ N MM outlines/')" \
+    "hidden N MM $(measure squares.svg)"
+is "a dash is six pens long" \
+    "$(measure dashed.svg | awk '{print $2, ($3 / $2 > 3.17 && $3 / $2 < 3.18)}')" "7 1"
+
+# The sphere's outline is the circle of its tangents. From distance 6 with radius 1 it appears under the angle whose
+# sine is 1 / 6: its radius is 1000 / sqrt(6 ^ 2 - 1) pixels where a distance of 1 at depth 1 is 1000 pixels.
+meshgen sphere --faces 20000 -o sphere.glb
+render-gl sphere.glb --camera 0,0,6:0,0,0 --fov 22.61986494804043 --size 400x400 -o sphere.svg
+is "the outline of a sphere is one circle" "$(measure sphere.svg | awk '{
+    want = 2 * 3.14159265 * 1000 / sqrt(35) * 25.4 / 96
+    print $2, ($3 > 0.998 * want && $3 < 1.002 * want)}')" "1 1"
+
+size() {
+    grep -o 'viewBox="[^"]*"' a.svg
+}
+render-gl -q squares.obj --size 400x300 --page a4 --pen 0.3mm -o a.svg
+is "a named page lies as the picture does" "$(size)" 'viewBox="0 0 297 210"'
+is "--pen is the width of the strokes" "$(grep -o 'stroke-width="[^"]*"' a.svg)" 'stroke-width="0.3"'
+render-gl -q squares.obj --size 300x400 --page letter -o a.svg
+is "a high picture is on an upright page" "$(size)" 'viewBox="0 0 215.9 279.4"'
+render-gl -q squares.obj --size 300x400 --page 10000x1mm --margin 0 -o a.svg
+is "a page may be ten metres long" "$(size)" 'viewBox="0 0 10000 1"'
+refuses() { # refuses NAME WORDS ARGUMENTS ...
+    name=$1 words=$2
+    shift 2
+    try render-gl -q squares.obj "$@"
+    is "$name" "$status $(grep -cF -e "$words" .err)" "2 1"
+}
+refuses "a page of no size" "--page 0x10: want" --page 0x10 -o a.svg
+refuses "a page that is too large" "from 1x1 to 10000x10000" --page 10001x10 -o a.svg
+refuses "an unknown page" "want a0 to a6" --page a9 -o a.svg
+refuses "margins that leave nothing" "--margin 105mm leaves nothing of a page of 297 by 210 mm" \
+    --page a4 --margin 105mm -o a.svg
+refuses "a margin that is no length" "--margin 5cm: want a length" --page a4 --margin 5cm -o a.svg
+refuses "a margin without a page" "--margin needs --page" --margin 5 -o a.svg
+refuses "a pen without width" "--pen 0: want a length from 0.01 to 100 mm" --pen 0 -o a.svg
+refuses "a page for a picture" "--page needs --output *.svg: it shapes a drawing" -t gouraud --page a4 -o a.png
+refuses "shadows in a drawing" "--shadows cannot be combined with --output *.svg: a drawing has lines alone" \
+    --shadows 0.1 -o a.svg
+
+render-gl -q squares.obj --turntable -n 3 --size 200x200 -o f%d.svg
+is "a film has a drawing per frame" "$(grep -c 'id="outlines-1"' f0.svg f1.svg f2.svg | tr '\n' ' ')" \
+    "f0.svg:1 f1.svg:1 f2.svg:1 "
+render-gl -q squares.obj -j 1 --size 200x200 -o one.SVG
+render-gl -q squares.obj -j 2 --size 200x200 -o two.svg
+ok "the drawing does not depend on threads" cmp one.SVG two.svg
+render-gl -q squares.obj --lines none -o none.svg
+is "a drawing may be empty" "$(measure none.svg)" "outlines 0 0.00"
+ok "a drawing needs no OpenGL" env __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null render-gl -q squares.obj -o a.svg
+
+finish
