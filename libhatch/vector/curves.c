@@ -5,6 +5,8 @@
 #include "vector/runs.h"
 #include "vector/sight.h"
 
+#define ROUNDING 1e-9 /* slack of all segments, relative to the depth: a surface does not hide a line on it */
+
 struct work {
     const struct hatch_occluders *occluders;
     const struct hatch_vector_curves *curves;
@@ -84,6 +86,15 @@ static void shorten(struct hatch_sight_line *line, double begin, double end)
     }
 }
 
+/* Adds slack to the limits of a line, which are the nearness of its ends so far. */
+static void give_slack(const struct hatch_occluders *occluders, double slack, struct hatch_sight_line *line)
+{
+    for (int i = 0; i < 2; i++) {
+        double depth = occluders->view.orthographic ? -line->limit[i] : 1 / line->limit[i];
+        line->limit[i] = hatch_occluders_nearness(occluders, depth - fmax(slack, 0) - ROUNDING * (1 + fabs(depth)));
+    }
+}
+
 /* Adds the pieces of a curve's segment from a point to the next one. */
 static enum hatch_status add_segment(struct work *w, const struct hatch_vector_curve *curve, uint32_t point,
                                      struct hatch_err *err)
@@ -105,7 +116,7 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
         double size = occluders->view.orthographic ? 1 : ends[i][2];
         for (int k = 0; k < 2; k++)
             line.at[i][k] = ends[i][k] / size;
-        line.limit[i] = hatch_occluders_nearness(occluders, ends[i][2] - fmax(slack, 0));
+        line.limit[i] = hatch_occluders_nearness(occluders, ends[i][2]);
         if (curves->widths_px)
             wanted_px[i] =
                 (1 - shares[i]) * (double)curves->widths_px[point] + shares[i] * (double)curves->widths_px[point + 1];
@@ -115,6 +126,7 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
         hatch_vector_runs_skip(&w->runs);
     if (drawn) {
         shorten(&line, begin, end);
+        give_slack(occluders, slack, &line);
         HATCH_TRY(slack < 0 ? hatch_vector_runs_add(&w->runs, line.at[0], line.at[1], 0, 1, false, err)
                             : add_line(w, &line, err));
     }
@@ -132,7 +144,7 @@ static enum hatch_status see_curve(struct work *w, const struct hatch_vector_cur
     hatch_vector_runs_clear(runs);
     for (uint32_t i = 0; i + 1 < curve->count; i++)
         HATCH_TRY(add_segment(w, curve, curve->first + i, err));
-    HATCH_TRY(hatch_vector_runs_clean(runs, care->gap_px, care->speck_px, err));
+    HATCH_TRY(hatch_vector_runs_clean(runs, care->gap_px, care->speck_px, curve->closed, err));
     HATCH_TRY(hatch_vector_runs_deliver(runs, &like, curve->closed, true, visible, err));
     return hidden->paths.arena ? hatch_vector_runs_deliver(runs, &like, curve->closed, false, hidden, err) : HATCH_OK;
 }

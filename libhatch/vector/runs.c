@@ -71,32 +71,40 @@ static enum hatch_status make_runs(struct hatch_vector_runs *runs, struct hatch_
     return HATCH_OK;
 }
 
-/* Inverts runs that are shorter than a length and lie between two of the other kind, and unites them with these. */
-static void invert(struct hatch_vector_runs *runs, bool kept, double shortest)
+/* Unites a run with the one before it if both are of one kind. Returns the new number of runs. */
+static uint32_t keep_run(struct hatch_vector_runs *runs, uint32_t count, const struct run *run)
 {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < runs->run_count; i++) {
+    struct run *before = count ? run_at(runs, count - 1) : NULL;
+    if (before && !run->apart && before->kept == run->kept) {
+        before->count += run->count;
+        before->length += run->length;
+        return count;
+    }
+    *run_at(runs, count) = *run;
+    return count + 1;
+}
+
+/* Inverts runs that are shorter than a length and lie between two of the other kind.
+ *   free_end  whether it is enough that one is on one side, and the line ends on the other */
+static void invert(struct hatch_vector_runs *runs, bool kept, double shortest, bool free_end)
+{
+    uint32_t count = 0, all = runs->run_count;
+    for (uint32_t i = 0; i < all; i++) {
         struct run run = *run_at(runs, i);
-        const struct run *next = i + 1 < runs->run_count ? run_at(runs, i + 1) : NULL;
-        struct run *before = count ? run_at(runs, count - 1) : NULL;
-        if (run.kept == kept && run.length < shortest && before && !run.apart && next && !next->apart)
+        bool before = count && !run.apart, after = i + 1 < all && !run_at(runs, i + 1)->apart;
+        if (run.kept == kept && run.length < shortest && (free_end ? before || after : before && after))
             run.kept = !kept;
-        if (before && !run.apart && before->kept == run.kept) {
-            before->count += run.count;
-            before->length += run.length;
-        } else {
-            *run_at(runs, count++) = run;
-        }
+        count = keep_run(runs, count, &run);
     }
     runs->run_count = count;
 }
 
-enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck,
+enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck, bool closed,
                                           struct hatch_err *err)
 {
     HATCH_TRY(make_runs(runs, err));
-    invert(runs, false, gap);
-    invert(runs, true, speck);
+    invert(runs, false, gap, false);
+    invert(runs, true, speck, !closed);
     return HATCH_OK;
 }
 

@@ -27,8 +27,10 @@ enum hatch_status hatch_vector_runs_add(struct hatch_vector_runs *runs, const do
                                         double begin, double end, bool kept, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Joins successive pieces that are kept, or are not, into runs. Then keeps runs shorter than `gap` between two that are
- * kept, and after that drops kept ones shorter than `speck` between two that are not. */
-enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck,
+ * kept, and after that drops kept ones shorter than `speck` between two that are not, or between one and the end of the
+ * line.
+ *   closed  the line ends where it begins, and so has no ends */
+enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck, bool closed,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
 /* Appends the runs that are kept, or those that are not, as paths.

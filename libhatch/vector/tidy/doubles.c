@@ -32,6 +32,8 @@ struct work {
     struct hatch_vector_runs runs;
     struct hatch_buffer covered; /* parts of a segment: 2 doubles each */
     uint32_t covered_count;
+    struct hatch_buffer looked; /* per point that remains: the last search that looked at its segment */
+    uint32_t search;
     struct hatch_vector_builder built;
 };
 
@@ -125,8 +127,10 @@ static int compare_parts(const void *a, const void *b)
 static enum hatch_status find_covered(struct work *w, const double a[2], const double b[2], struct hatch_err *err)
 {
     uint32_t parts = parts_of(w, a, b);
+    uint32_t *looked = (void *)w->looked.data;
     w->covered.size = 0;
     w->covered_count = 0;
+    w->search++;
     for (uint32_t i = 0; i < parts; i++) {
         double from[2], to[2], part[2];
         part_at(a, b, i, parts, from, to);
@@ -137,6 +141,9 @@ static enum hatch_status find_covered(struct work *w, const double a[2], const d
                     const struct entry *entry = (const struct entry *)(const void *)w->entries.data + at;
                     const double *c = (const double *)(const void *)w->built.points.data + 2 * (size_t)entry->point;
                     at = entry->next;
+                    if (looked[entry->point] == w->search)
+                        continue;
+                    looked[entry->point] = w->search;
                     if (!runs_along(w, a, b, c, c + 2, part))
                         continue;
                     HATCH_TRY(hatch_buffer_add(&w->covered, part, sizeof part, err));
@@ -169,8 +176,10 @@ static enum hatch_status add_path(struct work *w, const struct hatch_vector_path
     for (uint32_t i = 0; i < hatch_vector_segments(path); i++)
         HATCH_TRY(
             add_segment(w, hatch_vector_point(w->paths, path, i), hatch_vector_point(w->paths, path, i + 1), err));
-    HATCH_TRY(hatch_vector_runs_clean(&w->runs, SHORT_REACHES * w->reach, SHORT_REACHES * w->reach, err));
+    HATCH_TRY(hatch_vector_runs_clean(&w->runs, SHORT_REACHES * w->reach, SHORT_REACHES * w->reach, path->closed, err));
     HATCH_TRY(hatch_vector_runs_deliver(&w->runs, path, path->closed, true, &w->built, err));
+    size_t looked_bytes = w->built.points.size / (2 * sizeof(double)) * sizeof(uint32_t);
+    HATCH_TRY(hatch_buffer_add(&w->looked, NULL, looked_bytes - w->looked.size, err));
     const struct hatch_vector_paths made = hatch_vector_built(&w->built);
     for (uint32_t i = before; i < made.count; i++)
         for (uint32_t k = 0; k + 1 < made.paths[i].count; k++)
@@ -207,6 +216,7 @@ enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *pat
                         .reach = reach,
                         .entries = {.arena = scratch},
                         .covered = {.arena = scratch},
+                        .looked = {.arena = scratch},
                         .runs = hatch_vector_runs_of(scratch),
                         .built = hatch_vector_builder_of(arena)};
     enum hatch_status status = drop(&work, scratch, err);

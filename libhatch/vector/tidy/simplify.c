@@ -77,24 +77,22 @@ static void choose(const struct work *w, const struct hatch_vector_path *path)
     keep_points(w, path, (struct range){farthest, path->count});
 }
 
-enum hatch_status hatch_vector_simplify(struct hatch_vector_paths *paths, double tolerance, double shortest,
-                                        struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status simplify(struct work *w, struct hatch_vector_paths *paths, double shortest,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct work work = {.paths = paths, .tolerance = tolerance};
     uint32_t most = 0, kept = 0, points = 0;
     for (uint32_t i = 0; i < paths->count; i++)
         most = paths->paths[i].count > most ? paths->paths[i].count : most;
-    HATCH_TRY(HATCH_ALLOC(scratch, &work.kept, (size_t)most + 1, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &work.stack, (size_t)most + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->kept, (size_t)most + 1, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->stack, (size_t)most + 1, err));
     for (uint32_t i = 0; i < paths->count; i++) {
         struct hatch_vector_path path = paths->paths[i];
         if (hatch_vector_length(paths, &path) < shortest)
             continue;
-        choose(&work, &path);
+        choose(w, &path);
         uint32_t first = points;
         for (uint32_t k = 0; k < path.count; k++)
-            if (work.kept[k])
+            if (w->kept[k])
                 memmove(&paths->points[2 * (size_t)points++], hatch_vector_point(paths, &path, k), 2 * sizeof(double));
         path.first = first;
         path.count = points - first;
@@ -102,6 +100,15 @@ enum hatch_status hatch_vector_simplify(struct hatch_vector_paths *paths, double
         paths->paths[kept++] = path;
     }
     paths->count = kept;
-    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
+}
+
+enum hatch_status hatch_vector_simplify(struct hatch_vector_paths *paths, double tolerance, double shortest,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work work = {.paths = paths, .tolerance = tolerance};
+    enum hatch_status status = simplify(&work, paths, shortest, scratch, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }
