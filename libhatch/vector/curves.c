@@ -144,7 +144,9 @@ static enum hatch_status see_curve(struct work *w, const struct hatch_vector_cur
     hatch_vector_runs_clear(runs);
     for (uint32_t i = 0; i + 1 < curve->count; i++)
         HATCH_TRY(add_segment(w, curve, curve->first + i, err));
-    HATCH_TRY(hatch_vector_runs_clean(runs, care->gap_px, care->speck_px, curve->closed, err));
+    HATCH_TRY(hatch_vector_runs_make(runs, err));
+    hatch_vector_runs_fill(runs, care->gap_px);
+    hatch_vector_runs_drop(runs, care->speck_px, curve->closed);
     HATCH_TRY(hatch_vector_runs_deliver(runs, &like, curve->closed, true, visible, err));
     return hidden->paths.arena ? hatch_vector_runs_deliver(runs, &like, curve->closed, false, hidden, err) : HATCH_OK;
 }

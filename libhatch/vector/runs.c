@@ -55,7 +55,7 @@ static const struct piece *piece_at(const struct hatch_vector_runs *runs, uint32
     return (const struct piece *)(const void *)runs->pieces.data + i;
 }
 
-static enum hatch_status make_runs(struct hatch_vector_runs *runs, struct hatch_err *err)
+enum hatch_status hatch_vector_runs_make(struct hatch_vector_runs *runs, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < runs->piece_count; i++) {
         const struct piece *piece = piece_at(runs, i);
@@ -99,13 +99,14 @@ static void invert(struct hatch_vector_runs *runs, bool kept, double shortest, b
     runs->run_count = count;
 }
 
-enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck, bool closed,
-                                          struct hatch_err *err)
+void hatch_vector_runs_fill(struct hatch_vector_runs *runs, double gap)
 {
-    HATCH_TRY(make_runs(runs, err));
     invert(runs, false, gap, false);
+}
+
+void hatch_vector_runs_drop(struct hatch_vector_runs *runs, double speck, bool closed)
+{
     invert(runs, true, speck, !closed);
-    return HATCH_OK;
 }
 
 static enum hatch_status add_points(const struct hatch_vector_runs *runs, const struct run *run,

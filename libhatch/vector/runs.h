@@ -26,12 +26,15 @@ void hatch_vector_runs_skip(struct hatch_vector_runs *runs);
 enum hatch_status hatch_vector_runs_add(struct hatch_vector_runs *runs, const double a[2], const double b[2],
                                         double begin, double end, bool kept, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Joins successive pieces that are kept, or are not, into runs. Then keeps runs shorter than `gap` between two that are
- * kept, and after that drops kept ones shorter than `speck` between two that are not, or between one and the end of the
- * line.
- *   closed  the line ends where it begins, and so has no ends */
-enum hatch_status hatch_vector_runs_clean(struct hatch_vector_runs *runs, double gap, double speck, bool closed,
-                                          struct hatch_err *err) HATCH_MUST_USE;
+/* Joins successive pieces that are kept, or are not, into runs. */
+enum hatch_status hatch_vector_runs_make(struct hatch_vector_runs *runs, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Keeps runs that are shorter than `gap` and lie between two that are kept. */
+void hatch_vector_runs_fill(struct hatch_vector_runs *runs, double gap);
+
+/* Drops kept runs that are shorter than `speck` and lie between two that are not kept, or between one and the end of
+ * the line. closed  the line ends where it begins, and so has no ends */
+void hatch_vector_runs_drop(struct hatch_vector_runs *runs, double speck, bool closed);
 
 /* Appends the runs that are kept, or those that are not, as paths.
  *   like    layer and id of the paths

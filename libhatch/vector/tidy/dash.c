@@ -27,7 +27,7 @@ static enum hatch_status add_path(struct hatch_vector_runs *runs, const struct h
             done = last ? length : done + step;
         }
     }
-    return hatch_vector_runs_clean(runs, 0, 0, path->closed, err);
+    return hatch_vector_runs_make(runs, err);
 }
 
 enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, double dash, double gap,

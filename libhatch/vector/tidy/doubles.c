@@ -6,8 +6,10 @@
 #include "vector/runs.h"
 #include "vector/tidy/tidy.h"
 
-#define SINE_MOST 0.35    /* of the angle between lines that count as doubles: 20 degrees */
-#define SHORT_REACHES 4.0 /* parts shorter than this many reaches are not cut out, and do not remain between cuts */
+#define SINE_MOST 0.35 /* of the angle between lines that count as doubles: 20 degrees */
+#define SPECK_REACHES                                                                                                  \
+    4.0                 /* what remains between two parts that are cut out, or beside one, is this many reaches long */
+#define GAP_REACHES 3.0 /* parts that are cut out between two that remain are this many reaches long */
 #define NONE UINT32_MAX
 
 /* A segment of a path that remains, in a cell that it passes. */
@@ -176,7 +178,9 @@ static enum hatch_status add_path(struct work *w, const struct hatch_vector_path
     for (uint32_t i = 0; i < hatch_vector_segments(path); i++)
         HATCH_TRY(
             add_segment(w, hatch_vector_point(w->paths, path, i), hatch_vector_point(w->paths, path, i + 1), err));
-    HATCH_TRY(hatch_vector_runs_clean(&w->runs, SHORT_REACHES * w->reach, SHORT_REACHES * w->reach, path->closed, err));
+    HATCH_TRY(hatch_vector_runs_make(&w->runs, err));
+    hatch_vector_runs_drop(&w->runs, SPECK_REACHES * w->reach, path->closed);
+    hatch_vector_runs_fill(&w->runs, GAP_REACHES * w->reach);
     HATCH_TRY(hatch_vector_runs_deliver(&w->runs, path, path->closed, true, &w->built, err));
     size_t looked_bytes = w->built.points.size / (2 * sizeof(double)) * sizeof(uint32_t);
     HATCH_TRY(hatch_buffer_add(&w->looked, NULL, looked_bytes - w->looked.size, err));
