@@ -53,18 +53,24 @@ static struct drawing drawing_of(const struct frame *frame, const struct frame_s
                             .variant = variant_of(frame, shading, index)};
 }
 
+void frame_light_defines(const struct frame *frame, bool pixel_light, char text[FRAME_LIGHT_DEFINES_BYTES])
+{
+    const struct frame_style *style = &frame->style;
+    snprintf(text, FRAME_LIGHT_DEFINES_BYTES, "%s%s%s%s%s",
+             pixel_light && (style->pixel_light || style->shadows) ? "#define PIXEL_LIGHT 1\n" : "",
+             style->shadows ? "#define SHADOWS 1\n" : "",
+             hatch_lights_are_key_alone(frame->scene->unit.scene, &style->light) ? "#define SUN 1\n" : "",
+             style->curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "", style->inks.two ? "#define TWO_INKS 1\n" : "");
+}
+
 static enum hatch_status compile(struct frame *frame, const struct frame_shading *shading, const char *defines,
                                  uint32_t variant, const struct gpu_program **program, struct hatch_err *err)
 {
-    const struct frame_style *style = &frame->style;
-    bool pixel_light = shading->pixel_light && (style->pixel_light || style->shadows);
-    char all[512];
+    char light[FRAME_LIGHT_DEFINES_BYTES], all[512];
     if (*program)
         return HATCH_OK;
-    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s%s%s%s%s", shading->defines ? shading->defines : "", defines,
-             pixel_light ? "#define PIXEL_LIGHT 1\n" : "", style->shadows ? "#define SHADOWS 1\n" : "",
-             hatch_lights_are_key_alone(frame->scene->unit.scene, &style->light) ? "#define SUN 1\n" : "",
-             style->curve.specular > 0 ? "#define HIGHLIGHTS 1\n" : "", style->inks.two ? "#define TWO_INKS 1\n" : "",
+    frame_light_defines(frame, shading->pixel_light, light);
+    snprintf(all, sizeof all, "%s%s%s%s%s%s%s%s%s", shading->defines ? shading->defines : "", defines, light,
              variant & FRAME_PIECES ? "#define PIECES 1\n" : "",
              variant & (FRAME_TONE | FRAME_HOLES | FRAME_OUTLINE) ? "#define BASE_TEXTURE 1\n" : "",
              variant & FRAME_NORMALS ? "#define NORMAL_MAP 1\n" : "",

@@ -6,6 +6,7 @@
 #include "render-gl/frame/frame.h"
 
 #define FRAME_PASSES_MAX 4u
+#define FRAME_LIGHT_DEFINES_BYTES 128u
 #define FRAME_VARIANTS 32u /* number of combinations of enum frame_variant */
 
 /* How a shading draws the patches of lapped meshes. */
@@ -50,6 +51,10 @@ struct frame_shader {
     const struct gpu_program *programs[FRAME_VARIANTS]; /* index: bits of enum frame_variant; NULL: not compiled */
     const struct gpu_program *below[2]; /* for the surface below patches: [0] faces, [1] pieces; NULL: not compiled */
 };
+
+/* Writes the #define lines that shaders need for the light and the inks of a frame.
+ *   pixel_light  the shaders support PIXEL_LIGHT */
+void frame_light_defines(const struct frame *frame, bool pixel_light, char text[FRAME_LIGHT_DEFINES_BYTES]);
 
 /* Compiles the programs that the scene's items need, except those for pieces. Programs that are compiled already are
  * kept.

@@ -22,6 +22,12 @@
 #define UNIT_HALO_CELLS 15
 #define UNIT_HALO_BLOCKS 16
 
+/* Storage buffers of compute stages */
+#define STORAGE_VERTICES 0 /* struct scene_vertex, as single floats */
+#define STORAGE_PLACED 1
+#define STORAGE_POINTS 2
+#define STORAGE_RIBBON 3
+
 /* Images that compute stages write */
 #define IMAGE_OUTPUT 0
 
@@ -33,6 +39,9 @@
 #define UNIFORM_BASE 5
 #define UNIFORM_NORMAL_STRENGTH 6
 #define UNIFORM_LAYER 8
+#define UNIFORM_COUNT 9
+#define UNIFORM_LIFT 10
+#define UNIFORM_INK 11
 #define UNIFORM_CLIP_FROM_CAMERA 20
 #define UNIFORM_PIECES 21
 

@@ -29,6 +29,11 @@ void gpu_block_update(GLuint *buffer, GLuint binding, const void *block, size_t 
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, *buffer);
 }
 
+void gpu_storage_bind(GLuint binding, GLuint buffer)
+{
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer);
+}
+
 void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes)
 {
     glGetNamedBufferSubData(buffer, 0, (GLsizeiptr)size_bytes, data);

@@ -21,6 +21,10 @@ void gpu_buffer_update(GLuint buffer, const void *data, size_t size_bytes);
  *   block    size_bytes bytes in std140 layout; the size must be the same in all calls */
 void gpu_block_update(GLuint *buffer, GLuint binding, const void *block, size_t size_bytes);
 
+/* Binds a buffer that compute stages read or write.
+ *   binding  STORAGE_... of gpu/bindings.h */
+void gpu_storage_bind(GLuint binding, GLuint buffer);
+
 /* Reads back the first size_bytes of a buffer. Waits for the GPU. */
 void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes);
 

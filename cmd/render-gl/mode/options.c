@@ -161,6 +161,11 @@ static bool draws_strokes(const struct technique *drawn)
     return drawn->features & TECHNIQUE_STROKES;
 }
 
+static bool has_lines(const struct technique *drawn)
+{
+    return drawn->features & (TECHNIQUE_STROKES | TECHNIQUE_LINES);
+}
+
 static bool reads_asset(const struct technique *drawn)
 {
     return drawn->asset != NULL;
@@ -261,7 +266,7 @@ static void make_rules(void)
     make_condition(draws_strokes, "|window", strokes, sizeof strokes);
     make_condition(reads_asset, "|window", assets, sizeof assets);
     make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
-    make_condition(draws_strokes, "|lines|window", lined, sizeof lined);
+    make_condition(has_lines, "|lines|window", lined, sizeof lined);
 }
 
 /* Joins the rows of the command and of all techniques into one table. */
@@ -329,7 +334,7 @@ static double read_uv_scale(void)
 
 bool options_draw_lines(const struct options *options, const struct technique *drawn)
 {
-    return options->line_kinds != HATCH_LINES_NONE && (drawn->features & TECHNIQUE_STROKES || options->lines_given);
+    return options->line_kinds != HATCH_LINES_NONE && (has_lines(drawn) || options->lines_given);
 }
 
 static bool has_option(const struct technique *owner, const struct cmd_option *option)

@@ -16,7 +16,8 @@
     X(rptam)                                                                                                           \
     X(volume)                                                                                                          \
     X(threshold)                                                                                                       \
-    X(threshold_soft)
+    X(threshold_soft)                                                                                                  \
+    X(traced)
 
 /* Declares a variable technique_NAME for each NAME of the list. It is defined in technique/NAME.c. */
 #define TECHNIQUE_DECLARE(name) extern const struct technique technique_##name;

@@ -12,12 +12,13 @@
 
 /* Features of a technique; bits. */
 enum technique_feature {
-    TECHNIQUE_STROKES = 1,     /* draws strokes along texture coordinates; feature lines are drawn by default */
-    TECHNIQUE_PIXEL_LIGHT = 2, /* can compute light per pixel */
-    TECHNIQUE_PIECES = 4,      /* can draw faces near the eye as pieces (near/near.h): precise at any zoom */
-    TECHNIQUE_NO_COLOR = 8,    /* writes numbers instead of colours: no haloes are drawn over them */
-    TECHNIQUE_REFERENCE = 16,  /* draws the tone without strokes: --time compares with it */
-    TECHNIQUE_ALL_COLUMNS = 32 /* blends all columns of a map, coloured ones too */
+    TECHNIQUE_STROKES = 1,      /* draws strokes along texture coordinates; feature lines are drawn by default */
+    TECHNIQUE_PIXEL_LIGHT = 2,  /* can compute light per pixel */
+    TECHNIQUE_PIECES = 4,       /* can draw faces near the eye as pieces (near/near.h): precise at any zoom */
+    TECHNIQUE_NO_COLOR = 8,     /* writes numbers instead of colours: no haloes are drawn over them */
+    TECHNIQUE_REFERENCE = 16,   /* draws the tone without strokes: --time compares with it */
+    TECHNIQUE_ALL_COLUMNS = 32, /* blends all columns of a map, coloured ones too */
+    TECHNIQUE_LINES = 64        /* feature lines are drawn by default, though its strokes need no texture coordinates */
 };
 
 /* An option that --animate and the window's keys can change. */

@@ -68,7 +68,7 @@ static void move_hatch(struct window *window, unsigned character)
 bool window_draws_lines(const struct window *window)
 {
     bool asked = window->lines_on || window->job->options->lines_given;
-    bool strokes = window->instance->technique->features & TECHNIQUE_STROKES;
+    bool strokes = window->instance->technique->features & (TECHNIQUE_STROKES | TECHNIQUE_LINES);
     return window->job->has_lines && !window->lines_off && (strokes || asked);
 }
 

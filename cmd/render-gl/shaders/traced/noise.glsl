@@ -1,0 +1,26 @@
+// Smooth noise along strokes, from -1 to 1.
+float hash_unit(uint x)
+{
+    x ^= x >> 16;
+    x *= 0x7feb352du;
+    x ^= x >> 15;
+    x *= 0x846ca68bu;
+    x ^= x >> 16;
+    return float(x >> 8) * (2.0 / 16777216.0) - 1.0;
+}
+
+float wave_noise(uint stroke, float at)
+{
+    float cell = floor(at), from = at - cell;
+    uint number = stroke + uint(int(cell)) * 0x9e3779b9u;
+    return mix(hash_unit(number), hash_unit(number + 0x9e3779b9u), from * from * (3.0 - 2.0 * from));
+}
+
+// Returns noise whose waves keep about the same length in pixels at any scale: it fades from one octave to the next.
+// octave: binary logarithm of waves per mesh unit
+float stroke_noise(uint stroke, float at, float octave)
+{
+    float low = floor(octave);
+    return mix(wave_noise(stroke + uint(int(low)), at * exp2(low)),
+               wave_noise(stroke + uint(int(low) + 1), at * exp2(low + 1.0)), octave - low);
+}

@@ -1,0 +1,127 @@
+// Computes the place, the width and the ink of each point of the strokes on an item.
+#include "frame/light.glsl"
+#include "traced/style.glsl"
+#include "traced/width.glsl"
+#include "traced/noise.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = STORAGE_VERTICES) readonly buffer Vertices { float vertices[]; }; // 10 each
+struct Placed {
+    vec4 clip;
+    vec4 amounts;
+};
+layout(std430, binding = STORAGE_PLACED) readonly buffer PlacedVertices { Placed placed[]; };
+struct Point { // struct traced_point of technique/traced.h
+    uvec4 corners; // three vertices; hash of the stroke
+    vec4 at;       // shares of corners 1 and 2; change of these shares per mesh unit along the stroke
+    vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
+    vec4 rest;     // family; 1: first, 2: last of its stroke; unused
+};
+layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
+layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; }; // x, y, depth, half width; ink ...
+layout(location = UNIFORM_COUNT) uniform uint count;
+layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
+                                                   // strokes are moved so; -1: the item is mirrored, else 1
+layout(location = UNIFORM_INK) uniform int ink_index;
+
+const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
+
+vec3 floats_at(uint vertex, uint offset)
+{
+    uint at = 10u * vertex + offset;
+    return vec3(vertices[at], vertices[at + 1u], vertices[at + 2u]);
+}
+
+vec3 mixed(uvec4 corners, vec3 shares, uint offset)
+{
+    return shares.x * floats_at(corners.x, offset) + shares.y * floats_at(corners.y, offset) +
+           shares.z * floats_at(corners.z, offset);
+}
+
+#ifdef BASE_TONE
+float base_light(uvec4 corners, vec3 shares)
+{
+    vec2 at = vec2(0.0);
+    for (int c = 0; c < 3; c++)
+        at += shares[c] * vec2(vertices[10u * corners[c] + 8u], vertices[10u * corners[c] + 9u]);
+    return dot(textureLod(base_texture, at, 0.0).rgb, vec3(0.2126, 0.7152, 0.0722));
+}
+#endif
+
+// Returns the amounts of both inks. behind: the surface is seen from behind.
+vec2 amounts_at(uvec4 corners, vec3 shares, bool behind)
+{
+#ifdef BASE_TONE
+    float texture_light = base_light(corners, shares);
+#else
+    const float texture_light = 1.0;
+#endif
+#ifdef PIXEL_LIGHT
+    vec3 point = (unit_from_mesh * vec4(mixed(corners, shares, 0u), 1.0)).xyz;
+    vec3 normal = normal_from_mesh * mixed(corners, shares, 3u);
+    vec3 first = floats_at(corners.x, 0u);
+    vec3 face = normal_from_mesh * cross(floats_at(corners.y, 0u) - first, floats_at(corners.z, 0u) - first);
+    float facing = behind ? -1.0 : 1.0;
+    normal *= facing / max(length(normal), 1e-20);
+    face *= facing / max(length(face), 1e-30);
+    return ink_amounts(light_at(point, normal, face) * base.x * texture_light);
+#else
+    vec4 all = shares.x * placed[corners.x].amounts + shares.y * placed[corners.y].amounts +
+               shares.z * placed[corners.z].amounts;
+    vec2 amounts = behind ? all.zw : all.xy;
+#ifdef BASE_TONE
+    amounts = ink_amounts(amounts.x * texture_light);
+#endif
+    return amounts;
+#endif
+}
+
+// Returns the change in pixels, and of depth, along an edge of the face.
+vec3 slope_along(vec4 edge, vec4 at)
+{
+    return (edge.xyz - at.xyz / at.w * edge.w) / at.w * vec3(viewport.xy, 1.0);
+}
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    Point point = points[i];
+    uvec4 corners = point.corners;
+    vec3 shares = vec3(1.0 - point.at.x - point.at.y, point.at.xy);
+    vec4 origin = placed[corners.x].clip, edge_1 = placed[corners.y].clip - origin;
+    vec4 edge_2 = placed[corners.z].clip - origin, at = origin + shares.y * edge_1 + shares.z * edge_2;
+    ribbon[2u * i] = vec4(0.0, 0.0, 0.0, -1.0);
+    ribbon[2u * i + 1u] = vec4(0.0, point.rest.y, 0.0, 0.0);
+    if (at.z <= 0.0 || at.z >= at.w)
+        return;
+    vec3 along_1 = slope_along(edge_1, at), along_2 = slope_along(edge_2, at);
+    float area = (along_1.x * along_2.y - along_1.y * along_2.x); // doubled, in square pixels; negative: from behind
+    vec3 way = point.at.z * along_1 + point.at.w * along_2; // per mesh unit along the stroke
+    float length_px = max(length(way.xy), 1e-20);
+    vec3 place = vec3((at.xy / at.w * 0.5 + 0.5) * 2.0 * viewport.xy, at.z / at.w);
+    ribbon[2u * i] = vec4(place, 0.0);
+    bool behind = area * lift.w < 0.0;
+    if (behind && side > 0.0)
+        return;
+    float scale = abs(area) / (point.stroke.y * length_px);
+    float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
+    float width = width_px(pen.xyz, tone, point.stroke.x, scale);
+    vec2 ends = point.stroke.zw * length_px;
+    float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
+    width *= 1.0 + hand.x * stroke_noise(corners.w, point.stroke.z, octave);
+    width *= smoothstep(0.0, 1.0, sqrt(clamp(min(ends.x, ends.y) / hand.w, 0.0, 1.0)));
+    vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
+                    (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
+    vec2 across = vec2(-way.y, way.x) / length_px;
+    float wobble = hand.z * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave);
+    float rise = dot(gradient, across), toward_eye = (lift.x - place.z * lift.y) / at.w; // of depth
+    float unit_px = length(vec3(clip_from_unit[0].x, clip_from_unit[1].x, clip_from_unit[2].x)) * viewport.x / at.w;
+    float reach = min(abs(rise), STEEPEST * toward_eye / unit_px) * (0.5 * width + 1.0);
+    place.xy += wobble * across;
+    place.z += wobble * rise + reach + lift.z * toward_eye;
+    float pressure = 1.0 + hand.y * (stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave) - 1.0) * 0.5;
+    ribbon[2u * i] = vec4(place, 0.5 * width);
+    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, 0.0, 0.0);
+}

@@ -1,0 +1,248 @@
+#include "render-gl/technique/traced.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "curve/width.h"
+#include "math/vector.h"
+#include "render-gl/frame/parts.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+#include "render-gl/technique/list.h"
+
+#define CHORD 0.15     /* share of the finest gap by which strokes may pass under the surface between their points */
+#define NARROWEST 0.02 /* share of the view's distance at which an item's strokes are all taken as visible */
+#define OFF_AXIS 1.5   /* factor of scale towards the corners of a picture */
+
+static double width_px = 1.4;
+
+static const struct cmd_option options[] = {
+    {0, "stroke-width", CMD_REAL, 0.2, 64, "PX", "traced: width of strokes in pixels (default 1.4)", &width_px, NULL,
+     NULL},
+    {0},
+};
+static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
+
+struct state {
+    struct shaded_state shaded;     /* first: shaded_prepare finds it there */
+    struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
+    struct traced_item *items;      /* per item */
+    uint32_t mesh_count, item_count;
+    GLuint array, block_buffer;
+    const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */
+};
+
+static enum hatch_status check(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
+                               struct hatch_err *err)
+{
+    (void)patches;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].curves.count > 0)
+            return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT, "there are no strokes on the meshes: make them with strokegen");
+}
+
+static enum hatch_status upload(struct technique_context *context, struct state *state, struct hatch_err *err)
+{
+    const struct scene *scene = context->frame->scene;
+    const struct hatch_scene *from = scene->unit.scene;
+    struct hatch_arena *keep = &context->args->keep;
+    HATCH_TRY(HATCH_ALLOC(keep, &state->strokes, from->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(keep, &state->items, scene->unit.item_count, err));
+    state->mesh_count = from->mesh_count;
+    state->item_count = scene->unit.item_count;
+    glCreateVertexArrays(1, &state->array);
+    for (uint32_t i = 0; i < from->mesh_count; i++)
+        if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0)
+            HATCH_TRY(traced_upload(&from->meshes[i], keep, &context->args->scratch, &state->strokes[i], err));
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        uint32_t mesh = scene->unit.items[i].mesh;
+        const struct traced_strokes *strokes = &state->strokes[mesh];
+        struct traced_item *item = &state->items[i];
+        if (strokes->count == 0)
+            continue;
+        item->placed = gpu_buffer_make(NULL, 8 * sizeof(float) * from->meshes[mesh].mesh.vertex_count);
+        item->ribbon = gpu_buffer_make(NULL, 8 * sizeof(float) * strokes->end[strokes->count - 1]);
+        item->ribbon_view = gpu_texture_of_buffer(GL_RGBA32F, item->ribbon);
+    }
+    return gpu_check_memory(err, "strokes");
+}
+
+static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    static const struct gpu_stages vertices = {.compute = "traced/vertices.comp"};
+    static const struct gpu_stages points = {.compute = "traced/points.comp"};
+    static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
+    struct gpu_programs *programs = &context->frame->programs;
+    struct state *state = instance->state;
+    char light[FRAME_LIGHT_DEFINES_BYTES], based[FRAME_LIGHT_DEFINES_BYTES + 32];
+    if (!state->strokes)
+        HATCH_TRY(upload(context, state, err));
+    frame_light_defines(context->frame, true, light);
+    snprintf(based, sizeof based, "%s#define BASE_TONE 1\n", light);
+    HATCH_TRY(gpu_program_get(programs, &vertices, light, &state->vertices, err));
+    HATCH_TRY(gpu_program_get(programs, &points, light, &state->points[0], err));
+    HATCH_TRY(gpu_program_get(programs, &points, based, &state->points[1], err));
+    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbon, err));
+    return shaded_prepare(context, instance, err);
+}
+
+static void update_block(const struct frame *frame, struct state *state)
+{
+    struct traced_block block = {.pen = {(float)width_px, 0.55f, 0.5f, (float)frame->request.canvas->side},
+                                 .hand = {0.3f, 0.35f, 0.4f, 14.0f}};
+    for (uint32_t f = 0; f < HATCH_CURVE_FAMILIES_MAX; f++)
+        for (uint32_t i = 0; i < TRACED_TONES; i++) {
+            float ink = (float)i / (TRACED_TONES - 1), second = fmaxf(ink - 0.4f, 0) * 0.9f;
+            block.tones[f][i] = f == 0 ? 1 - (1 - ink) / (1 - second) : f == 1 ? second : 0;
+        }
+    gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
+}
+
+/* Returns the length in the unit scene of a length of 1 in mesh units, for an item that is not deformed. */
+static double unit_of_mesh(const struct scene *scene, const struct hatch_item *item)
+{
+    const float *m = item->to_unit;
+    double x[3], y[3], z[3], cross[3];
+    if (item->deformed)
+        return 1 / scene->unit.bounds.radius;
+    hatch_vec_of(m, x);
+    hatch_vec_of(m + 4, y);
+    hatch_vec_of(m + 8, z);
+    hatch_vec_cross(x, y, cross);
+    return cbrt(fabs(hatch_vec_dot(cross, z)));
+}
+
+/* Returns a limit of the thresholds of all strokes that may be visible on an item. */
+static double threshold_limit(const struct frame *frame, const struct hatch_item *item)
+{
+    const struct hatch_view *view = &frame->view;
+    double unit = unit_of_mesh(frame->scene, item), depth = HUGE_VAL;
+    double height_px = frame->request.tile->full_height;
+    if (item->deformed)
+        return HUGE_VAL;
+    for (int corner = 0; corner < 8; corner++) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum -= view->back[k] * ((corner >> k & 1 ? item->high[k] : item->low[k]) - view->eye[k]);
+        depth = fmin(depth, sum);
+    }
+    if (view->orthographic)
+        depth = 1;
+    else if (depth < NARROWEST)
+        return HUGE_VAL;
+    return HATCH_STROKE_FADE * OFF_AXIS * unit * height_px / (2 * view->half_height * depth * width_px);
+}
+
+static void set_lift(const struct frame *frame, const struct hatch_item *item, double chord, GLuint program)
+{
+    const float *m = frame->block.clip_from_unit;
+    float change[2] = {0, 0};
+    for (int k = 0; k < 3; k++)
+        for (int row = 0; row < 2; row++)
+            change[row] += m[4 * k + 2 + row] * (float)frame->view.back[k];
+    glProgramUniform4f(program, UNIFORM_LIFT, change[0], change[1], (float)chord, item->mirrored ? -1.0f : 1.0f);
+}
+
+/* Computes the points of an item's strokes. Returns the number of strokes. */
+static uint32_t place_strokes(const struct frame *frame, const struct state *state, uint32_t index, int ink)
+{
+    const struct scene *scene = frame->scene;
+    const struct hatch_item *item = &scene->unit.items[index];
+    const struct traced_strokes *strokes = &state->strokes[item->mesh];
+    uint32_t vertex_count = scene->unit.meshes[item->mesh].mesh->vertex_count;
+    uint32_t count = strokes->count ? traced_count_under(strokes, threshold_limit(frame, item)) : 0;
+    if (!count)
+        return 0;
+    bool based = frame->style.base_tone && scene->items[index].base_texture;
+    const struct gpu_program *programs[2] = {state->vertices, state->points[based]};
+    const uint32_t counts[2] = {vertex_count, strokes->end[count - 1]};
+    gpu_storage_bind(STORAGE_VERTICES, item->deformed ? scene->items[index].posed : scene->meshes[item->mesh].vertices);
+    gpu_storage_bind(STORAGE_PLACED, state->items[index].placed);
+    gpu_storage_bind(STORAGE_POINTS, strokes->points);
+    gpu_storage_bind(STORAGE_RIBBON, state->items[index].ribbon);
+    for (int pass = ink ? 1 : 0; pass < 2; pass++) {
+        const struct frame_dispatch dispatch = {.name = pass ? "points" : "vertices",
+                                                .program = programs[pass],
+                                                .groups = {(counts[pass] + 63) / 64, 1, 1},
+                                                .barrier = pass ? GL_TEXTURE_FETCH_BARRIER_BIT
+                                                                : GL_SHADER_STORAGE_BARRIER_BIT};
+        frame_use_item(scene, index, frame->style.base_tone ? scene->items[index].base_lightness : 1.0f,
+                       programs[pass]);
+        glUniform1f(UNIFORM_SIDE, item->double_sided ? -1.0f : 1.0f);
+        glUniform1ui(UNIFORM_COUNT, counts[pass]);
+        glUniform1i(UNIFORM_INK, ink);
+        set_lift(frame, item, CHORD * (double)strokes->finest * unit_of_mesh(scene, item), programs[pass]->name);
+        frame_dispatch(&dispatch, NULL);
+    }
+    return count;
+}
+
+static void draw_ribbons(const struct frame *frame, const struct state *state, uint32_t index, uint32_t count, int ink)
+{
+    const struct traced_strokes *strokes = &state->strokes[frame->scene->unit.items[index].mesh];
+    const struct frame_pass pass = {.name = "strokes",
+                                    .target = &frame->request.canvas->samples,
+                                    .blend = FRAME_BLEND_OVER_COLOR,
+                                    .depth = FRAME_DEPTH_BEFORE};
+    frame_pass_begin(&pass);
+    glUseProgram(state->ribbon->name);
+    glUniform1i(UNIFORM_INK, ink);
+    gpu_texture_bind(UNIT_TECHNIQUE, state->items[index].ribbon_view, 0);
+    glVertexArrayElementBuffer(state->array, strokes->indices);
+    glBindVertexArray(state->array);
+    glDrawElements(GL_TRIANGLES, (GLsizei)(6 * (strokes->end[count - 1] - count)), GL_UNSIGNED_INT, NULL);
+}
+
+static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err)
+{
+    const struct frame *frame = context->frame;
+    struct state *state = instance->state;
+    HATCH_TRY(shaded_draw(context, instance, err));
+    update_block(frame, state);
+    for (uint32_t i = 0; i < state->item_count; i++)
+        for (int ink = 0; ink < (frame->style.inks.two ? 2 : 1); ink++) {
+            uint32_t count = place_strokes(frame, state, i, ink);
+            gpu_timer_end_pass(frame->timer, "points");
+            if (count)
+                draw_ribbons(frame, state, i, count, ink);
+            gpu_timer_end_pass(frame->timer, "strokes");
+        }
+    return HATCH_OK;
+}
+
+static void free_state(struct technique_instance *instance)
+{
+    struct state *state = instance->state;
+    for (uint32_t i = 0; i < state->mesh_count; i++) {
+        const GLuint buffers[] = {state->strokes[i].points, state->strokes[i].indices};
+        glDeleteBuffers(2, buffers);
+    }
+    for (uint32_t i = 0; i < state->item_count; i++) {
+        const GLuint buffers[] = {state->items[i].placed, state->items[i].ribbon};
+        glDeleteTextures(1, &state->items[i].ribbon_view);
+        glDeleteBuffers(2, buffers);
+    }
+    glDeleteVertexArrays(1, &state->array);
+    glDeleteBuffers(1, &state->block_buffer);
+}
+
+const struct technique technique_traced = {
+    .name = "traced",
+    .summary = "strokes that strokegen has traced on the meshes",
+    .options = options,
+    .params = params,
+    .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT,
+    .reach_px = 64,
+    .state_size = sizeof(struct state),
+    .shading = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "paper", .depth = FRAME_DEPTH_NEARER}}},
+    .check = check,
+    .prepare = prepare,
+    .draw = draw,
+    .free = free_state,
+};

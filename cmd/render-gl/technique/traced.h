@@ -1,0 +1,49 @@
+/* The technique traced: strokes that strokegen has traced on the meshes. Included by the technique's own files. */
+#ifndef RENDER_TECHNIQUE_TRACED_H
+#define RENDER_TECHNIQUE_TRACED_H
+
+#include "render-gl/technique/technique.h"
+
+#define TRACED_TONES 17u /* entries of a table of tones */
+
+/* std140 layout; the same as block Style of shaders/traced/style.glsl. */
+struct traced_block {
+    float pen[4];  /* width in pixels, thin, full (curve/width.h); samples along a pixel's side */
+    float hand[4]; /* variation of width and of pressure, 0 .. 1; wobble in pixels; length of tapered ends in pixels */
+    float tones[HATCH_CURVE_FAMILIES_MAX][TRACED_TONES + 3]; /* per family: tone at ink 0, 1/16 .. 1; 3 unused */
+};
+
+/* A point of a stroke, as shaders/traced/points.comp reads it. */
+struct traced_point {
+    uint32_t corners[3], hash;
+    float share[2], way[2];        /* of corners 1 and 2; their change per mesh unit along the stroke */
+    float threshold, area;         /* strokes per mesh unit; doubled area of the face, in mesh units squared */
+    float from_start, to_end;      /* arc lengths, in mesh units */
+    float family, ends, unused[2]; /* ends: 1: first, 2: last of its stroke */
+};
+
+/* The strokes of a mesh on the GPU, in the order of their least thresholds. Zeroed: none. */
+struct traced_strokes {
+    GLuint points, indices; /* indices of triangles: vertices 2 i and 2 i + 1 are the sides of point i */
+    uint32_t count;         /* strokes */
+    const float *least;     /* least threshold of each stroke */
+    const uint32_t *end;    /* number of points up to the end of each stroke */
+    float finest;           /* finest gap, in mesh units */
+};
+
+/* The buffers of an item. */
+struct traced_item {
+    GLuint placed;              /* per vertex: 8 floats */
+    GLuint ribbon, ribbon_view; /* per point: 8 floats; the texture through which they are read */
+};
+
+/* Uploads the strokes of a mesh.
+ *   arena  holds the arrays */
+enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatch_arena *arena,
+                                struct hatch_arena *scratch, struct traced_strokes *strokes,
+                                struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the number of strokes whose least threshold is under a limit. */
+uint32_t traced_count_under(const struct traced_strokes *strokes, double threshold);
+
+#endif

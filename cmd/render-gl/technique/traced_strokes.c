@@ -1,0 +1,155 @@
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "math/vector.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/technique/traced.h"
+
+/* A stroke of a mesh, and its place in the order of drawing. */
+struct entry {
+    const struct hatch_curve *curve;
+    uint32_t family;
+    float least;
+};
+
+static int compare(const void *a, const void *b)
+{
+    const struct entry *x = a, *y = b;
+    if (x->least < y->least || x->least > y->least)
+        return x->least < y->least ? -1 : 1;
+    return (x->curve > y->curve) - (x->curve < y->curve);
+}
+
+static void list_entries(const struct hatch_curves *curves, struct entry *entries)
+{
+    for (uint32_t s = 0; s < curves->set_count; s++) {
+        const struct hatch_curve_set *set = &curves->sets[s];
+        for (uint32_t i = set->first; i < set->first + set->count; i++) {
+            const struct hatch_curve *curve = &curves->curves[i];
+            float least = FLT_MAX;
+            for (uint32_t p = curve->first; p < curve->first + curve->count; p++)
+                least = fminf(least, curves->points[p].threshold);
+            *entries++ = (struct entry){curve, set->family, least};
+        }
+    }
+    return;
+}
+
+/* Sets the part of a point that follows from its face.
+ *   along  direction of the stroke, of any length */
+static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_point *from, const double along[3],
+                     struct traced_point *point)
+{
+    const float *data = mesh->attributes[0].data;
+    const uint32_t *corners = &mesh->indices[3 * (size_t)from->face];
+    double edge[2][3], normal[3], length = hatch_vec_length(along);
+    for (int k = 0; k < 3; k++) {
+        double origin = (double)data[3 * (size_t)corners[0] + (size_t)k];
+        point->corners[k] = corners[k];
+        for (int e = 0; e < 2; e++)
+            edge[e][k] = (double)data[3 * (size_t)corners[e + 1] + (size_t)k] - origin;
+    }
+    hatch_vec_cross(edge[0], edge[1], normal);
+    double aa = hatch_vec_dot(edge[0], edge[0]), ab = hatch_vec_dot(edge[0], edge[1]);
+    double bb = hatch_vec_dot(edge[1], edge[1]), det = fmax(aa * bb - ab * ab, DBL_MIN);
+    double a = hatch_vec_dot(edge[0], along), b = hatch_vec_dot(edge[1], along);
+    double way[2] = {(bb * a - ab * b) / det, (aa * b - ab * a) / det}, moved[3];
+    for (int k = 0; k < 3; k++)
+        moved[k] = way[0] * edge[0][k] + way[1] * edge[1][k];
+    length = fmax(hatch_vec_length(moved), DBL_MIN);
+    point->way[0] = (float)(way[0] / length);
+    point->way[1] = (float)(way[1] / length);
+    point->area = (float)fmax(hatch_vec_length(normal), DBL_MIN);
+}
+
+/* Makes the points of a stroke. */
+static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const struct entry *entry,
+                        struct traced_point *points)
+{
+    const struct hatch_curve *curve = entry->curve;
+    const struct hatch_curve_point *from = &curves->points[curve->first];
+    double length = 0;
+    for (uint32_t i = 0; i < curve->count; i++) {
+        uint32_t before = i > 0 ? i - 1 : 0, after = i + 1 < curve->count ? i + 1 : i;
+        float ends[2][3], here[3];
+        double along[3], step[3];
+        hatch_curve_position(mesh, &from[before], ends[0]);
+        hatch_curve_position(mesh, &from[after], ends[1]);
+        hatch_curve_position(mesh, &from[i], here);
+        for (int k = 0; k < 3; k++) {
+            along[k] = (double)ends[1][k] - (double)ends[0][k];
+            step[k] = (double)here[k] - (double)ends[0][k];
+        }
+        length += hatch_vec_length(step);
+        points[i] = (struct traced_point){.hash = curve->id,
+                                          .share = {from[i].share[0], from[i].share[1]},
+                                          .threshold = from[i].threshold,
+                                          .from_start = (float)length,
+                                          .family = (float)entry->family,
+                                          .ends = (i == 0 ? 1.0f : 0.0f) + (i + 1 == curve->count ? 2.0f : 0.0f)};
+        set_face(mesh, &from[i], along, &points[i]);
+    }
+    for (uint32_t i = 0; i < curve->count; i++)
+        points[i].to_end = (float)length - points[i].from_start;
+}
+
+/* Writes the triangles between the points of a stroke; returns the end of them. */
+static uint32_t *make_triangles(uint32_t first, uint32_t count, uint32_t *indices)
+{
+    for (uint32_t i = first; i + 1 < first + count; i++) {
+        const uint32_t corners[6] = {2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3};
+        for (int k = 0; k < 6; k++)
+            *indices++ = corners[k];
+    }
+    return indices;
+}
+
+enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatch_arena *arena,
+                                struct hatch_arena *scratch, struct traced_strokes *strokes, struct hatch_err *err)
+{
+    const struct hatch_curves *curves = &mesh->curves;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct entry *entries;
+    struct traced_point *points;
+    uint32_t *indices, *end, first = 0;
+    float *least;
+    *strokes = (struct traced_strokes){.count = curves->count};
+    HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &end, curves->count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &entries, curves->count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, 6 * (size_t)curves->point_count, err));
+    list_entries(curves, entries);
+    qsort(entries, curves->count, sizeof *entries, compare);
+    uint32_t *next = indices;
+    for (uint32_t i = 0; i < curves->count; i++) {
+        make_points(&mesh->mesh, curves, &entries[i], points + first);
+        next = make_triangles(first, entries[i].curve->count, next);
+        first += entries[i].curve->count;
+        least[i] = entries[i].least;
+        end[i] = first;
+    }
+    strokes->least = least;
+    strokes->end = end;
+    strokes->finest = curves->sets[0].gap;
+    for (uint32_t s = 0; s < curves->set_count; s++)
+        strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
+    strokes->points = gpu_buffer_make(points, sizeof *points * first);
+    strokes->indices = gpu_buffer_make(indices, sizeof *indices * (size_t)(next - indices));
+    hatch_arena_rewind(scratch, mark);
+    return gpu_check_memory(err, "%u strokes", curves->count);
+}
+
+uint32_t traced_count_under(const struct traced_strokes *strokes, double threshold)
+{
+    uint32_t low = 0, high = strokes->count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if ((double)strokes->least[middle] < threshold)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
