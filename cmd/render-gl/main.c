@@ -33,13 +33,15 @@ int main(int argc, char **argv)
     job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);
     job_read(&job);
-    if (job.options->vectors) {
+    if (job.options->vectors && !job.options->technique->curves) {
         job_prepare_without_gpu(&job);
         vectors_write(&job);
         return cmd_end(&job.args, HATCH_OK);
     }
     job_prepare(&job);
-    if (job.options->window)
+    if (job.options->vectors)
+        vectors_write(&job);
+    else if (job.options->window)
         window_run(&job);
     else if (job.options->timed_frames)
         timing_report(&job);

@@ -250,7 +250,7 @@ void job_read(struct job *job)
     open_techniques(job);
     if (options->map_path)
         read_asset(job);
-    if (!options->vectors) {
+    if (!options->vectors || options->technique->curves) {
         enum hatch_status status = job_check(job, options->technique, &file, &err);
         cmd_check(status, file, &err);
     }

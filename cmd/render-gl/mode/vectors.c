@@ -9,8 +9,8 @@
 #include "vector/project.h"
 #include "vector/tidy/tidy.h"
 
-/* The pens of a drawing, in the order of its layers. */
-enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_COUNT };
+/* The pens of a drawing, in the order of its layers. Strokes have one for each direction. */
+enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
 
 #define REACH_PX 1.0          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
 #define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it; this covers their rounding */
@@ -29,6 +29,8 @@ struct drawing {
     struct job *job;
     struct hatch_lines lines;
     struct hatch_arena *arena; /* of one frame */
+    struct canvas canvas;      /* zeroed: the technique has no curves */
+    uint32_t stroke_layers;    /* of the frame */
 };
 
 /* Returns the slack of a segment of a chain (struct hatch_line_trace) for exact visibility. */
@@ -105,7 +107,7 @@ static enum hatch_status tidy(struct drawing *drawing, const struct hatch_page *
     return hatch_vector_simplify(paths, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err);
 }
 
-/* Appends paths to others, in another layer. */
+/* Appends paths to others, in layers that are higher by `layer`. */
 static enum hatch_status append(struct hatch_vector_paths *paths, const struct hatch_vector_paths *more, uint32_t layer,
                                 struct hatch_arena *arena, struct hatch_err *err)
 {
@@ -115,13 +117,36 @@ static enum hatch_status append(struct hatch_vector_paths *paths, const struct h
         for (uint32_t k = 0; k < both[i]->count; k++) {
             const struct hatch_vector_path *path = &both[i]->paths[k];
             hatch_vector_begin(&builder, path);
-            builder.path.layer = i ? layer : path->layer;
+            builder.path.layer += i ? layer : 0;
             for (uint32_t at = 0; at < path->count; at++)
                 HATCH_TRY(hatch_vector_add(&builder, hatch_vector_point(both[i], path, at), err));
             HATCH_TRY(hatch_vector_end(&builder, path->closed, err));
         }
     *paths = hatch_vector_built(&builder);
     return HATCH_OK;
+}
+
+/* Finds the visible parts of the technique's strokes and appends them. */
+static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch_view *view,
+                                     const struct hatch_occluders *occluders, const struct hatch_page *page,
+                                     double pixel_mm, double pen_mm, struct hatch_vector_paths *paths,
+                                     struct hatch_err *err)
+{
+    struct job *job = drawing->job;
+    const struct options *options = job->options;
+    struct hatch_arena *arena = drawing->arena, *scratch = &job->args.scratch;
+    const struct hatch_tile tile = {0, 0, options->width, options->height, options->width, options->height};
+    const struct frame_request request = {
+        .view = view, .tile = &tile, .canvas = &drawing->canvas, .background = options->inks.paper};
+    struct technique_curves strokes;
+    struct hatch_vector_paths visible;
+    HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request, pen_mm / pixel_mm,
+                                    arena, &strokes, err));
+    HATCH_TRY(hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
+    hatch_page_place(page, options->width, options->height, pixel_mm, &visible);
+    HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err));
+    drawing->stroke_layers = strokes.layer_count;
+    return append(paths, &visible, LAYER_STROKES, arena, err);
 }
 
 /* Finds the paths of the posed scene on a page. */
@@ -144,8 +169,10 @@ static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_
     if (dashed) {
         HATCH_TRY(tidy(drawing, page, pixel_mm, pen_mm, &hidden, err));
         HATCH_TRY(hatch_vector_dash(&hidden, DASH_PENS * pen_mm, GAP_PENS * pen_mm, arena, scratch, &dashes, err));
-        HATCH_TRY(append(paths, &dashes, LAYER_HIDDEN, arena, err));
+        HATCH_TRY(append(paths, &dashes, LAYER_HIDDEN - LAYER_OUTLINES, arena, err));
     }
+    if (options->technique->curves)
+        HATCH_TRY(add_strokes(drawing, view, &occluders, page, pixel_mm, pen_mm, paths, err));
     if (options->sort != OPTION_SORT_NONE)
         HATCH_TRY(hatch_vector_sort(
             paths, options->sort == OPTION_SORT_BEST ? HATCH_VECTOR_IMPROVED : HATCH_VECTOR_NEAREST, scratch, err));
@@ -165,13 +192,16 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
                               struct hatch_err *err)
 {
     const struct options *options = drawing->job->options;
-    struct hatch_drawing made = {.layer_count = options->hidden == OPTION_HIDDEN_DASH ? 2 : 1};
+    struct hatch_drawing made = {.layers = NULL};
     struct hatch_page page = options->page;
-    struct hatch_drawing_layer layers[LAYER_COUNT] = {{.name = "outlines"}, {.name = "hidden"}};
+    struct hatch_drawing_layer layers[LAYER_COUNT] = {
+        {.name = "outlines"},  {.name = "hidden"},    {.name = "strokes-1"}, {.name = "strokes-2"},
+        {.name = "strokes-3"}, {.name = "strokes-4"}, {.name = "strokes-5"}, {.name = "strokes-6"},
+        {.name = "strokes-7"}, {.name = "strokes-8"}};
     double pixel_mm = hatch_page_pixel_mm(&page, options->width, options->height);
     double pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * pixel_mm;
     for (int i = 0; i < LAYER_COUNT; i++) {
-        memcpy(layers[i].color, options->line_color, sizeof layers[i].color);
+        memcpy(layers[i].color, i < LAYER_STROKES ? options->line_color : options->inks.ink, sizeof layers[i].color);
         layers[i].pen_mm = pen_mm;
     }
     memcpy(made.paper, options->inks.paper, sizeof made.paper);
@@ -179,6 +209,9 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
     made.width_mm = page.width_mm;
     made.height_mm = page.height_mm;
     HATCH_TRY(find_paths(drawing, view, &page, pixel_mm, pen_mm, &made.paths, err));
+    made.layer_count = options->technique->curves              ? LAYER_STROKES + drawing->stroke_layers
+                       : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
+                                                               : LAYER_HIDDEN;
     note_ways(&made.paths);
     return hatch_svg_write(&made, &drawing->job->args.scratch, file, err);
 }
@@ -192,6 +225,8 @@ void vectors_write(struct job *job)
     struct hatch_err err;
     struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    if (options->technique->curves)
+        job_make_canvas(job, &drawing.canvas);
     cmd_check(hatch_lines_make(&job->scene.unit, &style, keep, &job->args.scratch, &drawing.lines, &err), NULL, &err);
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;

@@ -23,8 +23,9 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
     return (technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err);
 }
 
-enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
-                                 const struct frame_request *request, struct hatch_err *err)
+/* Begins a frame with the technique's tones. */
+static enum hatch_status begin(struct technique_context *context, struct technique_instance *instance,
+                               const struct frame_request *request, struct hatch_err *err)
 {
     const struct technique *technique = instance->technique;
     struct frame *frame = context->frame;
@@ -37,9 +38,25 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
         frame_block_set_tones(&frame->block, NULL, 0, false);
     enum hatch_status status = frame_begin(frame, request, technique->features & TECHNIQUE_PIECES, err);
     frame->style.curve.high = high;
-    HATCH_TRY(status);
+    return status;
+}
+
+enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
+                                 const struct frame_request *request, struct hatch_err *err)
+{
+    const struct technique *technique = instance->technique;
+    HATCH_TRY(begin(context, instance, request, err));
     HATCH_TRY((technique->draw ? technique->draw : shaded_draw)(context, instance, err));
-    return frame_end(frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
+    return frame_end(context->frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
+}
+
+enum hatch_status technique_find_curves(struct technique_context *context, struct technique_instance *instance,
+                                        const struct frame_request *request, double pen_px, struct hatch_arena *arena,
+                                        struct technique_curves *curves, struct hatch_err *err)
+{
+    HATCH_TRY(begin(context, instance, request, err));
+    HATCH_TRY(instance->technique->curves(context, instance, pen_px, arena, curves, err));
+    return frame_end(context->frame, false, err);
 }
 
 void technique_close(struct technique_instance *instance)

@@ -7,6 +7,7 @@
 
 #include "render-gl/assets/asset.h"
 #include "render-gl/frame/items.h"
+#include "vector/curves.h"
 
 #define SHADED_DEFINES_BYTES 256u
 
@@ -44,6 +45,13 @@ struct technique_instance {
     const struct asset_tones *tones; /* its uploaded asset; NULL: it needs none, or is not prepared */
 };
 
+/* The strokes of a frame as curves, for drawings by a pen. */
+struct technique_curves {
+    uint32_t layer_count;              /* layers of the curves, from 0: one for each direction of strokes */
+    struct hatch_vector_curves curves; /* with widths and faces */
+    struct hatch_vector_pen pen;       /* that draws them; its width is in pixels */
+};
+
 /* A description of a technique. Any function may be NULL. */
 struct technique {
     const char *name;
@@ -71,6 +79,11 @@ struct technique {
     /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. NULL: shaded_draw. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
+    /* Finds the strokes of the posed scene as curves, between frame_begin and frame_end. NULL: it has none.
+     *   pen_px  width of the pen that will draw them
+     *   arena   for the curves */
+    enum hatch_status (*curves)(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                struct hatch_arena *arena, struct technique_curves *curves, struct hatch_err *err);
     /* Applies new values of its options. On failure the old state stays in use. */
     enum hatch_status (*changed)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
@@ -91,6 +104,14 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
 /* Draws a tile of the posed scene into the request's canvas and averages the samples. */
 enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
                                  const struct frame_request *request, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds the strokes of the posed scene as curves.
+ *   request  its tile is the whole picture; its canvas may be smaller
+ *   pen_px   width of the pen that will draw them
+ *   arena    for the curves */
+enum hatch_status technique_find_curves(struct technique_context *context, struct technique_instance *instance,
+                                        const struct frame_request *request, double pen_px, struct hatch_arena *arena,
+                                        struct technique_curves *curves, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Releases the instance; leaves *instance zeroed. */
 void technique_close(struct technique_instance *instance);

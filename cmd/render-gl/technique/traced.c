@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "curve/width.h"
 #include "math/vector.h"
@@ -24,15 +25,6 @@ static const struct cmd_option options[] = {
 };
 static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
 
-struct state {
-    struct shaded_state shaded;     /* first: shaded_prepare finds it there */
-    struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
-    struct traced_item *items;      /* per item */
-    uint32_t mesh_count, item_count;
-    GLuint array, block_buffer;
-    const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */
-};
-
 static enum hatch_status check(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                struct hatch_err *err)
 {
@@ -43,7 +35,7 @@ static enum hatch_status check(const struct hatch_scene *scene, const struct hat
     return hatch_fail(err, HATCH_BAD_INPUT, "there are no strokes on the meshes: make them with strokegen");
 }
 
-static enum hatch_status upload(struct technique_context *context, struct state *state, struct hatch_err *err)
+static enum hatch_status upload(struct technique_context *context, struct traced_state *state, struct hatch_err *err)
 {
     const struct scene *scene = context->frame->scene;
     const struct hatch_scene *from = scene->unit.scene;
@@ -76,7 +68,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     static const struct gpu_stages points = {.compute = "traced/points.comp"};
     static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
     struct gpu_programs *programs = &context->frame->programs;
-    struct state *state = instance->state;
+    struct traced_state *state = instance->state;
     char light[FRAME_LIGHT_DEFINES_BYTES], based[FRAME_LIGHT_DEFINES_BYTES + 32];
     if (!state->strokes)
         HATCH_TRY(upload(context, state, err));
@@ -89,10 +81,15 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     return shaded_prepare(context, instance, err);
 }
 
-static void update_block(const struct frame *frame, struct state *state)
+void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state)
 {
     struct traced_block block = {.pen = {(float)width_px, 0.55f, 0.5f, (float)frame->request.canvas->side},
                                  .hand = {0.3f, 0.35f, 0.4f, 14.0f}};
+    if (pen_px > 0) {
+        const float pen[4] = {(float)pen_px, 1, 1, 1}, hand[4] = {0, 0, 0, 1e-6f};
+        memcpy(block.pen, pen, sizeof pen);
+        memcpy(block.hand, hand, sizeof hand);
+    }
     for (uint32_t f = 0; f < HATCH_CURVE_FAMILIES_MAX; f++)
         for (uint32_t i = 0; i < TRACED_TONES; i++) {
             float ink = (float)i / (TRACED_TONES - 1), second = fmaxf(ink - 0.4f, 0) * 0.9f;
@@ -101,8 +98,7 @@ static void update_block(const struct frame *frame, struct state *state)
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
-/* Returns the length in the unit scene of a length of 1 in mesh units, for an item that is not deformed. */
-static double unit_of_mesh(const struct scene *scene, const struct hatch_item *item)
+double traced_scale(const struct scene *scene, const struct hatch_item *item)
 {
     const float *m = item->to_unit;
     double x[3], y[3], z[3], cross[3];
@@ -119,7 +115,7 @@ static double unit_of_mesh(const struct scene *scene, const struct hatch_item *i
 static double threshold_limit(const struct frame *frame, const struct hatch_item *item)
 {
     const struct hatch_view *view = &frame->view;
-    double unit = unit_of_mesh(frame->scene, item), depth = HUGE_VAL;
+    double unit = traced_scale(frame->scene, item), depth = HUGE_VAL;
     double height_px = frame->request.tile->full_height;
     if (item->deformed)
         return HUGE_VAL;
@@ -146,8 +142,7 @@ static void set_lift(const struct frame *frame, const struct hatch_item *item, d
     glProgramUniform4f(program, UNIFORM_LIFT, change[0], change[1], (float)chord, item->mirrored ? -1.0f : 1.0f);
 }
 
-/* Computes the points of an item's strokes. Returns the number of strokes. */
-static uint32_t place_strokes(const struct frame *frame, const struct state *state, uint32_t index, int ink)
+uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t index, int ink)
 {
     const struct scene *scene = frame->scene;
     const struct hatch_item *item = &scene->unit.items[index];
@@ -174,13 +169,14 @@ static uint32_t place_strokes(const struct frame *frame, const struct state *sta
         glUniform1f(UNIFORM_SIDE, item->double_sided ? -1.0f : 1.0f);
         glUniform1ui(UNIFORM_COUNT, counts[pass]);
         glUniform1i(UNIFORM_INK, ink);
-        set_lift(frame, item, CHORD * (double)strokes->finest * unit_of_mesh(scene, item), programs[pass]->name);
+        set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), programs[pass]->name);
         frame_dispatch(&dispatch, NULL);
     }
     return count;
 }
 
-static void draw_ribbons(const struct frame *frame, const struct state *state, uint32_t index, uint32_t count, int ink)
+static void draw_ribbons(const struct frame *frame, const struct traced_state *state, uint32_t index, uint32_t count,
+                         int ink)
 {
     const struct traced_strokes *strokes = &state->strokes[frame->scene->unit.items[index].mesh];
     const struct frame_pass pass = {.name = "strokes",
@@ -200,12 +196,12 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
                               struct hatch_err *err)
 {
     const struct frame *frame = context->frame;
-    struct state *state = instance->state;
+    struct traced_state *state = instance->state;
     HATCH_TRY(shaded_draw(context, instance, err));
-    update_block(frame, state);
+    traced_set_style(frame, 0, state);
     for (uint32_t i = 0; i < state->item_count; i++)
         for (int ink = 0; ink < (frame->style.inks.two ? 2 : 1); ink++) {
-            uint32_t count = place_strokes(frame, state, i, ink);
+            uint32_t count = traced_place(frame, state, i, ink);
             gpu_timer_end_pass(frame->timer, "points");
             if (count)
                 draw_ribbons(frame, state, i, count, ink);
@@ -216,7 +212,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
 
 static void free_state(struct technique_instance *instance)
 {
-    struct state *state = instance->state;
+    struct traced_state *state = instance->state;
     for (uint32_t i = 0; i < state->mesh_count; i++) {
         const GLuint buffers[] = {state->strokes[i].points, state->strokes[i].indices};
         glDeleteBuffers(2, buffers);
@@ -237,12 +233,13 @@ const struct technique technique_traced = {
     .params = params,
     .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT,
     .reach_px = 64,
-    .state_size = sizeof(struct state),
+    .state_size = sizeof(struct traced_state),
     .shading = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},
                 .patches = FRAME_PATCHES_UNSEEN,
                 .passes = {{.name = "paper", .depth = FRAME_DEPTH_NEARER}}},
     .check = check,
     .prepare = prepare,
     .draw = draw,
+    .curves = traced_curves,
     .free = free_state,
 };

@@ -22,13 +22,20 @@ struct traced_point {
     float family, ends, unused[2]; /* ends: 1: first, 2: last of its stroke */
 };
 
+/* Where a stroke comes from. */
+struct traced_stroke {
+    const struct hatch_curve *curve;
+    uint32_t family;
+};
+
 /* The strokes of a mesh on the GPU, in the order of their least thresholds. Zeroed: none. */
 struct traced_strokes {
     GLuint points, indices; /* indices of triangles: vertices 2 i and 2 i + 1 are the sides of point i */
     uint32_t count;         /* strokes */
     const float *least;     /* least threshold of each stroke */
-    const uint32_t *end;    /* number of points up to the end of each stroke */
-    float finest;           /* finest gap, in mesh units */
+    const struct traced_stroke *sources;
+    const uint32_t *end; /* number of points up to the end of each stroke */
+    float finest;        /* finest gap, in mesh units */
 };
 
 /* The buffers of an item. */
@@ -41,6 +48,33 @@ struct traced_item {
  *   arena  holds the arrays */
 enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, struct traced_strokes *strokes,
+                                struct hatch_err *err) HATCH_MUST_USE;
+
+struct traced_state {
+    struct shaded_state shaded;     /* first: shaded_prepare finds it there */
+    struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
+    struct traced_item *items;      /* per item */
+    uint32_t mesh_count, item_count;
+    GLuint array, block_buffer;
+    const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */
+};
+
+#define TRACED_RIBBON_FLOATS 8u /* per point of a ribbon: x, y, depth, half width in pixels; ink, ends, 2 unused */
+
+/* Returns the length in the unit scene of a length of 1 in the units of an item's mesh. */
+double traced_scale(const struct scene *scene, const struct hatch_item *item);
+
+/* Computes the points of an item's ribbons. Returns the number of strokes that have some.
+ *   ink  0: of the dark ink; 1: of the light one */
+uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t item, int ink);
+
+/* Writes the block of the style.
+ *   pen_px  width of a pen that draws all strokes alike; 0: strokes as the options say */
+void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state);
+
+/* Finds the strokes of a frame as curves: the function `curves` of the technique. */
+enum hatch_status traced_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                struct hatch_arena *arena, struct technique_curves *curves,
                                 struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns the number of strokes whose least threshold is under a limit. */

@@ -33,7 +33,6 @@ static void list_entries(const struct hatch_curves *curves, struct entry *entrie
             *entries++ = (struct entry){curve, set->family, least};
         }
     }
-    return;
 }
 
 /* Sets the part of a point that follows from its face.
@@ -114,8 +113,10 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
     struct traced_point *points;
     uint32_t *indices, *end, first = 0;
     float *least;
+    struct traced_stroke *sources;
     *strokes = (struct traced_strokes){.count = curves->count};
     HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &sources, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &end, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &entries, curves->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
@@ -128,9 +129,11 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
         next = make_triangles(first, entries[i].curve->count, next);
         first += entries[i].curve->count;
         least[i] = entries[i].least;
+        sources[i] = (struct traced_stroke){entries[i].curve, entries[i].family};
         end[i] = first;
     }
     strokes->least = least;
+    strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;
     for (uint32_t s = 0; s < curves->set_count; s++)
