@@ -417,6 +417,7 @@ void job_prepare_without_gpu(struct job *job)
     measure_scene(job, &bounds);
     cmd_check(hatch_unit_scene_make(&job->values, job->patches, &bounds, &job->args.keep, &job->scene.unit, &err),
               job->name, &err);
+    material_find_holes(&job->args, job->name, &job->scene.unit);
     job_set_frame(job, 0, &job->first_view);
 }
 

@@ -13,7 +13,8 @@
 enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
 
 #define REACH_PX 1.0          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
-#define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it; this covers their rounding */
+#define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it */
+#define FLOAT_SLACK 5e-7      /* rounding of positions in the unit scene to floats */
 
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
 #define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
@@ -38,7 +39,7 @@ static float slack_of(const struct hatch_line_curves *from, const struct hatch_l
                       const double at[3])
 {
     float slack = from->trace.slack[segment];
-    return from->silhouettes || slack < 0 ? slack : (float)(FEATURE_SLACK_PX * hatch_line_pixel(eye, at));
+    return from->silhouettes || slack < 0 ? slack : (float)(FEATURE_SLACK_PX * hatch_line_pixel(eye, at) + FLOAT_SLACK);
 }
 
 /* Curves under construction. */
@@ -84,8 +85,11 @@ static enum hatch_status trace(struct drawing *drawing, const struct hatch_view 
     uint32_t count;
     gathering.eye = (struct hatch_line_eye){view, 0.5 * height_px / view->half_height};
     HATCH_TRY(hatch_lines_pose(&drawing->lines, view, height_px, arena, &sets, &count, err));
-    for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(add_chains(&gathering, &sets[i], err));
+    for (int silhouettes = 0; silhouettes < 2;
+         silhouettes++) /* features first: their number is the same in all views */
+        for (uint32_t i = 0; i < count; i++)
+            if (sets[i].silhouettes == (silhouettes == 1))
+                HATCH_TRY(add_chains(&gathering, &sets[i], err));
     *curves = (struct hatch_vector_curves){.count = gathering.count,
                                            .curves = (const void *)gathering.curves.data,
                                            .points = (const void *)gathering.points.data,

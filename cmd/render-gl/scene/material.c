@@ -188,6 +188,22 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool as
     set_lod(item, &mesh->mesh);
 }
 
+void material_find_holes(struct cmd_args *args, const char *file, struct hatch_unit_scene *unit)
+{
+    for (uint32_t i = 0; i < unit->item_count; i++) {
+        struct hatch_item *item = &unit->items[i];
+        uint32_t material = unit->scene->meshes[item->mesh].material;
+        uint32_t texture = material == HATCH_NONE ? HATCH_NONE : unit->scene->materials[material].base.texture;
+        struct hatch_arena_mark mark = hatch_arena_mark(&args->keep);
+        struct hatch_image image;
+        if (texture == HATCH_NONE || !(item->alpha_cutoff > 0))
+            continue;
+        read_texture(args, file, unit->scene, texture, &image);
+        item->cut_out = smallest_alpha(&image) < item->alpha_cutoff;
+        hatch_arena_rewind(&args->keep, mark);
+    }
+}
+
 void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct scene *scene)
 {
     const struct decoding decoding = {args, file, size_max_px, scene};

@@ -94,4 +94,9 @@ render-gl -q squares.obj --lines none -o none.svg
 is "a drawing may be empty" "$(measure none.svg)" "outlines 0 0.00"
 ok "a drawing needs no OpenGL" env __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null render-gl -q squares.obj -o a.svg
 
+cp squares.obj 'two squares.obj'
+ok "plot.mk draws into another folder" make -s -f "$TOP/pipelines/plot.mk" SCENE='two squares.obj' PAGE=a5 OUT=away \
+    OPTIONS=-q
+is "plot.mk names the drawing after the scene" "$(grep -c 'viewBox="0 0 210 148"' 'away/two squares.svg')" 1
+
 finish

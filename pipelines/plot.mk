@@ -1,0 +1,36 @@
+# Draws a mesh or a scene for a pen plotter: an SVG drawing of its feature lines on a page.
+#
+#     make -f plot.mk SCENE=bunny.ply                                bunny.svg on A4 paper
+#     make -f plot.mk SCENE=engine.glb PAGE=a3 PEN=0.5mm HIDDEN=dash
+#     make -f plot.mk SCENE=walk.glb FRAMES=12 OUT=film               film/walk-000.svg ... film/walk-011.svg
+#     make -f plot.mk SCENE=bunny.ply OPTIONS='--from 60:10 --crease 60'
+#
+# Editors show each pen as a layer. The commands are found on PATH. Copy this file and change it.
+SCENE   ?= $(error SCENE=FILE names the mesh or scene to draw)
+PAGE    ?= a4
+MARGIN  ?= 10mm
+PEN     ?= 0.3mm
+HIDDEN  ?= remove
+SIZE    ?= 1280x960
+FRAMES  ?= 0
+TURN    ?=
+OUT     ?= .
+OPTIONS ?=
+
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+SHELL := /bin/bash
+.SHELLFLAGS := -eo pipefail -c
+.DELETE_ON_ERROR:
+
+draw = render-gl --page $(PAGE) --margin $(MARGIN) --pen $(PEN) --hidden $(HIDDEN) --size $(SIZE) $(OPTIONS)
+# The shell computes the name, because make would split a file name at spaces.
+name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
+
+.PHONY: drawing
+drawing:
+	mkdir -p $(OUT)
+ifeq ($(FRAMES),0)
+	$(name) && $(draw) -o "$$name.svg" "$(SCENE)"
+else
+	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$$name-%03d.svg" "$(SCENE)"
+endif
