@@ -12,6 +12,7 @@
 
 #define HATCH_CURVE_FAMILIES_MAX 8u
 #define HATCH_CURVE_LEVELS_MAX 16u
+#define HATCH_CURVE_FACES_MAX 16777216u /* of a mesh whose strokes a file holds: floats are exact up to here */
 
 struct hatch_curve_point {
     uint32_t face;   /* of the mesh */
@@ -57,8 +58,10 @@ enum hatch_status hatch_curves_check(const struct hatch_curves *curves, const st
 
 /* Makes the points of a set the vertices of a mesh without faces, whose indices are pairs: the ends of each line from a
  * point to the next of the same stroke. Where the surface has joints or morph targets, so have its points: of the
- * joints of a face's corners, the four that weigh most. vertices    out: in arena; face_count is 0 line_count  out:
- * pairs in vertices->indices */
+ * joints of a face's corners, the four that weigh most.
+ *   vertices    out: in arena; face_count is 0
+ *   line_count  out: pairs in vertices->indices
+ * HATCH_LIMIT also for a mesh of more than HATCH_CURVE_FACES_MAX faces. */
 enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, const struct hatch_curve_set *set,
                                            const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                            struct hatch_mesh *vertices, uint32_t *line_count,
@@ -69,7 +72,8 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
  *   indices     2 * line_count vertices
  *   curves      in, out: the set's curves and points are appended; its arrays have room for line_count curves and
  *               vertices->vertex_count points more
- * HATCH_BAD_INPUT where an attribute is missing or a line does not join a vertex to the next. */
+ * HATCH_BAD_INPUT where an attribute is missing, a face or stroke is no whole number in range, or a line does not join
+ * a vertex to the next. */
 enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, const uint32_t *indices,
                                              uint32_t line_count, struct hatch_curves *curves,
                                              struct hatch_err *err) HATCH_MUST_USE;

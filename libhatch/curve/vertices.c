@@ -1,4 +1,5 @@
 /* The points of strokes as vertices with attributes, as files hold them. */
+#include <math.h>
 #include <string.h>
 
 #include "curve/curves.h"
@@ -125,6 +126,9 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
     const struct hatch_curve *first = &curves->curves[set->first], *last = first + set->count - 1;
     uint32_t count = set->count > 0 ? last->first + last->count - first->first : 0, lines = 0;
     const struct hatch_curve_point *points = &curves->points[set->count > 0 ? first->first : 0];
+    if (mesh->face_count > HATCH_CURVE_FACES_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "strokes on a mesh of %u faces; a file holds those of at most %u",
+                          mesh->face_count, HATCH_CURVE_FACES_MAX);
     HATCH_TRY(hatch_mesh_make(arena, count, 0, vertices, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &vertices->indices, 2 * (size_t)count, err));
     for (size_t i = 0; i < count; i++)
@@ -141,9 +145,10 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
     return add_targets(points, count, mesh, arena, vertices, err);
 }
 
-static bool is_u16(float number)
+/* Returns whether a number is whole and less than a limit. */
+static bool is_below(float number, uint32_t limit)
 {
-    return number >= 0 && number <= UINT16_MAX;
+    return number >= 0 && number < (float)limit && number == floorf(number);
 }
 
 enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, const uint32_t *indices,
@@ -166,8 +171,9 @@ enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, 
             curves->curves[curves->count++] = (struct hatch_curve){.first = curves->point_count};
         struct hatch_curve *curve = &curves->curves[curves->count - 1];
         for (uint32_t v = begins ? from : to; v <= to; v++) {
-            if (!(face[v] >= 0 && face[v] < 0x1p31f && is_u16(id[2 * (size_t)v]) && is_u16(id[2 * (size_t)v + 1])))
-                return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: %s or %s is out of range", v,
+            if (!is_below(face[v], HATCH_CURVE_FACES_MAX) || !is_below(id[2 * (size_t)v], 0x10000) ||
+                !is_below(id[2 * (size_t)v + 1], 0x10000))
+                return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: %s or %s is no whole number in range", v,
                                   HATCH_CURVE_FACE, HATCH_CURVE_STROKE);
             curves->points[curves->point_count++] =
                 (struct hatch_curve_point){.face = (uint32_t)face[v],
