@@ -37,6 +37,20 @@ static inline struct field_case case_of_shape(enum hatch_shape shape, uint32_t f
     return case_of(mesh);
 }
 
+/* Sets the field to a direction in space, projected onto the surface. */
+static inline void set_direction(struct field_case *field, double x, double y, double z)
+{
+    for (uint32_t p = 0; p < field->surface.point_count; p++) {
+        const double *normal = &field->frames.normal[3 * p];
+        double d[3] = {x, y, z}, along = hatch_vec_dot(d, normal);
+        hatch_vec_add_scaled(d, -along, normal, d);
+        if (hatch_vec_normalize(d) < 1e-6)
+            hatch_vec_copy(&field->frames.axis[3 * p], d);
+        hatch_vec_copy(d, &field->direction[3 * p]);
+        field->confidence[p] = 1;
+    }
+}
+
 /* Sets direction and confidence to the known principal directions of a shape, with noise.
  *   noise_rad   standard deviation of the normally distributed angle
  *   confidence  at points where a direction is known; 0 elsewhere */

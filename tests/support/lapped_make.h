@@ -35,20 +35,6 @@ static inline struct hatch_lapped cover(const struct field_case *field, const st
     return lapped;
 }
 
-/* Sets the field to a direction in space, projected onto the surface. */
-static inline void set_direction(struct field_case *field, double x, double y, double z)
-{
-    for (uint32_t p = 0; p < field->surface.point_count; p++) {
-        const double *normal = &field->frames.normal[3 * p];
-        double d[3] = {x, y, z}, along = hatch_vec_dot(d, normal);
-        hatch_vec_add_scaled(d, -along, normal, d);
-        if (hatch_vec_normalize(d) < 1e-6)
-            hatch_vec_copy(&field->frames.axis[3 * p], d);
-        hatch_vec_copy(d, &field->direction[3 * p]);
-        field->confidence[p] = 1;
-    }
-}
-
 static inline struct lapped_case make_lapped(struct field_case field, const struct hatch_lapped_options *options)
 {
     struct lapped_case made = {.field = field};
