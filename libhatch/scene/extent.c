@@ -44,16 +44,16 @@ static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const
     return joints;
 }
 
-enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
-                                      struct hatch_err *err)
+/* Measures without rewinding scratch. */
+static enum hatch_status measure(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_scene_extent *extent, struct hatch_err *err)
 {
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     struct hatch_scene_extent made;
     struct hatch_box box = {.any = false};
     size_t joint_count = 0;
     for (uint32_t s = 0; s < scene->skin_count; s++)
         joint_count = scene->skins[s].joint_count > joint_count ? scene->skins[s].joint_count : joint_count;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     float *world, *joints;
     HATCH_TRY(HATCH_ALLOC(scratch, &world, 16 * (size_t)scene->node_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &joints, 16 * joint_count, err));
@@ -69,13 +69,23 @@ enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct ha
             made.scale[m] = made.scale[m] > 0 ? made.scale[m] : scale_of(matrix);
         }
     }
-    for (uint32_t m = 0; m < scene->mesh_count; m++)
+    bool drawn = box.any;
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
         made.scale[m] = made.scale[m] > 0 ? made.scale[m] : 1;
-    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    for (uint32_t m = 0; m < scene->mesh_count && !box.any; m++)
-        add_mesh(&box, &scene->meshes[m].mesh, identity);
+        if (!drawn)
+            add_mesh(&box, &scene->meshes[m].mesh, identity);
+    }
     made.diagonal = hatch_vec_distance(box.low, box.high);
-    hatch_arena_rewind(scratch, mark);
     *extent = made;
     return HATCH_OK;
+}
+
+enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
+                                      struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = measure(scene, arena, scratch, extent, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }

@@ -5,7 +5,8 @@
 #include "scene/scene.h"
 
 struct hatch_scene_extent {
-    double diagonal; /* diagonal of the box around everything that nodes draw, in scene units */
+    double diagonal; /* diagonal of the box around everything that nodes draw, in scene units; where they draw nothing,
+                        around all meshes */
     double *scale; /* per mesh: scene units per unit of the mesh, as its first node places it; 1 for meshes that no node
                       draws, or only with scale 0 */
 };
