@@ -161,4 +161,28 @@ static inline void move(struct hatch_mesh *mesh, float scale, float x)
         p[i] = p[i] * scale + (i % 3 ? 0 : x);
 }
 
+/* Gives every vertex one of two joints. */
+static inline void add_joints(struct hatch_mesh *mesh)
+{
+    float *joint, *weight;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "JOINTS_0", 4, &joint, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "WEIGHTS_0", 4, &weight, &err), &err);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        joint[4 * v] = (float)(v % 2);
+        weight[4 * v] = 1;
+    }
+}
+
+/* Adds two morph targets, of positions and normals. */
+static inline void add_targets(struct hatch_mesh *mesh)
+{
+    float *displacements, *normals;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_POSITION, 6, &displacements, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_NORMAL, 6, &normals, &err), &err);
+    for (uint32_t i = 0; i < 6 * mesh->vertex_count; i++) {
+        displacements[i] = 0.5f * (float)(i % 7);
+        normals[i] = -0.1f * (float)(i % 5);
+    }
+}
+
 #endif

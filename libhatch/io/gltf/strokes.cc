@@ -82,12 +82,16 @@ enum hatch_status read_strokes(Reader &r, const std::vector<tinygltf::Primitive>
         return HATCH_LIMIT;
     for (size_t i = 0; i < sets; i++) {
         struct hatch_curve_set *set = &curves.sets[curves.set_count++];
-        HATCH_TRY(read_set(r, list[first + i], place("mesh", mesh, "primitive", first + i), set));
+        const std::string where = place("mesh", mesh, "primitive", first + i);
+        HATCH_TRY(read_set(r, list[first + i], where, set));
         set->first = curves.count;
-        HATCH_TRY(hatch_curves_from_vertices(&parts[i].vertices, parts[i].indices, parts[i].count / 2, &curves, r.err));
+        if (hatch_curves_from_vertices(&parts[i].vertices, parts[i].indices, parts[i].count / 2, &curves, r.err) !=
+            HATCH_OK)
+            return hatch_fail_at(r.err, "%s: ", where.c_str());
         set->count = curves.count - set->first;
     }
-    HATCH_TRY(hatch_curves_check(&curves, &surface->mesh, r.err));
+    if (hatch_curves_check(&curves, &surface->mesh, r.err) != HATCH_OK)
+        return hatch_fail_at(r.err, "%s: ", place("mesh", mesh, "primitive", first - 1).c_str());
     hatch_arena_rewind(r.scratch, mark);
     surface->curves = curves;
     return HATCH_OK;

@@ -236,7 +236,7 @@ START_TEST(numbers_out_of_range_are_refused)
 END_TEST
 
 /* Each corner has four joints; one of them is common to all. */
-static void add_joints(void)
+static void add_four_joints(void)
 {
     float *joints, *weights;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "JOINTS_0", 4, &joints, &err), &err);
@@ -252,7 +252,7 @@ static void add_joints(void)
 START_TEST(the_heaviest_joints_are_kept)
 {
     uint32_t lines;
-    add_joints();
+    add_four_joints();
     points[0] = (struct hatch_curve_point){0, {0.25f, 0.25f}, 1}; /* shares 0.5, 0.25, 0.25 */
     points[1] = (struct hatch_curve_point){0, {1, 0}, 1};
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
@@ -273,7 +273,7 @@ END_TEST
 START_TEST(joints_without_weight_are_left_out)
 {
     uint32_t lines;
-    add_joints();
+    add_four_joints();
     float *from = hatch_mesh_find(&mesh, "WEIGHTS_0", 4);
     for (uint32_t v = 0; v < 4; v++)
         for (uint32_t i = 0; i < 4; i++)
@@ -336,7 +336,7 @@ static enum hatch_status make_vertices(void *context, struct hatch_arena *kept, 
 START_TEST(every_failed_allocation_is_a_limit)
 {
     float *moves;
-    add_joints();
+    add_four_joints();
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, HATCH_MORPH_POSITION, 3, &moves, &err), &err);
     hatch_test_fail_alloc(make_vertices, &sets[0], NULL, 0);
 }

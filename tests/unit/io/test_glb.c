@@ -2,11 +2,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "arenas.h"
 #include "fail_alloc.h"
 #include "io/glb/glb.h"
 #include "io/gltf/gltf.h"
-#include "shapes/shapes.h"
+#include "meshes.h"
 
 static struct hatch_scene full, back;
 
@@ -25,29 +24,6 @@ static struct hatch_animation_channel channels[4];
 static struct hatch_animation animations[1];
 static uint32_t joints[2] = {3, 5};
 static float inverse_bind[32], times[3] = {0, 0.1f, 2.5f}, values[36], weights[2] = {0.25f, 0};
-
-static void add_joints(struct hatch_mesh *mesh)
-{
-    float *joint, *weight;
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "JOINTS_0", 4, &joint, &err), &err);
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, "WEIGHTS_0", 4, &weight, &err), &err);
-    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        joint[4 * v] = (float)(v % 2);
-        weight[4 * v] = 1;
-    }
-}
-
-/* Two targets, of positions and normals. */
-static void add_targets(struct hatch_mesh *mesh)
-{
-    float *displacements, *normals;
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_POSITION, 6, &displacements, &err), &err);
-    HATCH_TEST_OK(hatch_mesh_add(&keep, mesh, HATCH_MORPH_NORMAL, 6, &normals, &err), &err);
-    for (uint32_t i = 0; i < 6 * mesh->vertex_count; i++) {
-        displacements[i] = 0.5f * (float)(i % 7);
-        normals[i] = -0.1f * (float)(i % 5);
-    }
-}
 
 static void make_meshes(void)
 {

@@ -1,0 +1,320 @@
+/* Strokes written as GLB and read again, and damaged ones. */
+#include <stdio.h>
+
+#include "fail_alloc.h"
+#include "io/glb/glb.h"
+#include "io/gltf/gltf.h"
+#include "meshes.h"
+
+#define POINTS 15u
+
+static struct hatch_scene_mesh meshes[2];
+static struct hatch_node nodes[3];
+static uint32_t joints[2] = {1, 2};
+static float inverse_bind[32], times[2] = {0, 1}, values[4] = {0, 0, 1, 0.5f};
+static struct hatch_skin skins[1];
+static struct hatch_animation_channel channels[1];
+static struct hatch_animation animations[1];
+static struct hatch_curve_point points[2][POINTS];
+static struct hatch_curve curves[2][3];
+static struct hatch_curve_set sets[2][4];
+static struct hatch_scene full, back;
+
+/* Three strokes in two of four sets; the others have none. Numbers differ from all others in the file. */
+static void add_strokes(uint32_t m)
+{
+    static const uint32_t counts[3] = {6, 2, 7};
+    uint32_t first = 0;
+    for (uint32_t i = 0; i < POINTS; i++)
+        points[m][i] = (struct hatch_curve_point){i % meshes[m].mesh.face_count,
+                                                  {0.0123f * (float)(i + 1), 0.0217f * (float)(i + 1)},
+                                                  17.25f + (float)(10 * i + m)};
+    for (uint32_t c = 0; c < 3; c++) {
+        curves[m][c] = (struct hatch_curve){first, counts[c], 0x9e3779b9u * (c + 1)};
+        first += counts[c];
+    }
+    sets[m][0] = (struct hatch_curve_set){0, 0, 0, 0.5f, 0, 0};
+    sets[m][1] = (struct hatch_curve_set){0, 1, 0, 0.25f, 0, 1};
+    sets[m][2] = (struct hatch_curve_set){1, 0, 1.0f / 3, 0.5f, 1, 2};
+    sets[m][3] = (struct hatch_curve_set){1, 1, 1.0f / 3, 0.25f, 3, 0};
+    meshes[m].curves = (struct hatch_curves){4, 3, POINTS, sets[m], curves[m], points[m]};
+}
+
+/* A skinned plane, and a torus with morph targets that are animated. */
+static void begin_scene(void)
+{
+    begin();
+    for (uint32_t m = 0; m < 2; m++)
+        meshes[m] = (struct hatch_scene_mesh){.mesh = shape_of(m ? HATCH_SHAPE_TORUS : HATCH_SHAPE_PLANE, 16),
+                                              .material = HATCH_NONE};
+    add_joints(&meshes[0].mesh);
+    add_targets(&meshes[1].mesh);
+    for (uint32_t n = 0; n < 3; n++)
+        nodes[n] = (struct hatch_node){.parent = n == 2 ? 1 : HATCH_NONE,
+                                       .rotation = {0, 0, 0, 1},
+                                       .scale = {1, 1, 1},
+                                       .skin = n == 0 ? 0 : HATCH_NONE,
+                                       .camera = HATCH_NONE,
+                                       .light = HATCH_NONE,
+                                       .first_mesh = n,
+                                       .mesh_count = n < 2};
+    for (uint32_t i = 0; i < 32; i++)
+        inverse_bind[i] = i % 16 % 5 == 0;
+    skins[0] = (struct hatch_skin){2, joints, inverse_bind};
+    channels[0] = (struct hatch_animation_channel){1, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, values, 2};
+    animations[0] = (struct hatch_animation){1, channels, 1};
+    full = (struct hatch_scene){.mesh_count = 2,
+                                .node_count = 3,
+                                .skin_count = 1,
+                                .animation_count = 1,
+                                .meshes = meshes,
+                                .nodes = nodes,
+                                .skins = skins,
+                                .animations = animations};
+    add_strokes(0);
+    add_strokes(1);
+}
+
+static struct hatch_buffer written(const struct hatch_scene *scene)
+{
+    struct hatch_buffer file = {.arena = &keep};
+    HATCH_TEST_OK(hatch_glb_write_scene(scene, NULL, &scratch, &file, &err), &err);
+    return file;
+}
+
+static enum hatch_status read_file(const struct hatch_buffer *file, struct hatch_mesh_notes *notes)
+{
+    *notes = (struct hatch_mesh_notes){0};
+    return hatch_gltf_read((struct hatch_bytes){file->data, file->size}, NULL, &keep, &scratch, &back, notes, &err);
+}
+
+static struct hatch_buffer write_and_read(void)
+{
+    struct hatch_mesh_notes notes;
+    struct hatch_buffer file = written(&full);
+    HATCH_TEST_OK(read_file(&file, &notes), &err);
+    ck_assert_uint_eq(notes.primitives_skipped, 0);
+    ck_assert_uint_eq(notes.attributes_dropped, 0);
+    return file;
+}
+
+START_TEST(strokes_survive_a_round_trip)
+{
+    write_and_read();
+    ck_assert_uint_eq(back.mesh_count, 2);
+    for (uint32_t m = 0; m < 2; m++) {
+        const struct hatch_curves *read = &back.meshes[m].curves;
+        ck_assert_uint_eq(read->set_count, 2);
+        ck_assert_uint_eq(read->count, 3);
+        ck_assert_uint_eq(read->point_count, POINTS);
+        ck_assert_mem_eq(read->sets, &sets[m][1], 2 * sizeof *read->sets);
+        ck_assert_mem_eq(read->curves, curves[m], sizeof curves[m]);
+        ck_assert_mem_eq(read->points, points[m], sizeof points[m]);
+    }
+}
+END_TEST
+
+START_TEST(a_copy_has_the_same_bytes)
+{
+    struct hatch_buffer first = write_and_read(), second = written(&back);
+    ck_assert_uint_eq(second.size, first.size);
+    ck_assert_mem_eq(second.data, first.data, first.size);
+}
+END_TEST
+
+/* Several surfaces of one node have their own strokes. */
+START_TEST(strokes_belong_to_the_surface_before_them)
+{
+    nodes[0] = nodes[1];
+    nodes[0].first_mesh = 0;
+    nodes[0].mesh_count = 2;
+    nodes[1].mesh_count = 0;
+    full.animation_count = full.skin_count = 0;
+    meshes[0].mesh.attribute_count = meshes[1].mesh.attribute_count = 2;
+    struct hatch_buffer first = write_and_read(), second = written(&back);
+    ck_assert_uint_eq(back.nodes[0].mesh_count, 2);
+    for (uint32_t m = 0; m < 2; m++)
+        ck_assert_mem_eq(back.meshes[m].curves.points, points[m], sizeof points[m]);
+    ck_assert_uint_eq(second.size, first.size);
+    ck_assert_mem_eq(second.data, first.data, first.size);
+}
+END_TEST
+
+START_TEST(no_strokes_are_no_primitives)
+{
+    struct hatch_buffer with = written(&full);
+    for (uint32_t m = 0; m < 2; m++)
+        meshes[m].curves.set_count = 0;
+    struct hatch_buffer without = write_and_read();
+    ck_assert_uint_eq(back.meshes[0].curves.set_count + back.meshes[1].curves.set_count, 0);
+    ck_assert_uint_gt(with.size, without.size + 1000);
+    for (uint32_t m = 0; m < 2; m++) { /* sets without strokes, all of them */
+        meshes[m].curves = (struct hatch_curves){4, 0, 0, sets[m], curves[m], points[m]};
+        for (uint32_t s = 0; s < 4; s++)
+            sets[m][s].first = sets[m][s].count = 0;
+    }
+    struct hatch_buffer empty = written(&full);
+    ck_assert_uint_eq(empty.size, without.size);
+    ck_assert_mem_eq(empty.data, without.data, empty.size);
+}
+END_TEST
+
+static size_t find(const struct hatch_buffer *file, const void *pattern, size_t size, size_t from)
+{
+    for (size_t at = from; at + size <= file->size; at++)
+        if (memcmp(&file->data[at], pattern, size) == 0)
+            return at;
+    ck_abort_msg("the file lacks a pattern");
+}
+
+/* Replaces the n-th occurrence of some bytes, from 0, in a file of both meshes. */
+static struct hatch_buffer patched(const void *from, const void *to, size_t size, uint32_t n)
+{
+    struct hatch_buffer file = written(&full);
+    size_t at = find(&file, from, size, 0);
+    for (; n > 0; n--)
+        at = find(&file, from, size, at + 1);
+    memcpy(&file.data[at], to, size);
+    return file;
+}
+
+static void check_refused(struct hatch_buffer file, const char *text)
+{
+    struct hatch_mesh_notes notes;
+    ck_assert_msg(read_file(&file, &notes) == HATCH_BAD_INPUT, "accepted; want '%s'", text);
+    ck_assert_msg(strstr(err.text, text) != NULL, "'%s' lacks '%s'", err.text, text);
+    end();
+    begin_scene();
+}
+
+/* Texts of JSON replaced by others of the same length. */
+START_TEST(damaged_descriptions_are_refused)
+{
+    static const struct {
+        const char *from, *to;
+        uint32_t n;
+        const char *says;
+    } cases[] = {
+        {"\"family\":1", "\"family\":8", 0, "mesh 0, primitive 2: strokes: family, level"},
+        {"\"family\":1", "\"family\":8", 1, "mesh 1, primitive 2: strokes: family, level"},
+        {"\"family\":1", "\"family\":x", 0, "JSON"},
+        {"\"level\":1", "\"lever\":1", 0, "mesh 0, primitive 1: strokes: family, level"},
+        {"\"level\":1", "\"level\":{", 0, "JSON"},
+        {"\"angle\":0,", "\"angel\":0,", 0, "mesh 0, primitive 1: strokes: family, level"},
+        {"\"gap\":0.25", "\"gap\":-0.5", 0, "mesh 0, primitive 1: strokes: family, level"},
+        {"\"gap\":0.25", "\"gap\":0.00", 0, "mesh 0, primitive 1: strokes: family, level"},
+        {"\"gap\":0.25", "\"gap\":9e99", 0, "mesh 0, primitive 1: strokes: family, level"},
+        {"\"gap\":0.25", "\"gap\":\"14\"", 1, "mesh 1, primitive 1: strokes: family, level"},
+        {"\"family\":0", "\"family\":2", 0, "mesh 0, primitive 0: strokes: family 1, level 0 is out of order"},
+        {"_HATCH_FACE", "_HATCH_FICE", 0, "mesh 0, primitive 1: strokes: _HATCH_FACE,"},
+        {"_HATCH_SHARE", "_HATCH_SHORE", 1, "mesh 0, primitive 2: strokes: _HATCH_FACE, _HATCH_SHARE"},
+        {"_HATCH_STROKE", "_HATCH_STRIKE", 2, "mesh 1, primitive 1: strokes: _HATCH_FACE"},
+        {"_HATCH_THRESHOLD", "_HATCH_THROSHOLD", 0, "mesh 0, primitive 1: strokes: _HATCH_FACE"},
+        {"\"count\":10,\"type\":\"SCALAR\"", "\"count\":11,\"type\":\"SCALAR\"", 0, "mesh 0, primitive 1, indices"},
+        {"\"count\":10,\"type\":\"SCALAR\"", "\"count\": 9,\"type\":\"SCALAR\"", 0,
+         "mesh 0, primitive 1: 9 ends do not form lines"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        check_refused(patched(cases[i].from, cases[i].to, strlen(cases[i].from), cases[i].n), cases[i].says);
+}
+END_TEST
+
+/* Numbers of the second set's strokes replaced by others. Some shares are the weights of a joint, too, which come
+ * before them. */
+START_TEST(damaged_numbers_are_refused)
+{
+    static const struct {
+        float from, to;
+        uint32_t n;
+        const char *says;
+    } cases[] = {
+        {17.25f + 60, 0, 0, "mesh 0, primitive 0: strokes: point 6: threshold 0, want"},
+        {17.25f + 60, -3, 0, "mesh 0, primitive 0: strokes: point 6: threshold -3, want"},
+        {17.25f + 60, NAN, 0, "mesh 0, primitive 2, _HATCH_THRESHOLD: element 0 is not finite"},
+        {17.25f + 140, INFINITY, 0, "mesh 0, primitive 2, _HATCH_THRESHOLD: element 8 is not finite"},
+        {0.0123f * 7, 1.5f, 0, "mesh 0, primitive 0: strokes: point 6 is outside of its face"},
+        {0.0217f * 11, -1, 1, "mesh 0, primitive 0: strokes: point 10 is outside of its face"},
+        {0.0217f * 11, NAN, 1, "mesh 0, primitive 2, _HATCH_SHARE: element 4 is not finite"},
+        {8, 1000, 0, "mesh 0, primitive 0: strokes: point 8: face 1000 does not exist, there are 1"},
+        {8, -1, 0, "mesh 0, primitive 2: strokes: vertex 2: _HATCH_FACE or _HATCH_STROKE is no whole number in range"},
+        {8, 0.25f, 0,
+         "mesh 0, primitive 2: strokes: vertex 2: _HATCH_FACE or _HATCH_STROKE is no whole number in range"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        check_refused(patched(&cases[i].from, &cases[i].to, sizeof(float), cases[i].n), cases[i].says);
+}
+END_TEST
+
+/* Ends of lines as they are in the file. */
+START_TEST(lines_that_jump_are_refused)
+{
+    static const uint16_t ends[] = {0, 1, 1, 2, 2, 3, 3, 4, 4, 5};
+    static const uint16_t other[][10] = {{0, 1, 1, 2, 2, 3, 3, 5, 4, 5},
+                                         {1, 2, 1, 2, 2, 3, 3, 4, 4, 5},
+                                         {0, 1, 1, 2, 2, 3, 3, 4, 5, 6},
+                                         {0, 1, 1, 2, 3, 2, 3, 4, 4, 5},
+                                         {0, 1, 1, 2, 2, 3, 3, 4, 4, 9}};
+    static const int lines[] = {3, 0, 4, 2, 4};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        char says[100];
+        snprintf(says, sizeof says, "mesh 0, primitive 1: strokes: line %d does not join a vertex to the next",
+                 lines[i]);
+        check_refused(patched(ends, other[i], sizeof ends, 0), says);
+    }
+}
+END_TEST
+
+/* Lines of other programs are no strokes; nor are strokes without a surface before them. */
+START_TEST(other_lines_are_left_out)
+{
+    struct hatch_mesh_notes notes;
+    struct hatch_buffer file = patched("\"family\":0", "\"fomily\":0", 10, 0);
+    HATCH_TEST_OK(read_file(&file, &notes), &err);
+    ck_assert_uint_eq(notes.primitives_skipped, 1);
+    ck_assert_uint_eq(back.meshes[0].curves.set_count, 0);
+    ck_assert_uint_eq(back.meshes[1].curves.set_count, 2);
+}
+END_TEST
+
+static enum hatch_status write_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                   struct hatch_err *error)
+{
+    struct hatch_buffer file = {.arena = kept};
+    return hatch_glb_write_scene(context, "x", temporary, &file, error);
+}
+
+static enum hatch_status read_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                  struct hatch_err *error)
+{
+    const struct hatch_buffer *file = context;
+    struct hatch_mesh_notes notes = {0};
+    return hatch_gltf_read((struct hatch_bytes){file->data, file->size}, NULL, kept, temporary, &back, &notes, error);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    struct hatch_buffer file = written(&full);
+    hatch_test_fail_alloc(write_one, &full, &full, sizeof full);
+    hatch_test_fail_alloc(read_one, &file, &back, sizeof back);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io glb strokes");
+    TCase *tests = tcase_create("strokes");
+    tcase_add_checked_fixture(tests, begin_scene, end_rewound);
+    tcase_add_test(tests, strokes_survive_a_round_trip);
+    tcase_add_test(tests, a_copy_has_the_same_bytes);
+    tcase_add_test(tests, strokes_belong_to_the_surface_before_them);
+    tcase_add_test(tests, no_strokes_are_no_primitives);
+    tcase_add_test(tests, damaged_descriptions_are_refused);
+    tcase_add_test(tests, damaged_numbers_are_refused);
+    tcase_add_test(tests, lines_that_jump_are_refused);
+    tcase_add_test(tests, other_lines_are_left_out);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
