@@ -14,14 +14,14 @@ static struct hatch_trace_ground lay_out(const struct field_case *field, double 
 static void place_at(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double at[3])
 {
     float position[3];
-    hatch_trace_position(&ground->faces[place->face], place->x, place->y, position);
+    hatch_trace_position(&ground->poses[place->face], place->x, place->y, position);
     hatch_vec_of(position, at);
 }
 
 static void heading_of(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double at[3])
 {
     float vector[3];
-    hatch_trace_vector(&ground->faces[place->face], place->heading, vector);
+    hatch_trace_vector(&ground->poses[place->face], place->heading, vector);
     hatch_vec_of(vector, at);
 }
 
@@ -51,7 +51,7 @@ START_TEST(a_face_keeps_its_form)
             const struct hatch_trace_place place = {f, flat[c][0], flat[c][1], {1, 0}};
             double at[3], share[3];
             place_at(&ground, &place, at);
-            check_near(at, &field.surface.points[3 * field.surface.corners[3 * f + c]], 1e-5);
+            check_near(at, &field.surface.points[3 * field.surface.corners[3 * ground.source[f] + c]], 1e-5);
             hatch_trace_shares(face, place.x, place.y, share);
             for (uint32_t k = 0; k < 3; k++)
                 ck_assert_double_eq_tol(share[k], k == c ? 1 : 0, 1e-6);
@@ -196,11 +196,11 @@ static uint32_t check_crossings(const struct field_case *field, double hard_rad)
     const struct hatch_surface *surface = &field->surface;
     struct hatch_trace_ground ground = lay_out(field, 0, hard_rad);
     uint32_t contrary = 0;
-    for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
-        uint32_t other = surface->opposite[side], c = side % 3;
-        const struct hatch_trace_face *face = &ground.faces[side / 3];
+    for (uint32_t i = 0; i < 3 * surface->face_count; i++) {
+        uint32_t c = i % 3, side = 3 * ground.source[i / 3] + c, other = surface->opposite[side];
+        const struct hatch_trace_face *face = &ground.faces[i / 3];
         const double flat[3][2] = {{0, 0}, {(double)face->x1, 0}, {(double)face->x2, (double)face->y2}};
-        struct hatch_trace_place place = middle_of(&ground, side / 3, 0);
+        struct hatch_trace_place place = middle_of(&ground, i / 3, 0);
         struct hatch_trace_leg leg;
         double edge[3], heading[3], before, met[3], at[3], inwards[3], length = 0;
         for (int k = 0; k < 2; k++)
@@ -217,7 +217,7 @@ static uint32_t check_crossings(const struct field_case *field, double hard_rad)
         ck_assert_int_eq(goes_on, other != HATCH_NO_SIDE && bend_of(field, side, other) <= hard_rad);
         if (!goes_on)
             continue;
-        ck_assert_uint_eq(place.face, other / 3);
+        ck_assert_uint_eq(ground.source[place.face], other / 3);
         heading_of(&ground, &place, heading);
         ck_assert_double_eq_tol(hatch_vec_dot(heading, edge), before, 1e-4 * hatch_vec_length(edge));
         for (int k = 0; k < 3; k++)
