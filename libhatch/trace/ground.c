@@ -195,9 +195,9 @@ static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_pla
         double inside = edge[0] * (place->y - a[1]) - edge[1] * (place->x - a[0]);
         if (!(rate < 0))
             continue;
-        double way = fmax(0, inside / -rate);
+        double way = inside / -rate;
         if (way < length) {
-            length = way;
+            length = way > 0 ? way : 0;
             reached = c;
         }
     }

@@ -6,6 +6,7 @@
 #include "trace/work.h"
 
 #define ITEMS_MIN 1024u
+#define CELL_GAPS 3.0    /* side of a cell: smaller ones are all looked into anyway */
 #define CELLS_MAX 1024.0 /* of a face, along each axis */
 #define OWN_GAPS 2.5     /* pieces of the same stroke that are nearer along it do not count */
 #define GAP_LEAST 0.2    /* of the gap: nothing is nearer, but for rounding and strokes that cross */
@@ -74,7 +75,7 @@ enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err
 {
     const struct hatch_component *component = tracer->component;
     struct hatch_trace_cells *cells = &tracer->cells;
-    double size = fmax(tracer->gap, tracer->leg_max), sum = 0;
+    double size = CELL_GAPS * fmax(tracer->gap, tracer->leg_max), sum = 0;
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->first, (size_t)component->face_count + 1, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->across, component->face_count, err));
     for (uint32_t f = 0; f < component->face_count; f++) {
@@ -230,15 +231,17 @@ double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_tr
     if (count == 1) {
         nearest = first_in_cell(tracer, first, from, way, origin);
     } else {
-        double x_low, width, height, margin = tracer->leg_max;
+        double x_low, width, height, margin = 0.5 * tracer->leg_max;
         extent_of(&tracer->ground.faces[leg->face], &x_low, &width, &height);
         uint32_t x0 = cell_at(fmin(leg->from[0], leg->to[0]) - margin - x_low, width, across);
         uint32_t x1 = cell_at(fmax(leg->from[0], leg->to[0]) + margin - x_low, width, across);
         uint32_t y0 = cell_at(fmin(leg->from[1], leg->to[1]) - margin, height, count / across);
         uint32_t y1 = cell_at(fmax(leg->from[1], leg->to[1]) + margin, height, count / across);
         for (uint32_t y = y0; y <= y1; y++)
-            for (uint32_t x = x0; x <= x1; x++)
-                nearest = fminf(nearest, first_in_cell(tracer, first + x + across * y, from, way, origin));
+            for (uint32_t x = x0; x <= x1; x++) {
+                float share = first_in_cell(tracer, first + x + across * y, from, way, origin);
+                nearest = share < nearest ? share : nearest;
+            }
     }
     return nearest < HUGE_VALF ? (double)nearest * leg->length : HUGE_VAL;
 }

@@ -41,7 +41,7 @@ struct hatch_trace_stop {
     int32_t number;         /* from the seed, negative behind it */
 };
 
-/* The cells in which pieces are found: each face is cut into cells of about a gap. A piece is in the cell of its
+/* The cells in which pieces are found: each face is cut into cells of a few gaps. A piece is in the cell of its
  * middle. */
 struct hatch_trace_cells {
     uint32_t *first;  /* per face of the component, and the end of the last: its first cell */
