@@ -155,24 +155,22 @@ static uint64_t number_along(struct hatch_solver *solver, const struct hatch_pat
     return size;
 }
 
+/* Numbers the vertices so that the envelope is short. */
 static void choose_numbering(struct hatch_solver *solver, const struct hatch_patch *patch)
 {
-    double low[2], high[2];
-    uint32_t axis = find_box(patch, low, high), best = axis;
-    double count = patch->vertex_count;
-    uint64_t least = number_along(solver, patch, axis, low, high);
-    for (uint32_t other = 0; other < 3 && (double)least > ENVELOPE_FAIR * count * sqrt(count); other++) {
-        if (other == axis)
-            continue;
-        uint64_t found = number_along(solver, patch, other, low, high);
+    double low[2], high[2], count = patch->vertex_count, fair = ENVELOPE_FAIR * count * sqrt(count);
+    uint32_t longer = find_box(patch, low, high), tried = 0, best = 0;
+    const uint32_t axes[3] = {longer, 1 - longer, 2};
+    uint64_t least = UINT64_MAX;
+    for (; tried < 3 && (double)least > fair; tried++) {
+        uint64_t found = number_along(solver, patch, axes[tried], low, high);
         if (found < least) {
             least = found;
-            best = other;
+            best = tried;
         }
-        axis = other;
     }
-    if (best != axis)
-        number_along(solver, patch, best, low, high);
+    if (best + 1 != tried)
+        number_along(solver, patch, axes[best], low, high);
 }
 
 static enum hatch_status reserve_matrix(struct hatch_solver *solver, const struct hatch_patch *patch,

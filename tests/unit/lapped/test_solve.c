@@ -1,0 +1,102 @@
+/* The linear systems of patches. */
+#include "lapped/work.h"
+#include "lapped_make.h"
+
+enum { RIM = 500, FACES = 2 * RIM, VERTICES = FACES + 1 };
+
+/* A flat star, somewhat wider than high, whose hub is vertex 0; its other vertices are numbered at random. */
+struct star {
+    double at[VERTICES][2], xy[VERTICES][2], flattened[FACES][4];
+    uint32_t corners[FACES][3], faces[FACES];
+    uint8_t singular[FACES];
+    int8_t sign[FACES];
+};
+
+static void number_at_random(uint32_t number[VERTICES])
+{
+    for (uint32_t v = 0; v < VERTICES; v++)
+        number[v] = v;
+    for (uint32_t v = VERTICES - 1; v > 1; v--) {
+        uint32_t other = 1 + (uint32_t)(hatch_random_unit(3, 0, v) * (float)v), was = number[v];
+        number[v] = number[other];
+        number[other] = was;
+    }
+}
+
+static void make_star(struct star *star)
+{
+    uint32_t number[VERTICES];
+    number_at_random(number);
+    for (uint32_t i = 0; i < RIM; i++) {
+        uint32_t next = (i + 1) % RIM, tip = 1 + RIM + i;
+        const uint32_t inner[3] = {0, 1 + i, 1 + next}, outer[3] = {1 + next, 1 + i, tip};
+        for (uint32_t c = 0; c < 3; c++) {
+            star->corners[i][c] = number[inner[c]];
+            star->corners[RIM + i][c] = number[outer[c]];
+        }
+        for (uint32_t v = 1 + i; v <= tip; v += RIM) {
+            double angle = 2 * PI * (v == tip ? i + 0.5 : i) / RIM, radius = v == tip ? 2 : 1;
+            star->at[number[v]][0] = 1.1 * radius * cos(angle);
+            star->at[number[v]][1] = radius * sin(angle);
+        }
+    }
+    for (uint32_t f = 0; f < FACES; f++) {
+        const uint32_t *corner = star->corners[f];
+        star->faces[f] = f;
+        star->sign[f] = 1;
+        for (int i = 0; i < 4; i++)
+            star->flattened[f][i] = star->at[corner[1 + i / 2]][i % 2] - star->at[corner[0]][i % 2];
+    }
+    memcpy(star->xy, star->at, sizeof star->xy);
+}
+
+/* Returns the number of entries between the first of each row and the diagonal, with the vertices in reverse order. */
+static uint64_t reverse_envelope(const struct star *star)
+{
+    uint32_t first[VERTICES];
+    uint64_t size = 0;
+    for (uint32_t v = 0; v < VERTICES; v++)
+        first[v] = v;
+    for (uint32_t i = 0; i < 9 * FACES; i++) {
+        const uint32_t *corner = star->corners[i / 9];
+        uint32_t row = VERTICES - 1 - corner[i % 3], column = VERTICES - 1 - corner[i / 3 % 3];
+        first[row] = column < first[row] ? column : first[row];
+    }
+    for (uint32_t v = 0; v < VERTICES; v++)
+        size += v - first[v] + 1;
+    return size;
+}
+
+START_TEST(the_shortest_envelope_is_chosen)
+{
+    static struct star star;
+    make_star(&star);
+    const struct hatch_patch_domain domain = {.flattened = star.flattened[0], .singular = star.singular};
+    struct hatch_patch patch = {.face_count = FACES,
+                                .vertex_count = VERTICES,
+                                .faces = star.faces,
+                                .corners = star.corners[0],
+                                .sign = star.sign,
+                                .xy = star.xy[0]};
+    struct hatch_solver solver = {.arena = &scratch};
+    HATCH_TEST_OK(hatch_solver_solve(&solver, &domain, &patch, &err), &err);
+    uint64_t size = 0, reverse = reverse_envelope(&star);
+    for (uint32_t v = 0; v < VERTICES; v++)
+        size += v - solver.first_column[v] + 1;
+    ck_assert_msg(size < reverse / 2, "%lu entries, in reverse order %lu", size, reverse);
+    for (uint32_t v = 0; v < VERTICES; v++)
+        for (int i = 0; i < 2; i++)
+            ck_assert_double_eq_tol(star.xy[v][i], star.at[v][i], 1e-9);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("lapped solve");
+    TCase *tests = tcase_create("solve");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, the_shortest_envelope_is_chosen);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
