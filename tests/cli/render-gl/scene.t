@@ -65,4 +65,20 @@ draw solid.glb solid.png
 is "opacity survives dirfield and lapped-param" "$(inked glass.png)$(apart solid.png still.png)" 00
 try render-gl glass.gltf -t gouraud --size 32x24 -o glass.png
 is "transparent meshes that are left out are warned of" "$(grep -c '1 transparent mesh is left out' .err)" 1
+
+# holes NAME INDEX: a square that is all hole behind a smaller one without holes, whose textures are 0 and INDEX
+clear=data:image/png\;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAAC0lEQVR42mNgAAIAAAUAAen63NgAAAAASUVORK5CYII=
+holes() {
+    texture='"pbrMetallicRoughness":{"baseColorTexture":{"index":'
+    square "$1" '2,"TEXCOORD_0":6' ",${texture}0}}},{\"doubleSided\":true,\"alphaMode\":\"MASK\",$texture$2}}" \
+        '},{"mode":5,"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":6},"material":1}]}],"textures":[{"source":0},
+{"source":1}],"images":[{"uri":"'"$clear"'"},{"uri":"'"$clear"'"}'
+    sed 's/"type":"SCALAR"}\],/"type":"SCALAR"},{"bufferView":1,"componentType":5126,"count":4,"type":"VEC2"}],/' \
+        "$1.gltf" >with.gltf && mv with.gltf "$1.gltf"
+    draw "$1.gltf" "$1.png" --lines none
+}
+holes same 0
+holes other 1
+draw half.gltf half.png --lines none
+is "a texture has holes in one mesh and none in another" "$(apart same.png other.png)$(apart same.png half.png)" 00
 finish
