@@ -34,11 +34,13 @@ refused_option() {
     case $first in "$1: --$2: "*) ;; *) return 1 ;; esac
 }
 
-# Values that every numeric option refuses; --options-table lists the numeric options.
+# Values that every numeric option refuses; --options-table lists the numeric options, which alone have a range.
 check_values() {
     "$1" --options-table >options.tsv
     awk -F'\t' 'NR > 1 && $3 ~ /^(int|real|size|pair)$/ {
         printf "%s %s %.17g %.17g\n", $2, $3, $5 * 2 + 1, $4 - 1}' options.tsv >numeric
+    is "$1 lists no range for other options" "$(awk -F'\t' '
+        NR > 1 && $3 !~ /^(int|real|size|pair)$/ && ($4 != 0 || $5 != 0) {print $2}' options.tsv)" ""
     command=$1
     [ -s numeric ] || fail "$1 has numeric options, --threads for one"
     bad=""
