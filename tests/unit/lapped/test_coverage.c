@@ -55,6 +55,20 @@ START_TEST(a_patch_that_shows_a_sliver_is_not_hidden)
 }
 END_TEST
 
+/* A face in the middle of a core, one of whose corners is moved out of it along an axis. */
+START_TEST(a_core_covers_no_face_with_a_corner_outside)
+{
+    enum hatch_visibility visible;
+    for (int moved = 0; moved < 6; moved++) {
+        double mask[4][2] = {{0.5, 0.5}, {0.51, 0.5}, {0.5, 0.51}, {0.5, 0.5}}; /* the last is no corner */
+        mask[moved / 2][moved % 2] = 0.95;
+        HATCH_TEST_OK(hatch_core_coverage_make(&circle, 1, &keep, &coverage, &err), &err);
+        HATCH_TEST_OK(hatch_core_coverage_add(&coverage, 0, (const double(*)[2])mask, &visible, &err), &err);
+        ck_assert_msg(!coverage.covered[0], "corner %d, axis %d", moved / 2, moved % 2);
+    }
+}
+END_TEST
+
 /* Only patches before it can hide a patch, not its own core. */
 START_TEST(a_patch_does_not_hide_itself)
 {
@@ -111,6 +125,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin_coverage, end);
     tcase_add_test(tests, a_patch_under_the_union_of_two_is_hidden);
     tcase_add_test(tests, a_patch_that_shows_a_sliver_is_not_hidden);
+    tcase_add_test(tests, a_core_covers_no_face_with_a_corner_outside);
     tcase_add_test(tests, a_patch_does_not_hide_itself);
     tcase_add_test(tests, hidden_patches_are_left_out);
     suite_add_tcase(suite, tests);

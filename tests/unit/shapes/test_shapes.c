@@ -5,6 +5,7 @@
 #include "math/vector.h"
 #include "measure/mesh_figures.h"
 #include "meshes.h"
+#include "shapes/grid.h"
 
 static struct hatch_mesh make(enum hatch_shape shape, uint32_t faces, float jitter, float noise, uint64_t seed)
 {
@@ -66,6 +67,20 @@ START_TEST(areas_match_closed_forms)
         double area = measure(&mesh).area;
         ck_assert_msg(fabs(area / known[i].area - 1) < 1e-3, "%s: area %g, want %g", hatch_shape_names[known[i].shape],
                       area, known[i].area);
+    }
+}
+END_TEST
+
+/* It is 0.25 high and falls off with the fourth power of what is left of the way, in the cosine, to 60 degrees. */
+START_TEST(a_bump_ends_at_60_degrees)
+{
+    double slope[2];
+    ck_assert_double_eq_tol(hatch_bump_radius(1, slope), 1.25, 1e-12);
+    ck_assert_double_eq_tol(hatch_bump_radius(0.75, slope), 1 + 0.25 / 16, 1e-12);
+    for (double cosine = 0.5; cosine >= -1; cosine -= 0.25) {
+        ck_assert_double_eq(hatch_bump_radius(cosine, slope), 1);
+        ck_assert_double_eq(slope[0], 0);
+        ck_assert_double_eq(slope[1], 0);
     }
 }
 END_TEST
@@ -381,6 +396,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("shapes");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, areas_match_closed_forms);
+    tcase_add_test(tests, a_bump_ends_at_60_degrees);
     tcase_add_test(tests, topology_is_correct);
     tcase_add_test(tests, smallest_shapes_are_manifold);
     tcase_add_test(tests, faces_are_oriented_outwards_with_jitter);
