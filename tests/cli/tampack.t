@@ -19,6 +19,11 @@ is "in a folder textures are named after the map" "$(files folder)" "map.0.ktx2 
 try tampack - -o folder/ <map.exr
 is "in a folder textures of standard input are named tam" "$(files folder)" \
     "map.0.ktx2 map.1.ktx2 tam.0.ktx2 tam.1.ktx2"
+mkdir far hidden
+try tampack -q "$PWD/map.exr" -o far
+is "also after a map that lies elsewhere" "$(files far)" "map.0.ktx2 map.1.ktx2"
+try tampack -q map.exr -o hidden/.map
+is "a leading dot begins no ending" "$(files hidden)" ".map.0.ktx2 .map.1.ktx2"
 cmp -s folder/map.1.ktx2 rgb/map.1.ktx2
 is "the name of the output does not change the bytes" $? 0
 try tampack -q three.exr -o one.ktx2
