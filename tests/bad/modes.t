@@ -82,7 +82,7 @@ runs() {
     folder=$1
     shift
     for file in "$@"; do
-        [ "$(wc -c <"$folder/$file" 2>/dev/null || echo 0)" -lt 1000000 ] || continue
+        [ -f "$folder/$file" ] && [ "$(wc -c <"$folder/$file")" -lt 1000000 ] || continue
         case $file in
         *.obj | *.ply | *.off | *.stl | *.glb | *.gltf) mesh_modes ;;
         *.json | *.svg | *.tsv | *.bin) mesh_modes && text_modes ;;

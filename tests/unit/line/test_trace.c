@@ -268,6 +268,39 @@ START_TEST(curves_go_through_the_nodes)
 }
 END_TEST
 
+/* Every chord of a circle bends, so that the curves fill their arrays. */
+START_TEST(all_chords_of_a_circle_become_curves)
+{
+    enum { COUNT = 24 };
+    double at[3 * COUNT] = {0};
+    float slack[COUNT] = {0};
+    uint8_t smooth[COUNT];
+    uint32_t nodes[COUNT + 1], segments[COUNT];
+    for (uint32_t i = 0; i <= COUNT; i++) {
+        nodes[i] = (i + 7) % COUNT;
+        if (i == COUNT)
+            continue;
+        at[3 * i] = cos(2 * 3.14159265358979 * i / COUNT);
+        at[3 * i + 1] = sin(2 * 3.14159265358979 * i / COUNT);
+        smooth[i] = 1;
+        segments[i] = i;
+    }
+    struct hatch_line_chain chain = {.segment_count = COUNT, .closed = true};
+    struct hatch_line_chains chains = {1, &chain, nodes, segments};
+    struct hatch_line_trace trace = {
+        .node_count = COUNT, .segment_count = COUNT, .nodes = at, .slack = slack, .smooth = smooth};
+    HATCH_TEST_OK(hatch_line_refine(&trace, &chains, &keep, &err), &err);
+    ck_assert_uint_eq(trace.segment_count, 4 * COUNT);
+    ck_assert_uint_eq(trace.node_count, 4 * COUNT);
+    for (uint32_t i = 0; i < 4 * COUNT; i++) {
+        ck_assert_double_eq_tol(hatch_vec_length(&trace.nodes[3 * i]), 1, 1e-4);
+        ck_assert_uint_eq(chains.segments[i], i);
+    }
+    for (uint32_t i = 0; i <= COUNT; i++)
+        ck_assert_uint_eq(chains.nodes[4 * i], (i + 7) % COUNT);
+}
+END_TEST
+
 /* A rod of radius 1 along y with both ends chamfered: rings of ROD_SIDES vertices. */
 #define ROD_SIDES 24u
 #define ROD_RINGS 4u
@@ -346,6 +379,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
     tcase_add_test(tests, the_matrix_of_a_shape_is_applied);
     tcase_add_test(tests, curves_go_through_the_nodes);
+    tcase_add_test(tests, all_chords_of_a_circle_become_curves);
     tcase_add_test(tests, long_faces_beside_short_ones_stay_straight);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);
