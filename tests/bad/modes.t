@@ -13,7 +13,7 @@ ok "measure is built" ${CC:-cc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -o "$MEAS
 ok "inputs are generated" perl "$TOP/tests/bad/make.pl" own
 ok "a map is made" tamgen --size 64 --tones 3 -o map.exr
 meshgen plane --faces 2 -o plane.glb
-printf 'x\ty\tz\tdx\tdy\tdz\n0\t0\t0\t1\t0\t0\n1\t0\t0\t0\t1\t0\n' >directions.tsv
+printf 'x\ty\tz\tdx\tdy\tdz\tweight\n0\t0\t0\t1\t.6\t.3\t1\n1\t0\t0\t.2\t1\t.5\t10\n' >directions.tsv
 
 # Inputs of the ordinary suite.
 few="shape/valence-20000.ply shape/comb-20000.ply shape/double-cone-20000.ply shape/moebius.obj shape/needles.obj
