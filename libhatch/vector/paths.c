@@ -68,6 +68,15 @@ double hatch_vector_distance(const double a[2], const double b[2])
     return sqrt(x * x + y * y);
 }
 
+double hatch_vector_distance_to(const double at[2], const double a[2], const double b[2])
+{
+    double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
+    double t = square > 0 ? ((at[0] - a[0]) * x + (at[1] - a[1]) * y) / square : 0;
+    t = fmin(fmax(t, 0), 1);
+    const double nearest[2] = {a[0] + t * x, a[1] + t * y};
+    return hatch_vector_distance(at, nearest);
+}
+
 double hatch_vector_length(const struct hatch_vector_paths *paths, const struct hatch_vector_path *path)
 {
     double length = 0;

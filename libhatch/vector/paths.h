@@ -59,6 +59,9 @@ static inline uint32_t hatch_vector_segments(const struct hatch_vector_path *pat
 /* Returns the distance between two points. */
 double hatch_vector_distance(const double a[2], const double b[2]);
 
+/* Returns the distance of a point from the segment a b. */
+double hatch_vector_distance_to(const double at[2], const double a[2], const double b[2]);
+
 /* Returns the length of a path. */
 double hatch_vector_length(const struct hatch_vector_paths *paths, const struct hatch_vector_path *path);
 

@@ -12,13 +12,15 @@
 /* The pens of a drawing, in the order of its layers. Strokes have one for each direction. */
 enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
 
-#define REACH_PX 1.0          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
+#define REACH_PX 0.5          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
 #define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it */
 #define FLOAT_SLACK 5e-7      /* rounding of positions in the unit scene to floats */
 
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
 #define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
 #define TOLERANCE_MM 0.05 /* largest distance from a line to its simplified path */
+#define SPECK_PX 10.0     /* shorter paths of which no end meets another path are left out */
+#define MEET_PX 2.0       /* a path meets another one at most this far from its end */
 #define SHORTEST_PX 2.0   /* shorter paths are left out */
 #define DASH_PENS 6.0     /* length of dashes and of the gaps between them, in pen widths */
 #define GAP_PENS 4.0
@@ -108,6 +110,7 @@ static enum hatch_status tidy(struct drawing *drawing, const struct hatch_page *
     hatch_page_place(page, options->width, options->height, pixel_mm, paths);
     HATCH_TRY(hatch_vector_drop_doubles(paths, DOUBLE_PENS * pen_mm, arena, scratch, &single, err));
     HATCH_TRY(hatch_vector_join(&single, JOIN_PENS * pen_mm, arena, scratch, paths, err));
+    HATCH_TRY(hatch_vector_drop_specks(paths, SPECK_PX * pixel_mm, MEET_PX * pixel_mm, scratch, err));
     return hatch_vector_simplify(paths, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err);
 }
 

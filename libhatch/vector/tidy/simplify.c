@@ -15,16 +15,6 @@ struct work {
     struct range *stack; /* ranges whose inner points are not decided yet */
 };
 
-/* Returns the distance of a point from a segment. */
-static double distance_to(const double at[2], const double a[2], const double b[2])
-{
-    double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
-    double t = square > 0 ? ((at[0] - a[0]) * x + (at[1] - a[1]) * y) / square : 0;
-    t = fmin(fmax(t, 0), 1);
-    const double nearest[2] = {a[0] + t * x, a[1] + t * y};
-    return hatch_vector_distance(at, nearest);
-}
-
 /* Keeps the points of a range of a path that the tolerance asks for; its ends are kept already. */
 static void keep_points(const struct work *w, const struct hatch_vector_path *path, struct range whole)
 {
@@ -37,7 +27,7 @@ static void keep_points(const struct work *w, const struct hatch_vector_path *pa
         uint32_t farthest = range.first;
         double most = w->tolerance;
         for (uint32_t i = range.first + 1; i < range.last; i++) {
-            double distance = distance_to(hatch_vector_point(w->paths, path, i), a, b);
+            double distance = hatch_vector_distance_to(hatch_vector_point(w->paths, path, i), a, b);
             if (distance > most) {
                 most = distance;
                 farthest = i;

@@ -19,6 +19,11 @@ enum hatch_status hatch_vector_join(const struct hatch_vector_paths *paths, doub
                                     struct hatch_arena *scratch, struct hatch_vector_paths *joined,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
+/* Removes open paths that are shorter than `speck` and of which no end is within `reach` of another path.
+ *   paths  in, out; afterwards the points of those that remain have gaps between them */
+enum hatch_status hatch_vector_drop_specks(struct hatch_vector_paths *paths, double speck, double reach,
+                                           struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Removes points that the paths need not pass to stay within a tolerance (Douglas & Peucker 1973). Ends of open paths
  * stay. Removes paths shorter than `shortest`.
  *   paths  in, out */

@@ -83,6 +83,21 @@ START_TEST(paths_of_two_layers_are_not_joined)
 }
 END_TEST
 
+START_TEST(short_paths_that_meet_no_other_are_dropped)
+{
+    add_line(1, 0, 0, 100, 0);
+    add_line(2, 50, 1, 50, 4);                                 /* ends beside the first one */
+    add_line(3, 50, 10, 53, 10);                               /* alone */
+    add_line(4, 50, 20, 59, 20);                               /* alone, but long */
+    add(5, (const double[]){50, 30, 51, 30, 51, 31}, 3, true); /* closed */
+    struct hatch_vector_paths paths = hatch_vector_built(&builder);
+    HATCH_TEST_OK(hatch_vector_drop_specks(&paths, 8, 1.25, &scratch, &err), &err);
+    ck_assert_uint_eq(paths.count, 4);
+    for (uint32_t i = 0; i < paths.count; i++)
+        ck_assert_uint_ne(paths.paths[i].id, 3);
+}
+END_TEST
+
 /* A circle of radius r needs points at most 2 arccos(1 - t / r) apart to stay within t; the result stays within t, and
  * has at most twice as many points. */
 START_TEST(a_simplified_circle_stays_within_the_tolerance)
@@ -209,6 +224,7 @@ START_TEST(nothing_stays_nothing)
     struct hatch_vector_paths paths = hatch_vector_built(&builder), to;
     HATCH_TEST_OK(hatch_vector_drop_doubles(&paths, 0.5, &keep, &scratch, &to, &err), &err);
     HATCH_TEST_OK(hatch_vector_join(&to, 0.5, &keep, &scratch, &paths, &err), &err);
+    HATCH_TEST_OK(hatch_vector_drop_specks(&paths, 0.5, 1, &scratch, &err), &err);
     HATCH_TEST_OK(hatch_vector_simplify(&paths, 0.5, 1, &scratch, &err), &err);
     HATCH_TEST_OK(hatch_vector_dash(&paths, 2, 1, &keep, &scratch, &to, &err), &err);
     HATCH_TEST_OK(hatch_vector_sort(&to, HATCH_VECTOR_IMPROVED, &scratch, &err), &err);
@@ -245,6 +261,7 @@ static enum hatch_status tidy_all(void *context, struct hatch_arena *to, struct 
     struct hatch_vector_paths single, joined, dashes;
     HATCH_TRY(hatch_vector_drop_doubles(from, 0.5, to, work, &single, why));
     HATCH_TRY(hatch_vector_join(&single, 0.5, to, work, &joined, why));
+    HATCH_TRY(hatch_vector_drop_specks(&joined, 1, 1, work, why));
     HATCH_TRY(hatch_vector_simplify(&joined, 0.05, 1, work, why));
     HATCH_TRY(hatch_vector_dash(&joined, 2, 1, to, work, &dashes, why));
     return hatch_vector_sort(&dashes, HATCH_VECTOR_IMPROVED, work, why);
@@ -268,6 +285,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_line_beside_a_longer_one_is_dropped);
     tcase_add_test(tests, ends_that_meet_are_joined_the_straightest_first);
     tcase_add_test(tests, paths_of_two_layers_are_not_joined);
+    tcase_add_test(tests, short_paths_that_meet_no_other_are_dropped);
     tcase_add_test(tests, a_simplified_circle_stays_within_the_tolerance);
     tcase_add_test(tests, dashes_begin_and_end_a_path);
     tcase_add_test(tests, the_sorted_way_is_no_longer_than_the_greedy_one);
