@@ -117,7 +117,7 @@ END_TEST
 
 START_TEST(a_scene_without_faces_hides_nothing)
 {
-    struct hatch_mesh none = mesh_of((const float[]){0, 0, 0}, 1, NULL, 0);
+    struct hatch_mesh none = mesh_of((const float[]){0, 0, 0}, 1, (const uint32_t[]){0}, 0);
     hide_behind(&none, &view_facing);
     see_line((const double[]){-0.5, 0.1, -1, 0.5, 0.2, -1}, NULL);
     ck_assert_uint_eq(visible.count, 1);

@@ -85,7 +85,8 @@ static enum hatch_status find_covered(struct work *w, const double a[2], const d
     w->covered.size = 0;
     w->covered_count = 0;
     HATCH_TRY(hatch_segments_find(&w->near, a, b, w->reach, note, w, err));
-    qsort(w->covered.data, w->covered_count, 2 * sizeof(double), compare_parts);
+    if (w->covered_count)
+        qsort(w->covered.data, w->covered_count, 2 * sizeof(double), compare_parts);
     return HATCH_OK;
 }
 

@@ -116,7 +116,8 @@ static enum hatch_status link_ends(struct work *w, struct hatch_arena *scratch, 
     for (uint32_t end = 0; end < ends; end++)
         if (!w->paths->paths[end / 2].closed)
             HATCH_TRY(pair_up(w, end, err));
-    qsort(w->pairs.data, w->pair_count, sizeof(struct pair), compare);
+    if (w->pair_count)
+        qsort(w->pairs.data, w->pair_count, sizeof(struct pair), compare);
     for (uint32_t i = 0; i < w->pair_count; i++) {
         const struct pair *pair = (const struct pair *)(const void *)w->pairs.data + i;
         if (w->link[pair->ends[0]] != NONE || w->link[pair->ends[1]] != NONE)
