@@ -194,9 +194,10 @@ static void note_ways(const struct hatch_vector_paths *paths)
     cmd_note("%u paths, %.0f mm drawn, %.0f mm lifted", paths->count, drawn_mm, lifted_mm);
 }
 
-/* Draws the posed scene as an SVG file. */
+/* Draws the posed scene as an SVG file.
+ *   empty  in, out: number of drawings without paths */
 static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *view, struct hatch_buffer *file,
-                              struct hatch_err *err)
+                              uint32_t *empty, struct hatch_err *err)
 {
     const struct options *options = drawing->job->options;
     struct hatch_drawing made = {.layers = NULL};
@@ -220,6 +221,7 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
                        : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
                                                                : LAYER_HIDDEN;
     note_ways(&made.paths);
+    *empty += !made.paths.count;
     return hatch_svg_write(&made, &drawing->job->args.scratch, file, err);
 }
 
@@ -235,18 +237,22 @@ void vectors_write(struct job *job)
     if (options->technique->curves)
         job_make_canvas(job, &drawing.canvas);
     cmd_check(hatch_lines_make(&job->scene.unit, &style, keep, &job->args.scratch, &drawing.lines, &err), NULL, &err);
+    uint32_t empty = 0;
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
-        cmd_check(draw(&drawing, &view, &bytes, &err), NULL, &err);
+        cmd_check(draw(&drawing, &view, &bytes, &empty, &err), NULL, &err);
         files[frame] = (struct cmd_file){.output = job->outputs[frame], .data = bytes.data, .size = bytes.size};
         if (cmd_write_ahead(&files[frame])) {
             files[frame] = (struct cmd_file){.output = job->outputs[frame]};
             hatch_arena_rewind(keep, mark);
         }
     }
+    if (empty && !job->empty)
+        cmd_warn(cmd_input_name(options->scene_path), "%u of %u drawings %s empty: no feature line is in sight", empty,
+                 options->frames, cmd_plural(empty, "is", "are"));
     cmd_write_all(files, options->frames);
 }

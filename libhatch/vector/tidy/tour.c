@@ -1,9 +1,11 @@
 #include "vector/tidy/tour.h"
 
+#include <math.h>
 #include <string.h>
 
 #define WINDOW 100u     /* stops that are looked at after each */
 #define PASSES_MOST 20u /* over all stops */
+#define PASS_LEAST 1e-3 /* share of the way that a pass must save for another one to follow */
 #define MOVED_MOST 3u   /* length of parts that are moved */
 #define GAIN_LEAST 1e-9 /* less counts as rounding */
 
@@ -97,15 +99,26 @@ static bool try_moves(const struct work *w, uint32_t i)
     return false;
 }
 
+/* Returns the way of the lifted pen. */
+static double whole_way(const struct work *w)
+{
+    double way = 0;
+    for (uint32_t i = 0; i < w->tour->count; i++)
+        way += way_to(w, before(w, i), i);
+    return way;
+}
+
 void hatch_tour_improve(const struct hatch_tour *tour, const double from[2], const struct hatch_vector_paths *paths)
 {
     const struct work work = {tour, paths, from};
-    bool better = true;
-    for (uint32_t pass = 0; pass < PASSES_MOST && better; pass++) {
-        better = false;
+    double way = whole_way(&work), last = INFINITY;
+    for (uint32_t pass = 0; pass < PASSES_MOST && way < (1 - PASS_LEAST) * last; pass++) {
+        bool better = false;
         for (uint32_t i = 0; i < tour->count; i++) {
             better = try_reversals(&work, i) || better;
             better = try_moves(&work, i) || better;
         }
+        last = way;
+        way = better ? whole_way(&work) : way;
     }
 }

@@ -90,8 +90,10 @@ is "a film has a drawing per frame" "$(grep -c 'id="outlines-1"' f0.svg f1.svg f
 render-gl -q squares.obj -j 1 --size 200x200 -o one.SVG
 render-gl -q squares.obj -j 2 --size 200x200 -o two.svg
 ok "the drawing does not depend on threads" cmp one.SVG two.svg
-render-gl -q squares.obj --lines none -o none.svg
-is "a drawing may be empty" "$(measure none.svg)" "outlines 0 0.00"
+try render-gl --up z squares.obj --lines none -o none.svg
+is "a drawing may be empty" "$status $(measure none.svg)" "0 outlines 0 0.00"
+is "a warning tells that it is" "$(cat .err)" \
+    "render-gl: squares.obj: warning: 1 of 1 drawings is empty: no feature line is in sight"
 ok "a drawing needs no OpenGL" env __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null render-gl -q squares.obj -o a.svg
 
 cp squares.obj 'two squares.obj'
