@@ -266,7 +266,7 @@ static void make_rules(void)
     make_condition(draws_strokes, "|window", strokes, sizeof strokes);
     make_condition(reads_asset, "|window", assets, sizeof assets);
     make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
-    make_condition(has_lines, "|lines|window", lined, sizeof lined);
+    make_condition(has_lines, "|lines|window|output=*.svg", lined, sizeof lined);
 }
 
 /* Joins the rows of the command and of all techniques into one table. */
@@ -334,7 +334,7 @@ static double read_uv_scale(void)
 
 bool options_draw_lines(const struct options *options, const struct technique *drawn)
 {
-    return options->line_kinds != HATCH_LINES_NONE && (has_lines(drawn) || options->lines_given);
+    return options->line_kinds != HATCH_LINES_NONE && (has_lines(drawn) || options->lines_given || options->vectors);
 }
 
 static bool has_option(const struct technique *owner, const struct cmd_option *option)
@@ -345,12 +345,15 @@ static bool has_option(const struct technique *owner, const struct cmd_option *o
     return row && row->name;
 }
 
-/* Refuses options of techniques other than the chosen one, except with a window, which may switch to them. */
+/* Refuses options of techniques other than the chosen one, except with a window, which may switch to them; and those
+ * of all techniques for a drawing. */
 static void check_owners(void)
 {
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
-            if (options_is_given(row->name) && !has_option(chosen.technique, row))
+            if (options_is_given(row->name) && chosen.vectors)
+                cmd_usage("--%s cannot be combined with --output *.svg: a drawing has lines alone", row->name);
+            else if (options_is_given(row->name) && !has_option(chosen.technique, row))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
                           chosen.technique->name);
 }

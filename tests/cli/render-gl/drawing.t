@@ -84,6 +84,12 @@ refuses "a page for a picture" "--page needs --output *.svg: it shapes a drawing
 refuses "shadows in a drawing" "--shadows cannot be combined with --output *.svg: a drawing has lines alone" \
     --shadows 0.1 -o a.svg
 
+refuses "an option of a technique" "--stroke cannot be combined with --output *.svg: a drawing has lines alone" \
+    -t rptam --stroke 20x2 -o a.svg
+refuses "light that moves in a film of drawings" "--animate light: a drawing, which has lines alone, does not use it" \
+    -n 2 --animate light=0:0..9:9 -o a%d.svg
+ok "any technique draws lines" render-gl -q squares.obj -t gouraud --crease 30 -n 2 --animate zoom=1..2 -o any%d.svg
+
 render-gl -q squares.obj --turntable -n 3 --size 200x200 -o f%d.svg
 is "a film has a drawing per frame" "$(grep -c 'id="outlines-1"' f0.svg f1.svg f2.svg | tr '\n' ' ')" \
     "f0.svg:1 f1.svg:1 f2.svg:1 "

@@ -1,4 +1,5 @@
 /* Visible parts of curves in closed form, pens, cleaning up, and the picture's borders. */
+#include "base/random.h"
 #include "fail_alloc.h"
 #include "lines.h"
 #include "occluders.h"
@@ -223,6 +224,34 @@ START_TEST(culled_and_cut_out_faces_hide_nothing)
 }
 END_TEST
 
+/* Paths are the same to the last bit whatever the order of the faces. */
+START_TEST(the_order_of_faces_does_not_matter)
+{
+    struct hatch_mesh torus = bare_shape(HATCH_SHAPE_TORUS, 3000), turned = torus;
+    struct hatch_view view = view_from(1, 2, 3, false);
+    struct hatch_vector_curve curves[40];
+    struct hatch_vector_paths first;
+    double points[6 * 40];
+    for (uint32_t i = 0; i < 40; i++) {
+        curves[i] = (struct hatch_vector_curve){.first = 2 * i, .count = 2, .id = i};
+        for (uint32_t k = 0; k < 6; k++)
+            points[6 * i + k] = 2 * (double)hatch_random_unit(1, i, k) - 1;
+    }
+    const struct hatch_vector_curves all = {.count = 40, .curves = curves, .points = points};
+    hide_behind(&torus, &view);
+    see(&all, &first, &hidden);
+    turned.indices = HATCH_NEW(&keep, uint32_t, 3 * (size_t)torus.face_count, &err);
+    for (uint32_t f = 0; f < torus.face_count; f++)
+        memcpy(&turned.indices[3 * f], &torus.indices[3 * (torus.face_count - 1 - f)], 3 * sizeof *turned.indices);
+    hide_behind(&turned, &view);
+    see(&all, &visible, &hidden);
+    ck_assert_uint_gt(hidden.count, 5);
+    ck_assert_uint_eq(visible.count, first.count);
+    ck_assert_mem_eq(visible.paths, first.paths, first.count * sizeof *first.paths);
+    ck_assert_mem_eq(visible.points, first.points, 4 * first.count * sizeof *first.points);
+}
+END_TEST
+
 static enum hatch_status see_all(void *context, struct hatch_arena *to, struct hatch_arena *work, struct hatch_err *why)
 {
     static const struct hatch_vector_curve curve = {.count = 2};
@@ -259,6 +288,7 @@ static Suite *suite(void)
     tcase_add_test(tests, slack_and_own_faces_keep_a_line_on_its_surface);
     tcase_add_test(tests, reach_moves_a_line_past_an_outline);
     tcase_add_test(tests, culled_and_cut_out_faces_hide_nothing);
+    tcase_add_test(tests, the_order_of_faces_does_not_matter);
     tcase_add_test(tests, every_failed_allocation_is_reported);
     suite_add_tcase(suite, tests);
     return suite;
