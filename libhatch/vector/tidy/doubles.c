@@ -11,10 +11,10 @@
     4.0                 /* what remains between two parts that are cut out, or beside one, is this many reaches long */
 #define GAP_REACHES 3.0 /* parts that are cut out between two that remain are this many reaches long */
 
-/* A path, and how long it is. */
+/* A path, its layer, and how long it is. */
 struct rank {
     double length;
-    uint32_t path;
+    uint32_t path, layer;
 };
 
 struct work {
@@ -31,6 +31,8 @@ struct work {
 static int compare_ranks(const void *a, const void *b)
 {
     const struct rank *x = a, *y = b;
+    if (x->layer != y->layer)
+        return x->layer > y->layer ? 1 : -1;
     if (x->length > y->length || x->length < y->length)
         return x->length > y->length ? -1 : 1;
     return (x->path > y->path) - (x->path < y->path);
@@ -129,13 +131,17 @@ static enum hatch_status drop(struct work *w, struct hatch_arena *scratch, struc
 {
     const struct hatch_vector_paths *paths = w->paths;
     struct rank *ranks;
-    HATCH_TRY(hatch_segments_make(paths, w->reach, scratch, &w->near, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &ranks, paths->count, err));
-    for (uint32_t i = 0; i < paths->count; i++)
-        ranks[i] = (struct rank){hatch_vector_length(paths, &paths->paths[i]), i};
+    for (uint32_t i = 0; i < paths->count; i++) {
+        const struct hatch_vector_path *path = &paths->paths[i];
+        ranks[i] = (struct rank){hatch_vector_length(paths, path), i, path->layer};
+    }
     qsort(ranks, paths->count, sizeof *ranks, compare_ranks);
-    for (uint32_t i = 0; i < paths->count; i++)
+    for (uint32_t i = 0; i < paths->count; i++) {
+        if (i == 0 || ranks[i].layer != ranks[i - 1].layer)
+            HATCH_TRY(hatch_segments_make(paths, w->reach, scratch, &w->near, err));
         HATCH_TRY(add_path(w, &paths->paths[ranks[i].path], err));
+    }
     return HATCH_OK;
 }
 

@@ -5,8 +5,8 @@
 
 #include "vector/paths.h"
 
-/* Removes the parts of paths that run along a longer path at a distance of at most `reach`: where both have nearly the
- * same direction. Paths that end at another, or cross it, stay whole.
+/* Removes the parts of paths that run along a longer path of their layer at a distance of at most `reach`: where both
+ * have nearly the same direction. Paths that end at another, or cross it, stay whole.
  *   arena  for the paths that remain; not the scratch arena */
 enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths, double reach,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -43,11 +43,13 @@ START_TEST(a_line_beside_a_longer_one_is_dropped)
     add_line(3, 90, 0.1, 130, 0.1); /* goes on for 30 beyond it */
     add_line(4, 50, -5, 50, 5);     /* crosses it */
     add_line(5, 0, 2, 99, 2);       /* is too far away */
+    add_line(6, 10, 0.2, 60, 0.2);  /* is in another layer */
     from = hatch_vector_built(&builder);
+    from.paths[5].layer = 1;
     HATCH_TEST_OK(hatch_vector_drop_doubles(&from, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 4);
+    ck_assert_uint_eq(to.count, 5);
     ck_assert_uint_eq(to.paths[0].id, 2);
-    ck_assert_double_eq_tol(total(&to), 100 + 99 + 30 + 10, 1e-9);
+    ck_assert_double_eq_tol(total(&to), 100 + 99 + 30 + 10 + 50, 1e-9);
 }
 END_TEST
 
