@@ -95,7 +95,8 @@ static void give_slack(const struct hatch_occluders *occluders, double slack, st
     }
 }
 
-/* Adds the pieces of a curve's segment from a point to the next one. */
+/* Adds the pieces of a curve's segment from a point to the next one. Where its end is cut off, the begin of the next
+ * segment is, too. */
 static enum hatch_status add_segment(struct work *w, const struct hatch_vector_curve *curve, uint32_t point,
                                      struct hatch_err *err)
 {
@@ -130,8 +131,6 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
         HATCH_TRY(slack < 0 ? hatch_vector_runs_add(&w->runs, line.at[0], line.at[1], 0, 1, false, err)
                             : add_line(w, &line, err));
     }
-    if (shares[1] < 1 || !drawn || end < 1)
-        hatch_vector_runs_skip(&w->runs);
     return HATCH_OK;
 }
 

@@ -19,11 +19,7 @@ static enum hatch_status add_path(struct hatch_vector_runs *runs, const struct h
             double step = fmin((drawn ? dash : period) - at, length - done);
             bool last = step >= length - done;
             HATCH_TRY(hatch_vector_runs_add(runs, a, b, done / length, last ? 1 : (done + step) / length, drawn, err));
-            at = at + step < period ? at + step : 0;
-            if (!last && drawn)
-                at = dash;
-            else if (!last)
-                at = 0;
+            at = last ? at + step : drawn ? dash : 0;
             done = last ? length : done + step;
         }
     }

@@ -36,7 +36,7 @@ enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, doub
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_vector_paths *dashes, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Order of paths: each time the path with the nearest end; or that, improved by moving and reversing parts of it. */
+/* Order of paths: each time the path with the nearest end; or that, improved by reversing parts of it. */
 enum hatch_vector_order { HATCH_VECTOR_NEAREST, HATCH_VECTOR_IMPROVED };
 
 /* Orders paths, layer by layer, so that a pen that starts at 0, 0 is lifted over a short way. Paths may be reversed,

@@ -3,10 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#define WINDOW 100u     /* stops that are looked at after each */
+#define WINDOW 300u     /* stops that are looked at after each */
 #define PASSES_MOST 20u /* over all stops */
 #define PASS_LEAST 1e-3 /* share of the way that a pass must save for another one to follow */
-#define MOVED_MOST 3u   /* length of parts that are moved */
 #define GAIN_LEAST 1e-9 /* less counts as rounding */
 
 /* A tour, with the point that the pen comes from before its first stop. */
@@ -70,35 +69,6 @@ static bool try_reversals(const struct work *w, uint32_t i)
     return false;
 }
 
-/* Exchanges stops i .. m - 1 with stops m .. k - 1, by reversing each part and then both. */
-static void exchange(const struct work *w, uint32_t i, uint32_t m, uint32_t k)
-{
-    reverse(w, i, m - 1);
-    reverse(w, m, k - 1);
-    reverse(w, i, k - 1);
-}
-
-/* Moves a short part that begins at stop i further back, or stops of its neighbourhood before it, if that shortens the
- * way. */
-static bool try_moves(const struct work *w, uint32_t i)
-{
-    const struct hatch_tour_stop *stops = w->tour->stops;
-    uint32_t end = w->tour->count - i < WINDOW ? w->tour->count : i + WINDOW;
-    const double *at = before(w, i);
-    for (uint32_t k = i + 2; k <= end; k++)
-        for (uint32_t size = 1; size <= MOVED_MOST && size < k - i; size++)
-            for (int front = 0; front < 2; front++) {
-                uint32_t m = front ? i + size : k - size;
-                double old = way_to(w, at, i) + way_to(w, stops[m - 1].ends[1], m) + way_to(w, stops[k - 1].ends[1], k);
-                double new = way_to(w, at, m) + way_to(w, stops[k - 1].ends[1], i) + way_to(w, stops[m - 1].ends[1], k);
-                if (new < old - GAIN_LEAST) {
-                    exchange(w, i, m, k);
-                    return true;
-                }
-            }
-    return false;
-}
-
 /* Returns the way of the lifted pen. */
 static double whole_way(const struct work *w)
 {
@@ -116,7 +86,6 @@ void hatch_tour_improve(const struct hatch_tour *tour, const double from[2], con
         bool better = false;
         for (uint32_t i = 0; i < tour->count; i++) {
             better = try_reversals(&work, i) || better;
-            better = try_moves(&work, i) || better;
         }
         last = way;
         way = better ? whole_way(&work) : way;

@@ -16,8 +16,8 @@ struct hatch_tour {
     struct hatch_tour_stop *stops;
 };
 
-/* Shortens the way of the lifted pen: reverses parts of the tour, and moves short ones elsewhere, as long as that
- * helps. Looks at a limited number of stops around each, and passes over all of them a limited number of times.
+/* Shortens the way of the lifted pen: reverses parts of the tour as long as that helps (Croes 1958). Looks at a
+ * limited number of stops around each, and passes over all of them a limited number of times.
  *   from   where the pen comes from
  *   paths  that the tour goes along */
 void hatch_tour_improve(const struct hatch_tour *tour, const double from[2], const struct hatch_vector_paths *paths);
