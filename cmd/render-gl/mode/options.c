@@ -346,12 +346,12 @@ static bool has_option(const struct technique *owner, const struct cmd_option *o
 }
 
 /* Refuses options of techniques other than the chosen one, except with a window, which may switch to them; and those
- * of all techniques for a drawing. */
+ * of all techniques for a drawing without strokes. */
 static void check_owners(void)
 {
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
-            if (options_is_given(row->name) && chosen.vectors)
+            if (options_is_given(row->name) && chosen.vectors && !chosen.technique->curves)
                 cmd_usage("--%s cannot be combined with --output *.svg: a drawing has lines alone", row->name);
             else if (options_is_given(row->name) && !has_option(chosen.technique, row))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,

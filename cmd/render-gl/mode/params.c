@@ -147,7 +147,7 @@ void params_read(struct options *options)
         if (!params_are_used(param, technique, options_draw_lines(options, technique)))
             cmd_usage("--animate %s: technique %s does not use it%s", param->option->name, technique->name,
                       param->subject == PARAM_LINES ? " without --lines" : "");
-        if (options->vectors && param->subject != PARAM_CAMERA && param->subject != PARAM_LINES)
+        if (options->vectors && !technique->curves && param->subject != PARAM_CAMERA && param->subject != PARAM_LINES)
             cmd_usage("--animate %s: a drawing, which has lines alone, does not use it", param->option->name);
         options->change_count++;
     }
