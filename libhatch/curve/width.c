@@ -2,18 +2,54 @@
 
 #include <math.h>
 
+#define JOINING 1.3 /* exponent with which the ink of a family grows after it has joined */
+
+/* Returns the tone at which strokes of one family make an amount of ink. */
+static double tone_for(const struct hatch_stroke_pen *pen, double ink)
+{
+    double below = 0;
+    for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++) {
+        double above = (double)pen->response[i];
+        if (ink <= above)
+            return (i + (ink - below) / fmax(above - below, 1e-6)) / HATCH_STROKE_RESPONSES;
+        below = above;
+    }
+    return 1;
+}
+
+double hatch_stroke_darkest(const struct hatch_stroke_pen *pen, uint32_t families)
+{
+    return 1 - pow(1 - (double)pen->response[HATCH_STROKE_RESPONSES - 1], families);
+}
+
+void hatch_stroke_tones(const struct hatch_stroke_pen *pen, uint32_t families, uint32_t family,
+                        float tones[HATCH_STROKE_TONES])
+{
+    double darkest = hatch_stroke_darkest(pen, families), join = fmin((double)pen->join, 0.9 * darkest);
+    double most = (double)pen->response[HATCH_STROKE_RESPONSES - 1];
+    for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
+        double ink = fmin((double)i / (HATCH_STROKE_TONES - 1), darkest), paper = 1, own = 0;
+        for (uint32_t f = 1; f < families; f++) {
+            double from = join + (darkest - join) * (f - 1) / (families - 1);
+            double share = most * pow(fmax(ink - from, 0) / (darkest - from), JOINING);
+            paper *= 1 - share;
+            own = f == family ? share : own;
+        }
+        own = family == 0 ? 1 - (1 - ink) / paper : own;
+        tones[i] = (float)tone_for(pen, own);
+    }
+}
+
 double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone)
 {
-    return pen->width_px * (pen->thin + (1 - pen->thin) * fmin(tone / pen->full, 1));
+    return (double)pen->width_px * ((double)pen->thin + (1 - (double)pen->thin) * 2 * tone);
 }
 
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale)
 {
-    /* Mean width of the strokes at a place, if as many as wanted have thresholds below the limit. */
-    const double fade = log(HATCH_STROKE_FADE), gain = (HATCH_STROKE_FADE - 1 / HATCH_STROKE_FADE) / (2 * fade);
-    double whole_px = hatch_stroke_whole_px(pen, tone);
-    double wanted = tone * scale / (gain * whole_px);
+    double whole_px = hatch_stroke_whole_px(pen, tone), wanted = tone * scale / (HATCH_STROKE_GAIN * whole_px);
     if (!(wanted * HATCH_STROKE_FADE > threshold))
         return 0;
-    return whole_px * fmin(0.5 + 0.5 * log(wanted / threshold) / fade, 1);
+    double share = fmin(0.5 + 0.5 * log(wanted / threshold) / log(HATCH_STROKE_FADE), 1);
+    return whole_px * fmin(4 * share, 0.4 + 0.6 * share);
 }

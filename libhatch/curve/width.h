@@ -8,16 +8,34 @@
 #ifndef HATCH_CURVE_WIDTH_H
 #define HATCH_CURVE_WIDTH_H
 
-#define HATCH_STROKE_FADE 1.8 /* ratio of thresholds from half the width to none, and from all of it to half */
+#include <stdint.h>
+
+#define HATCH_STROKE_FADE 1.8      /* ratio of thresholds from the middle of the fading to its ends */
+#define HATCH_STROKE_GAIN 1.307580 /* ink of the strokes around a limit, if those under it would have 1 */
+#define HATCH_STROKE_RESPONSES 8u
+#define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
 /* How a pen draws tone. */
 struct hatch_stroke_pen {
-    double width_px; /* of a whole stroke in the darkest tone */
-    double thin;     /* width in the lightest tone, as a share of width_px, over 0 .. 1 */
-    double full;     /* tone from which on strokes are as wide as width_px, over 0 .. 1 */
+    float width_px; /* of a whole stroke at tone 1/2 */
+    float thin;     /* width in the lightest tone, as a share of width_px, over 0 .. 1; it grows evenly with the tone */
+    float join;     /* ink from which on the second family joins the first, 0 .. 1 */
+    float response[HATCH_STROKE_RESPONSES]; /* ink, 0 .. 1, that strokes of one family really make where the tone is
+                                               1/8, 2/8 .. 1: less than the tone, because strokes overlap and taper */
 };
 
-/* Returns the width of whole strokes of a tone: strokes get thinner before they get fewer. */
+/* Returns the darkest ink that strokes of so many families make together. */
+double hatch_stroke_darkest(const struct hatch_stroke_pen *pen, uint32_t families);
+
+/* Divides ink among families that cross: light ink is the first family's alone, and the others join one after the
+ * other.
+ *   families  of the mesh, at least 1
+ *   family    the tones of this one are computed
+ *   tones     out: tone of the family at ink 0, 1/32 .. 1 */
+void hatch_stroke_tones(const struct hatch_stroke_pen *pen, uint32_t families, uint32_t family,
+                        float tones[HATCH_STROKE_TONES]);
+
+/* Returns the width of whole strokes of a tone, in pixels: strokes get thinner before they get fewer. */
 double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone);
 
 /* Returns the width of a stroke at a point, in pixels; 0: it is not drawn there.

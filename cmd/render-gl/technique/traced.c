@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "curve/width.h"
 #include "math/vector.h"
 #include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
@@ -24,6 +23,21 @@ static const struct cmd_option options[] = {
     {0},
 };
 static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
+
+/* Returns the pen of pictures; or one that draws all strokes alike, whose strokes do not overlap.
+ *   pen_px  its width; 0: the pen of pictures */
+static struct hatch_stroke_pen pen_in_use(double pen_px)
+{
+    if (pen_px > 0)
+        return (struct hatch_stroke_pen){.width_px = (float)pen_px,
+                                         .thin = 1,
+                                         .join = 0.38f,
+                                         .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
+    return (struct hatch_stroke_pen){.width_px = (float)width_px,
+                                     .thin = 0.55f,
+                                     .join = 0.38f,
+                                     .response = {0.118f, 0.227f, 0.333f, 0.4375f, 0.538f, 0.631f, 0.714f, 0.784f}};
+}
 
 static enum hatch_status check(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
                                struct hatch_err *err)
@@ -45,6 +59,10 @@ static enum hatch_status upload(struct technique_context *context, struct traced
     state->mesh_count = from->mesh_count;
     state->item_count = scene->unit.item_count;
     glCreateVertexArrays(1, &state->array);
+    for (uint32_t i = 0; i < from->mesh_count; i++)
+        for (uint32_t s = 0; s < from->meshes[i].curves.set_count; s++)
+            if (from->meshes[i].curves.sets[s].family >= state->families)
+                state->families = from->meshes[i].curves.sets[s].family + 1;
     for (uint32_t i = 0; i < from->mesh_count; i++)
         if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0)
             HATCH_TRY(traced_upload(&from->meshes[i], keep, &context->args->scratch, &state->strokes[i], err));
@@ -83,18 +101,13 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
 
 void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state)
 {
-    struct traced_block block = {.pen = {(float)width_px, 0.55f, 0.5f, (float)frame->request.canvas->side},
-                                 .hand = {0.3f, 0.35f, 0.4f, 14.0f}};
-    if (pen_px > 0) {
-        const float pen[4] = {(float)pen_px, 1, 1, 1}, hand[4] = {0, 0, 0, 1e-6f};
-        memcpy(block.pen, pen, sizeof pen);
-        memcpy(block.hand, hand, sizeof hand);
-    }
-    for (uint32_t f = 0; f < HATCH_CURVE_FAMILIES_MAX; f++)
-        for (uint32_t i = 0; i < TRACED_TONES; i++) {
-            float ink = (float)i / (TRACED_TONES - 1), second = fmaxf(ink - 0.4f, 0) * 0.9f;
-            block.tones[f][i] = f == 0 ? 1 - (1 - ink) / (1 - second) : f == 1 ? second : 0;
-        }
+    const struct hatch_stroke_pen pen = pen_in_use(pen_px);
+    struct traced_block block = {.pen = {pen.width_px, pen.thin, (float)frame->request.canvas->side},
+                                 .hand = {0.3f, 0.0f, 0.4f, 14.0f}};
+    if (pen_px > 0)
+        memset(block.hand, 0, sizeof block.hand);
+    for (uint32_t f = 0; f < state->families; f++)
+        hatch_stroke_tones(&pen, state->families, f, block.tones[f]);
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 

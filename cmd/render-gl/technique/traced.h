@@ -2,15 +2,14 @@
 #ifndef RENDER_TECHNIQUE_TRACED_H
 #define RENDER_TECHNIQUE_TRACED_H
 
+#include "curve/width.h"
 #include "render-gl/technique/technique.h"
-
-#define TRACED_TONES 17u /* entries of a table of tones */
 
 /* std140 layout; the same as block Style of shaders/traced/style.glsl. */
 struct traced_block {
-    float pen[4];  /* width in pixels, thin, full (curve/width.h); samples along a pixel's side */
+    float pen[4];  /* width in pixels, thin (curve/width.h); samples along a pixel's side; unused */
     float hand[4]; /* variation of width and of pressure, 0 .. 1; wobble in pixels; length of tapered ends in pixels */
-    float tones[HATCH_CURVE_FAMILIES_MAX][TRACED_TONES + 3]; /* per family: tone at ink 0, 1/16 .. 1; 3 unused */
+    float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
 };
 
 /* A point of a stroke, as shaders/traced/points.comp reads it. */
@@ -54,7 +53,7 @@ struct traced_state {
     struct shaded_state shaded;     /* first: shaded_prepare finds it there */
     struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
     struct traced_item *items;      /* per item */
-    uint32_t mesh_count, item_count;
+    uint32_t mesh_count, item_count, families;
     GLuint array, block_buffer;
     const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */
 };

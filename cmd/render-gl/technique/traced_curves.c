@@ -17,12 +17,12 @@ struct gathering {
     uint32_t count, layer_count;
 };
 
-/* Returns how much of the pen's width is missing. The law of curve/width.h gives as many strokes as are wanted the
- * share of their width that this limit is, where they all have the same width. */
+/* Returns by how much a width exceeds the one that the law of curve/width.h gives where as many strokes are drawn as
+ * are wanted: where the tone times the scale is the threshold times the width. */
 static double drawn(const struct hatch_vector_pen *pen, double wanted_px)
 {
-    const double fade = log(HATCH_STROKE_FADE), gain = (HATCH_STROKE_FADE - 1 / HATCH_STROKE_FADE) / (2 * fade);
-    return wanted_px - pen->width_px * (0.5 - 0.5 * log(gain) / fade);
+    const struct hatch_stroke_pen alike = {.width_px = (float)pen->width_px, .thin = 1};
+    return wanted_px - hatch_stroke_width_px(&alike, 1, 1 / pen->width_px, 1);
 }
 
 /* Computes the position of a point in the unit scene.

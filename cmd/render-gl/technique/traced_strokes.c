@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "curve/density.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/technique/traced.h"
@@ -21,7 +22,7 @@ static int compare(const void *a, const void *b)
     return (x->curve > y->curve) - (x->curve < y->curve);
 }
 
-static void list_entries(const struct hatch_curves *curves, struct entry *entries)
+static void list_entries(const struct hatch_curves *curves, const float *thresholds, struct entry *entries)
 {
     for (uint32_t s = 0; s < curves->set_count; s++) {
         const struct hatch_curve_set *set = &curves->sets[s];
@@ -29,7 +30,7 @@ static void list_entries(const struct hatch_curves *curves, struct entry *entrie
             const struct hatch_curve *curve = &curves->curves[i];
             float least = FLT_MAX;
             for (uint32_t p = curve->first; p < curve->first + curve->count; p++)
-                least = fminf(least, curves->points[p].threshold);
+                least = fminf(least, thresholds[p]);
             *entries++ = (struct entry){curve, set->family, least};
         }
     }
@@ -62,9 +63,10 @@ static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_poi
     point->area = (float)fmax(hatch_vec_length(normal), DBL_MIN);
 }
 
-/* Makes the points of a stroke. */
-static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const struct entry *entry,
-                        struct traced_point *points)
+/* Makes the points of a stroke.
+ *   thresholds  of all points of the curves */
+static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const float *thresholds,
+                        const struct entry *entry, struct traced_point *points)
 {
     const struct hatch_curve *curve = entry->curve;
     const struct hatch_curve_point *from = &curves->points[curve->first];
@@ -83,7 +85,7 @@ static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves
         length += hatch_vec_length(step);
         points[i] = (struct traced_point){.hash = curve->id,
                                           .share = {from[i].share[0], from[i].share[1]},
-                                          .threshold = from[i].threshold,
+                                          .threshold = thresholds[curve->first + i],
                                           .from_start = (float)length,
                                           .family = (float)entry->family,
                                           .ends = (i == 0 ? 1.0f : 0.0f) + (i + 1 == curve->count ? 2.0f : 0.0f)};
@@ -112,7 +114,7 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
     struct entry *entries;
     struct traced_point *points;
     uint32_t *indices, *end, first = 0;
-    float *least;
+    float *least, *thresholds;
     struct traced_stroke *sources;
     *strokes = (struct traced_strokes){.count = curves->count};
     HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
@@ -121,11 +123,13 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
     HATCH_TRY(HATCH_ALLOC(scratch, &entries, curves->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, 6 * (size_t)curves->point_count, err));
-    list_entries(curves, entries);
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &thresholds, curves->point_count, err));
+    HATCH_TRY(hatch_curves_even_thresholds(curves, &mesh->mesh, scratch, thresholds, err));
+    list_entries(curves, thresholds, entries);
     qsort(entries, curves->count, sizeof *entries, compare);
     uint32_t *next = indices;
     for (uint32_t i = 0; i < curves->count; i++) {
-        make_points(&mesh->mesh, curves, &entries[i], points + first);
+        make_points(&mesh->mesh, curves, thresholds, &entries[i], points + first);
         next = make_triangles(first, entries[i].curve->count, next);
         first += entries[i].curve->count;
         least[i] = entries[i].least;

@@ -18,7 +18,7 @@ struct Point { // struct traced_point of technique/traced.h
     vec4 rest;     // family; 1: first, 2: last of its stroke; unused
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
-layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; }; // x, y, depth, half width; ink ...
+layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; }; // x, y, depth, half width; ink, ends, px to ends
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
@@ -107,11 +107,10 @@ void main()
         return;
     float scale = abs(area) / (point.stroke.y * length_px);
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
-    float width = width_px(pen.xyz, tone, point.stroke.x, scale);
+    float width = width_px(pen.xy, tone, point.stroke.x, scale);
     vec2 ends = point.stroke.zw * length_px;
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
     width *= 1.0 + hand.x * stroke_noise(corners.w, point.stroke.z, octave);
-    width *= smoothstep(0.0, 1.0, sqrt(clamp(min(ends.x, ends.y) / hand.w, 0.0, 1.0)));
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
     vec2 across = vec2(-way.y, way.x) / length_px;
@@ -123,5 +122,5 @@ void main()
     place.z += wobble * rise + reach + lift.z * toward_eye;
     float pressure = 1.0 + hand.y * (stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave) - 1.0) * 0.5;
     ribbon[2u * i] = vec4(place, 0.5 * width);
-    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, 0.0, 0.0);
+    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, ends);
 }

@@ -2,9 +2,10 @@
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 
-layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // x, y, depth, half width in pixels; ink
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // x, y, depth, half width in pixels; ink, ends, pixels to ends
 
 noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
+noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke
 
 vec4 place(int i)
 {
@@ -15,15 +16,17 @@ void main()
 {
     int i = gl_VertexID >> 1;
     vec4 here = place(i), before = place(i - 1), after = place(i + 1);
-    int ends = int(texelFetch(ribbon, 2 * i + 1).y);
+    vec4 more = texelFetch(ribbon, 2 * i + 1);
+    int ends = int(more.y);
+    v_ends = more.zw;
     if ((ends & 1) != 0 || before.w < 0.0)
         before = here;
     if ((ends & 2) != 0 || after.w < 0.0)
         after = here;
     vec2 way = after.xy - before.xy;
-    float size = length(way), half_width = pen.w * here.w;
+    float size = length(way), half_width = pen.z * here.w;
     vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0);
     float reach = half_width > 0.0 ? half_width + 0.75 : 0.0, turn = (gl_VertexID & 1) == 0 ? 1.0 : -1.0;
-    v_across = vec3(turn * reach, max(half_width, 0.0), texelFetch(ribbon, 2 * i + 1).x);
-    gl_Position = vec4((here.xy + turn * reach / pen.w * across) / viewport.xy - 1.0, here.z, 1.0);
+    v_across = vec3(turn * reach, max(half_width, 0.0), more.x);
+    gl_Position = vec4((here.xy + turn * reach / pen.z * across) / viewport.xy - 1.0, here.z, 1.0);
 }

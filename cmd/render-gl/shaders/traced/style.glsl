@@ -1,13 +1,13 @@
 // How strokes are drawn: struct traced_block of technique/traced.h, where the members are explained.
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Style {
-    vec4 pen;  // width in pixels, thin, full; samples along a pixel's side
+    vec4 pen;  // width in pixels, thin; samples along a pixel's side
     vec4 hand; // variation of width and of pressure; wobble in pixels; length of tapered ends in pixels
-    vec4 tones[8][5]; // per family: tone at ink 0, 1/16 .. 1
+    vec4 tones[8][9]; // per family: tone at ink 0, 1/32 .. 1
 };
 
 float tone_of(int family, float ink)
 {
-    float at = clamp(ink, 0.0, 1.0) * 16.0;
-    int low = min(int(at), 15), high = low + 1;
+    float at = clamp(ink, 0.0, 1.0) * 32.0;
+    int low = min(int(at), 31), high = low + 1;
     return mix(tones[family][low >> 2][low & 3], tones[family][high >> 2][high & 3], at - float(low));
 }
