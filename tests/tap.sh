@@ -87,6 +87,19 @@ refused() {
     fi
 }
 
+# unpack FILE.glb NAME: splits a GLB into NAME.gltf, which sed can edit, and NAME.bin
+unpack() {
+    tap_length=$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')
+    tail -c +21 "$1" | head -c "$tap_length" |
+        sed "s/\"buffers\":\\[{/&\"uri\":\"$2.bin\",/" >"$2.gltf"
+    tail -c +$((29 + tap_length)) "$1" >"$2.bin"
+}
+
+# numbers FILE.glb: prints the binary chunk of a GLB, all numbers of all meshes
+numbers() {
+    tail -c +$((29 + $(od -An -tu4 -j12 -N4 "$1" | tr -d ' '))) "$1"
+}
+
 # milliseconds LIMIT COMMAND ...: prints the processor time of the fastest of up to forty runs, stopping at the first
 # within LIMIT; time of other processes on a busy machine is not counted
 milliseconds() {

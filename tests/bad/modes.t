@@ -27,6 +27,7 @@ mesh_modes() {
     for options in "" "--atlas" "--size 0.01" "--size 1" "--curved 0" "--stretch 10 --turn 90"; do
         echo "lapped-param $options IN -o OUT.glb"
     done
+    echo "strokegen --levels 2 IN -o OUT.glb"
     echo "hatchstat mesh IN -o OUT.tsv"
     echo "hatchstat field IN -o OUT.tsv"
     echo "hatchstat lapped IN -o OUT.tsv"
@@ -43,6 +44,8 @@ mesh_modes() {
     for lines in none silhouettes creases boundaries; do
         echo "$draw --technique gouraud --lines $lines"
     done
+    echo "strokegen --gap 0.02 --levels 1 --angles 45 IN -o OUT.glb"
+    echo "strokegen --gap 1 --hard 180 IN -o OUT.glb"
     echo "$draw --technique gouraud --zoom 65536"
     echo "$draw --show patches"
     echo "render-gl IN --tam $PWD/map.exr --probe --size 64x64 -o OUT.tsv"

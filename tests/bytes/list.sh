@@ -17,6 +17,7 @@ morphs.lapped.glb lapped-param -q morphs.gltf
 nodes.lapped.glb lapped-param -q nodes.gltf
 textured.lapped.glb lapped-param -q textured.gltf
 atlas.glb lapped-param -q --atlas field.glb
+strokes.glb strokegen -q --levels 3 field.glb
 map.exr tamgen --size 64 --levels 2 --strokes map.tsv
 eight.exr tamgen --size 64 --levels 1 --tones 8
 two.exr tamgen --size 64 --levels 2 --tones 2 --set 'darkest 0.5'
@@ -450,6 +451,15 @@ lapped-param-fine lapped-param field.glb --size 0.15 --stretch 1.2 --turn 8 --ti
 lapped-param-outline lapped-param field.glb --roughness 1 --feather 0.2 --mask-size 64
 lapped-param-atlas lapped-param --atlas teapot.glb -v
 lapped-param-again lapped-param lapped.glb
+strokegen-angles strokegen field.glb --angles 0,90,-45 --levels 3 --seed 3 -v
+strokegen-short strokegen field.glb --gap 0.05 --levels 2 --length 5 --hard 10
+strokegen-no-field strokegen teapot.glb --levels 3 --hard 180
+strokegen-again strokegen strokes.glb --levels 2
+strokegen-skinned strokegen skinned.gltf --levels 3
+strokegen-morphs strokegen morphs.gltf --levels 3
+strokegen-nodes strokegen nodes.gltf --levels 3
+strokegen-textured strokegen textured.gltf --levels 3
+strokegen-lapped strokegen lapped.glb --levels 3
 END
 }
 
@@ -477,7 +487,7 @@ END
 
 # Help texts and messages, which may change on purpose.
 list_help() {
-    for command in dirfield hatchstat lapped-param meshgen render-gl seedgen tamgen tampack tamthresh tamvol; do
+    for command in dirfield hatchstat lapped-param meshgen render-gl seedgen strokegen tamgen tampack tamthresh tamvol; do
         echo "help-$command $command --help; $command --version"
         echo "help-table-$command $command --options-table"
         echo "help-usage-$command $command --nonesuch; $command -j 0; $command one two three four five"

@@ -1,18 +1,6 @@
 # lapped-param and hatchstat lapped: what they keep, change, refuse and report.
 . "${TOP:-.}/tests/tap.sh"
 
-# unpack FILE.glb NAME: splits a GLB into NAME.gltf, which sed can edit, and NAME.bin
-unpack() {
-    length=$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')
-    tail -c +21 "$1" | head -c "$length" |
-        sed "s/\"buffers\":\\[{/&\"uri\":\"$2.bin\",/" >"$2.gltf"
-    tail -c +$((29 + length)) "$1" >"$2.bin"
-}
-# numbers FILE.glb: prints the binary chunk of a GLB, all numbers of all meshes
-numbers() {
-    tail -c +$((29 + $(od -An -tu4 -j12 -N4 "$1" | tr -d ' '))) "$1"
-}
-
 meshgen torus --faces 800 -o torus.glb
 dirfield torus.glb | lapped-param -o piped.glb
 ok "a mesh without a field" lapped-param torus.glb -o alone.glb

@@ -21,6 +21,13 @@ says "--replay with --method" 2 2 "--method cannot be combined with --replay: it
 says "--exact with --mask" 2 2 "--mask cannot be combined with --exact" \
     tamthresh --exact --mask a.png
 says "--atlas with --tile" 2 2 "--tile cannot be combined with --atlas" lapped-param --atlas --tile 1
+says "angles that are no numbers" 2 2 "--angles: '0,,60' is not a list of numbers from -360 to 360" strokegen --angles 0,,60
+says "too many angles" 2 2 "--angles: more than 8" strokegen --angles 1,2,3,4,5,6,7,8,9
+echo '{"asset":{"version":"2.0"},"nodes":[{"mesh":0,"scale":[0,0,0]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}]}' \
+    >flat.gltf
+says "a scene without size" 3 1 "flat.gltf: the size of a mesh in the scene is zero or infinite" strokegen -q flat.gltf
 says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wide; want 2 at most" \
     tamgen --size 64 --levels 3
 says "--ink with a layout that ignores it" 2 2 "--ink needs --layout rgb, array, dds or png: in OpenEXR ink is always 0" tampack --layout exr --ink 1

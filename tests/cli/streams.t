@@ -39,6 +39,7 @@ endless hatchstat lapped
 endless render-gl --technique gouraud
 endless dirfield
 endless lapped-param
+endless strokegen
 endless tampack --layout dds
 endless tamvol
 endless tamthresh

@@ -30,10 +30,26 @@ static void use_weights(const struct hatch_scene *scene, uint32_t animation, str
         }
 }
 
+/* Strokes that were read lie on the faces of their mesh. */
+static void use_strokes(const struct hatch_scene_mesh *mesh)
+{
+    struct hatch_err err;
+    float at[3];
+    FUZZ_MUST_HOLD(hatch_curves_check(&mesh->curves, &mesh->mesh, &err) == HATCH_OK);
+    for (uint32_t c = 0; c < mesh->curves.count; c++) {
+        const struct hatch_curve *curve = &mesh->curves.curves[c];
+        FUZZ_MUST_HOLD(curve->count >= 2 && curve->first + curve->count <= mesh->curves.point_count);
+        for (uint32_t i = 0; i < curve->count; i++)
+            hatch_curve_position(&mesh->mesh, &mesh->curves.points[curve->first + i], at);
+    }
+}
+
 static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arenas)
 {
     struct hatch_err err;
     struct hatch_mesh mesh;
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        use_strokes(&scene->meshes[m]);
     float *world = HATCH_NEW(&arenas->keep, float, (size_t)scene->node_count * 16, &err);
     for (uint32_t a = 0; world && a < scene->animation_count; a++) {
         hatch_scene_pose(scene, a, 0.37, world);

@@ -31,6 +31,9 @@ if [ -x "$BUILD/tests/interop/samples" ]; then
     lapped-param -q field.glb -o lapped.glb
     validated lapped.glb
     kept lapped-param scene.glb lapped.glb
+    strokegen -q --levels 3 scene.glb -o strokes.glb
+    validated strokes.glb
+    kept strokegen scene.glb strokes.glb
 else
     skip "a scene with every kind of object" "make check builds it"
 fi
@@ -41,5 +44,7 @@ for shape in teapot plane ellipsoid; do
     validated $shape.lapped.glb
     lapped-param -q --atlas $shape.field.glb -o $shape.atlas.glb
     validated $shape.atlas.glb
+    strokegen -q --levels 3 $shape.field.glb -o $shape.strokes.glb
+    validated $shape.strokes.glb
 done
 finish

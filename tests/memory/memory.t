@@ -27,6 +27,7 @@ mkdir in
     meshgen torus --faces 60 -o torus.glb
     dirfield torus.glb -o field.glb
     lapped-param --mask-size 64 field.glb -o lapped.glb
+    strokegen -g 0.5 -l 2 torus.glb -o strokes.glb
     seedgen -n 16 -l 2 -o two.seeds
 ) || exit 1
 

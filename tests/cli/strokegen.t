@@ -1,0 +1,95 @@
+# strokegen: what it reads, keeps and replaces, and the strokes that it writes.
+. "${TOP:-.}/tests/tap.sh"
+
+coarse="--gap 0.15 --levels 2"
+# sets FILE.glb: prints the sets of strokes, a line each: family, level, angle and gap
+sets() {
+    tail -c +21 "$1" | head -c "$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')" | grep -o '"mode":1,"extras":{"hatch":{[^}]*}' |
+        sed 's/.*{//; s/}.*//; s/"[a-z]*"://g; s/,/ /g'
+}
+
+meshgen torus --faces 800 -o torus.glb
+ok "a mesh without a field" strokegen $coarse torus.glb -o alone.glb
+dirfield torus.glb | strokegen $coarse -o piped.glb
+ok "a mesh without a field gets the field of dirfield" cmp piped.glb alone.glb
+strokegen $coarse <torus.glb >filter.glb
+ok "from a pipe to a pipe" cmp filter.glb alone.glb
+ok "a mesh with strokes" strokegen $coarse alone.glb -o again.glb
+ok "strokes are replaced" cmp again.glb alone.glb
+strokegen $coarse --seed 2 torus.glb -o other.glb
+ok "another random seed gives other strokes" test "$(cksum <other.glb)" != "$(cksum <alone.glb)"
+cp torus.glb "two words.glb"
+strokegen $coarse "two words.glb" -o "the result.glb"
+ok "file names may have spaces" cmp "the result.glb" alone.glb
+is "the options are in the file" "$(grep -ac '"strokegen --gap 0.15 --levels 2 --angles 0,60 --length 40 --hard 40 --seed 1"' \
+    alone.glb)" 1
+
+try strokegen -v $coarse torus.glb -o /dev/null
+is "-v counts strokes and points" "$(grep -cE '^strokegen: [1-9][0-9]* strokes, [1-9][0-9]* points$' .err)" 1
+try strokegen $coarse torus.glb -o /dev/null
+is "without it, nothing is said" "$(cat .err)" ""
+
+# The diagonal of the torus is 4.03321.
+is "each family has a set for each level, with half the gap" "$(sets alone.glb)" "0 0 0 0.604981601
+0 1 0 0.302490801
+1 0 1.04719758 0.604981601
+1 1 1.04719758 0.302490801"
+strokegen --gap 0.3 --levels 3 --angles=-45,0.5,360 torus.glb -o three.glb
+is "as many families as angles" "$(sets three.glb | cut -d' ' -f1,3 | uniq -c | xargs)" \
+    "3 0 -0.785398185 3 1 0.00872664619 3 2 6.28318548"
+strokegen --gap 0.3 --levels 1 --angles 1,2,3,4,5,6,7,8 torus.glb -o eight.glb
+is "eight families" "$(sets eight.glb | wc -l)" 8
+
+for angles in '' x 1,,2 ,1 1, '1, 2' 0x10 nan inf 360.5 -361 1e999; do
+    try strokegen "--angles=$angles" torus.glb
+    refused "--angles '$angles'" 2 2
+done
+try strokegen --angles 1,2,3,4,5,6,7,8,9 torus.glb
+refused "nine angles" 2 2
+
+# Strokes on one line meet on a plane.
+meshgen plane --faces 2 | strokegen --gap 0.09 --levels 4 --angles 30 -o plane.glb
+ok "strokes on a plane can be read again" strokegen $coarse plane.glb -o /dev/null
+
+# Faces that are replaced lose their strokes; all else is as without them.
+strokegen $coarse torus.glb | dirfield -o strokes.field.glb
+dirfield torus.glb -o field.glb
+ok "dirfield leaves strokes out" cmp strokes.field.glb field.glb
+strokegen $coarse torus.glb | lapped-param -o strokes.lapped.glb
+lapped-param field.glb -o lapped.glb
+ok "lapped-param leaves strokes out" cmp strokes.lapped.glb lapped.glb
+try hatchstat mesh alone.glb
+is "other readers do not mind strokes" "$status $(cat .err)" "0 "
+hatchstat mesh torus.glb >figures
+ok "the surface is the same" cmp figures .out
+
+# Gaps are shares of the scene's diagonal, whatever places the meshes in it.
+unpack torus.glb large
+sed 's/"nodes":\[{/&"scale":[2,2,2],/' large.gltf >t.gltf && mv t.gltf large.gltf
+strokegen $coarse large.gltf -o large.glb
+numbers alone.glb >a
+numbers large.glb >b
+ok "strokes do not depend on the size of the model" cmp a b
+sed 's/"scenes":\[{"nodes":\[0\]}\],"nodes":\[{/"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":1},{/
+    s/"meshes":\[\({.*}\]}\),*\],"accessors"/"meshes":[\1,\1],"accessors"/' large.gltf >pair.gltf
+strokegen --gap 0.1 --levels 1 --angles 0 pair.gltf -o pair.glb
+is "two nodes, of which one is twice as large" "$(sets pair.glb | cut -d' ' -f4 | sort -n | awk '
+    {gap[NR] = $1} END {print NR, gap[2] / gap[1], (gap[2] > 0.8 && gap[2] < 0.81)}')" "2 2 1"
+
+sed 's/\[2,2,2\]/[0,0,0]/' large.gltf >flat.gltf
+try strokegen flat.gltf
+refused "a scene without size" 3 1
+echo '{"asset":{"version":"2.0"}}' >empty.gltf
+try strokegen empty.gltf
+refused "a scene without faces" 3 1
+ok "a scene without faces: the message" grep -q 'empty.gltf: no face has an area' .err
+
+# Damaged strokes are refused by every reader.
+unpack alone.glb damaged
+sed 's/"family":1,"level":1/"family":9,"level":1/' damaged.gltf >t.gltf && mv t.gltf damaged.gltf
+for command in "strokegen" "dirfield" "hatchstat mesh"; do
+    try $command damaged.gltf
+    refused "$command refuses damaged strokes" 3 1
+    ok "$command: the message names the place" grep -q 'damaged.gltf: mesh 0, primitive 4: strokes: family' .err
+done
+finish
