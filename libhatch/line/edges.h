@@ -23,11 +23,6 @@ enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double cr
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_edges *edges, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns whether both faces of an edge have the same normal at one of its ends or at both.
- *   mesh  has NORMAL
- *   edge  of two faces or more */
-bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge);
-
 /* Returns the face corners at both ends of a side, first the one whose point has the lower number.
  *   point  as in struct hatch_line_edges */
 void hatch_line_side_corners(const uint32_t *point, uint32_t side, uint32_t corners[2]);

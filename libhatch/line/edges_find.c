@@ -126,7 +126,10 @@ static bool same_normal(const struct hatch_mesh *mesh, uint32_t a, uint32_t b)
     return hatch_vec_dot(na, nb) >= COS_SAME_NORMAL * hatch_vec_length(na) * hatch_vec_length(nb);
 }
 
-bool hatch_line_edge_is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge)
+/* Returns whether both faces of an edge have the same normal at one of its ends or at both.
+ *   mesh  has NORMAL
+ *   edge  of two faces or more */
+static bool is_smoothed(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges, uint32_t edge)
 {
     const uint32_t *sides = &edges->edges.sides[edges->edges.first[edge]];
     uint32_t a[2], b[2];
@@ -144,8 +147,7 @@ static enum hatch_status trust_normals(const struct hatch_mesh *mesh, struct hat
     HATCH_TRY(HATCH_ALLOC(scratch, &sharp, edges->edges.count, err));
     hatch_edges_classify(mesh, &edges->edges, SMOOTHED_CREASE_RAD, sharp);
     for (uint32_t e = 0; e < edges->edges.count; e++)
-        if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH &&
-            hatch_line_edge_is_smoothed(mesh, edges, e))
+        if (edges->kinds[e] == HATCH_EDGE_CREASE && sharp[e] == HATCH_EDGE_SMOOTH && is_smoothed(mesh, edges, e))
             edges->kinds[e] = HATCH_EDGE_SMOOTH;
     return HATCH_OK;
 }

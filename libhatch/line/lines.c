@@ -52,7 +52,6 @@ static enum hatch_status pose_item(const struct hatch_lines *lines, const struct
     const struct hatch_line_mesh *mesh = mesh_of(lines, item);
     *shape = (struct hatch_line_shape){.lines = mesh,
                                        .positions = mesh->mesh.attributes[0].data,
-                                       .normals = hatch_mesh_find(&mesh->mesh, "NORMAL", 3),
                                        .mirrored = item->mirrored,
                                        .double_sided = item->double_sided};
     for (int i = 0; i < 16; i++)
@@ -61,18 +60,16 @@ static enum hatch_status pose_item(const struct hatch_lines *lines, const struct
         return HATCH_OK;
     size_t count = 3 * (size_t)mesh->mesh.vertex_count;
     double *positions;
-    float *moved, *normals;
+    float *moved;
     HATCH_TRY(HATCH_ALLOC(arena, &positions, count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &moved, count, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &normals, count, err));
-    hatch_pose_mesh(&lines->scene->pose, item->node, &mesh->mesh, positions, normals);
+    hatch_pose_mesh(&lines->scene->pose, item->node, &mesh->mesh, positions, NULL);
     for (size_t i = 0; i < count; i += 3) {
         double at[3];
         hatch_bounds_to_unit(&lines->scene->bounds, positions + i, at);
         hatch_vec_round(at, moved + i);
     }
     shape->positions = moved;
-    shape->normals = normals;
     return HATCH_OK;
 }
 
@@ -123,7 +120,7 @@ static enum hatch_status trace_item(const struct hatch_lines *lines, const struc
     const struct hatch_line_trace *trace = &outlines->trace;
     const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};
     HATCH_TRY(hatch_line_chains_make(&graph, arena, lines->scratch, &outlines->chains, err));
-    return hatch_line_refine(&outlines->trace, &outlines->chains, arena, err);
+    return hatch_line_refine(eye, &outlines->trace, &outlines->chains, arena, err);
 }
 
 /* Returns the view, and the size of a pixel of a picture. */
@@ -182,6 +179,7 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
     *count = 0;
     for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
         hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px, TRIM_PX, seen + at, visible + at);
+        HATCH_TRY(hatch_line_strips_drop_doubles(&part->strips, visible + at, arena, err));
         *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, *segments + *count);
         at += part->strips.piece_count;
     }

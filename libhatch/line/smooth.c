@@ -3,9 +3,11 @@
 
 #include "line/strip.h"
 
-/* Values of visible[] besides 0 and HATCH_LINE_VISIBLE. */
-#define TRIMMED 2u
-#define COVERED 3u /* hidden by no surface, but covered by a halo */
+/* Values of visible[] besides 0, HATCH_LINE_VISIBLE and HATCH_LINE_BRIDGED. */
+#define TRIMMED 3u
+#define COVERED 4u    /* hidden by no surface, but covered by a halo */
+#define FOLD_PX 16.0  /* length of the hidden part of a fold that is left out; less than HATCH_LINES_REACH_PX */
+#define FLAT_GAPS 3.0 /* gaps without a step are closed if they are shorter than this times other gaps */
 
 /* Returns piece i of a strip, counted from piece `start` and wrapping around. */
 static uint32_t piece_at(const struct hatch_line_strip *strip, uint32_t start, uint32_t i)
@@ -13,11 +15,16 @@ static uint32_t piece_at(const struct hatch_line_strip *strip, uint32_t start, u
     return strip->first + (start + i) % strip->count;
 }
 
+static bool is_shown(uint8_t visible)
+{
+    return visible == HATCH_LINE_VISIBLE || visible == HATCH_LINE_BRIDGED;
+}
+
 /* Returns the piece to start at: for a closed strip one at which visibility changes, so that no run is split. */
 static uint32_t start_of(const struct hatch_line_strip *strip, const uint8_t *visible)
 {
     for (uint32_t i = 1; i < strip->count && strip->closed; i++)
-        if (visible[strip->first + i] != visible[strip->first + i - 1])
+        if (is_shown(visible[strip->first + i]) != is_shown(visible[strip->first + i - 1]))
             return i;
     return 0;
 }
@@ -28,25 +35,57 @@ static double length_of(const struct hatch_line_piece *piece)
     return sqrt(x * x + y * y);
 }
 
-/* Inverts runs of `value` that are shorter than short_px. A run at an end of the strip is kept if the line may continue
- * there, because its length is then unknown. A gap at a free end is kept, too. */
-static void drop_runs(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, uint8_t value,
-                      double short_px, uint8_t *visible)
+/* Returns the distance between the pieces on both sides of a run. */
+static double gap_of(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, uint32_t start,
+                     uint32_t begin, uint32_t end)
+{
+    const struct hatch_line_piece *before = &strips->pieces[piece_at(strip, start, begin + strip->count - 1)];
+    const struct hatch_line_piece *after = &strips->pieces[piece_at(strip, start, end)];
+    double x = (double)(after->a[0] - before->b[0]), y = (double)(after->a[1] - before->b[1]);
+    return sqrt(x * x + y * y);
+}
+
+/* Closes hidden runs between visible ones. */
+static void close_gaps(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, double gap_px,
+                       const uint8_t *seen, uint8_t *visible)
+{
+    uint32_t start = start_of(strip, visible), i = 0;
+    while (i < strip->count) {
+        while (i < strip->count && visible[piece_at(strip, start, i)])
+            i++;
+        uint32_t begin = i;
+        double length = 0;
+        bool flat = true;
+        for (; i < strip->count && !visible[piece_at(strip, start, i)]; i++) {
+            length += length_of(&strips->pieces[piece_at(strip, start, i)]);
+            flat = flat && seen[piece_at(strip, start, i)] & HATCH_LINE_FLAT;
+        }
+        bool between = strip->closed ? i - begin < strip->count : begin > 0 && i < strip->count;
+        if (!between || i == begin)
+            continue;
+        bool whole = length < (flat ? FLAT_GAPS * gap_px : gap_px);
+        bool narrow = length < FOLD_PX && gap_of(strips, strip, start, begin, i) < gap_px;
+        for (uint32_t k = begin; k < i && (whole || narrow); k++)
+            visible[piece_at(strip, start, k)] = whole ? HATCH_LINE_VISIBLE : HATCH_LINE_BRIDGED;
+    }
+}
+
+/* Hides visible runs that are shorter than short_px. A run at an end of the strip is kept if the line may continue
+ * there, because its length is then unknown. */
+static void drop_specks(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip, double short_px,
+                        uint8_t *visible)
 {
     uint32_t start = start_of(strip, visible), i = 0;
     while (i < strip->count) {
         uint32_t begin = i;
         double length = 0;
-        while (i < strip->count && visible[piece_at(strip, start, i)] == value)
-            length += length_of(&strips->pieces[piece_at(strip, start, i++)]);
-        bool cut_off =
-            (begin == 0 && (strip->joined[0] || !value)) || (i == strip->count && (strip->joined[1] || !value));
-        if (strip->closed)
-            cut_off = i - begin == strip->count && !value;
+        for (; i < strip->count && is_shown(visible[piece_at(strip, start, i)]); i++)
+            if (visible[piece_at(strip, start, i)] == HATCH_LINE_VISIBLE)
+                length += length_of(&strips->pieces[piece_at(strip, start, i)]);
+        bool cut_off = !strip->closed && ((begin == 0 && strip->joined[0]) || (i == strip->count && strip->joined[1]));
         for (uint32_t k = begin; k < i && !cut_off && length < short_px; k++)
-            visible[piece_at(strip, start, k)] = !value;
-        while (i < strip->count && visible[piece_at(strip, start, i)] != value)
-            i++;
+            visible[piece_at(strip, start, k)] = 0;
+        i += i == begin;
     }
 }
 
@@ -70,7 +109,7 @@ static void trim_runs(const struct hatch_line_strips *strips, const struct hatch
             uint32_t at = strip->first + (back ? steps - 1 - i : i) % count;
             if (visible[at] == 0)
                 remaining_px = trim_px;
-            else if (remaining_px > 0)
+            else if (remaining_px > 0 && visible[at] != HATCH_LINE_BRIDGED)
                 visible[at] = TRIMMED;
             remaining_px -= visible[at] ? length_of(&strips->pieces[at]) : 0;
         }
@@ -79,14 +118,14 @@ static void trim_runs(const struct hatch_line_strips *strips, const struct hatch
         visible[i] = visible[i] == TRIMMED ? 0 : visible[i];
 }
 
-/* Keeps covered pieces only next to uncovered visible ones, and reduces visible[] to 0 and 1. */
+/* Keeps covered pieces only next to uncovered visible ones. */
 static void keep_beside(const struct hatch_line_strip *strip, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strip->count; i++)
         if (visible[strip->first + i] == COVERED && !is_beside(strip, i, visible))
             visible[strip->first + i] = 0;
     for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
-        visible[i] = visible[i] != 0;
+        visible[i] = visible[i] == COVERED ? HATCH_LINE_VISIBLE : visible[i];
 }
 
 void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
@@ -96,11 +135,11 @@ void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap
         visible[i] = seen[i] & HATCH_LINE_VISIBLE;
     for (uint32_t s = 0; s < strips->strip_count; s++) {
         const struct hatch_line_strip *strip = &strips->strips[s];
-        drop_runs(strips, strip, 0, gap_px, visible);
+        close_gaps(strips, strip, gap_px, seen, visible);
         for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
-            if (visible[i] && seen[i] & HATCH_LINE_COVERED)
+            if (visible[i] == HATCH_LINE_VISIBLE && seen[i] & HATCH_LINE_COVERED)
                 visible[i] = COVERED;
-        drop_runs(strips, strip, HATCH_LINE_VISIBLE, speck_px, visible);
+        drop_specks(strips, strip, speck_px, visible);
         trim_runs(strips, strip, trim_px, visible);
         keep_beside(strip, visible);
     }
@@ -114,28 +153,67 @@ static bool near_halo(const struct hatch_line_strip *strip, uint32_t i, const ui
     return ((seen[i] | seen[i > strip->first ? i - 1 : i] | seen[i < last ? i + 1 : i]) & HATCH_LINE_TOUCHED) != 0;
 }
 
+/* Returns the piece to begin at, so that no path is split where a closed strip happens to begin: a visible one after a
+ * hidden one. */
+static uint32_t first_of(const struct hatch_line_strip *strip, const uint8_t *visible)
+{
+    for (uint32_t i = 0; i < strip->count && strip->closed; i++)
+        if (visible[piece_at(strip, 0, i)] == HATCH_LINE_VISIBLE && !visible[piece_at(strip, i, strip->count - 1)])
+            return i;
+    for (uint32_t i = 0; i < strip->count && strip->closed; i++)
+        if (visible[piece_at(strip, 0, i)] == HATCH_LINE_VISIBLE)
+            return i;
+    return 0;
+}
+
+/* Appends the segment between two pieces that bridges those between them. */
+static void bridge(const struct hatch_line_piece *from, const struct hatch_line_piece *to, float in_halo,
+                   struct hatch_line_segment *segment)
+{
+    *segment = (struct hatch_line_segment){.a = {from->b[0], from->b[1]},
+                                           .b = {to->a[0], to->a[1]},
+                                           .depth = {from->depth[1], to->depth[0]},
+                                           .in_halo = in_halo};
+}
+
+/* Appends the segments of a strip and returns their number. */
+static uint32_t join_strip(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip,
+                           const uint8_t *visible, const uint8_t *seen, struct hatch_line_segment *segments)
+{
+    const struct hatch_line_piece *last = NULL; /* the visible piece before, with none but bridged ones after it */
+    uint32_t count = 0, start = first_of(strip, visible);
+    bool bridged = false;
+    for (uint32_t i = 0; i < strip->count; i++) {
+        uint32_t at = piece_at(strip, start, i);
+        const struct hatch_line_piece *piece = &strips->pieces[at];
+        if (visible[at] != HATCH_LINE_VISIBLE) {
+            bridged = visible[at] == HATCH_LINE_BRIDGED;
+            last = bridged ? last : NULL;
+            continue;
+        }
+        float in_halo = near_halo(strip, at, seen) ? 1.0f : 0.0f;
+        bool continues =
+            last && last + 1 == piece && last->segment == piece->segment && segments[count - 1].in_halo == in_halo;
+        if (last && bridged)
+            bridge(last, piece, in_halo, &segments[count++]);
+        if (!continues)
+            segments[count++] = (struct hatch_line_segment){
+                .a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}, .in_halo = in_halo};
+        memcpy(segments[count - 1].b, piece->b, sizeof piece->b);
+        segments[count - 1].depth[1] = piece->depth[1];
+        last = piece;
+        bridged = false;
+    }
+    if (strip->closed && last && bridged)
+        bridge(last, &strips->pieces[piece_at(strip, start, 0)], 0, &segments[count++]);
+    return count;
+}
+
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                                    struct hatch_line_segment *segments)
 {
     uint32_t count = 0;
-    for (uint32_t s = 0; s < strips->strip_count; s++) {
-        const struct hatch_line_strip *strip = &strips->strips[s];
-        bool continues = false;
-        for (uint32_t i = strip->first; i < strip->first + strip->count; i++) {
-            const struct hatch_line_piece *piece = &strips->pieces[i];
-            float in_halo = near_halo(strip, i, seen) ? 1.0f : 0.0f;
-            continues = continues && visible[i] && piece->segment == piece[-1].segment &&
-                        segments[count - 1].in_halo == in_halo;
-            if (!visible[i])
-                continue;
-            if (!continues)
-                segments[count++] = (struct hatch_line_segment){
-                    .a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}, .in_halo = in_halo};
-            struct hatch_line_segment *segment = &segments[count - 1];
-            memcpy(segment->b, piece->b, sizeof segment->b);
-            segment->depth[1] = piece->depth[1];
-            continues = true;
-        }
-    }
+    for (uint32_t s = 0; s < strips->strip_count; s++)
+        count += join_strip(strips, &strips->strips[s], visible, seen, segments + count);
     return count;
 }

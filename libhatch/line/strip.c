@@ -4,12 +4,15 @@
 #include "math/vector.h"
 
 #define PIECE_PX 1.5     /* largest length of a piece */
+#define STEP_PX 4.0      /* least step in depth across a silhouette, in pixels at its distance */
 #define ERROR_MAX_PX 0.5 /* lines are drawn only where the error of float positions is at most this */
 
 /* A segment after projection and clipping. */
 struct cut {
     double at[2][2];     /* both ends, in pixels from the tile's lower left corner */
     double limit[2];     /* at both ends, as in struct hatch_line_sample */
+    double behind[2];    /* the same */
+    double depth[2];     /* the same */
     double count;        /* number of pieces, inside and outside the tile */
     double first, after; /* pieces to keep: first .. after - 1 */
     bool begins, ends;   /* whether these contain the start, the end of the segment */
@@ -87,7 +90,10 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
         return false;
     for (int i = 0; i < 2; i++) {
         project(view, tile, points[i], depth[i], cut->at[i]);
+        double pixel = 2 * view->half_height * (view->orthographic ? 1 : depth[i]) / tile->full_height;
         cut->limit[i] = buffer_depth(view, depth[i] - slack);
+        cut->depth[i] = buffer_depth(view, depth[i]);
+        cut->behind[i] = buffer_depth(view, depth[i] + STEP_PX * pixel);
     }
     const double sizes[2] = {tile->width, tile->height};
     for (int k = 0; k < 2; k++) {
@@ -114,9 +120,9 @@ static void mix(const double a[2], const double b[2], double t, float out[2])
         out[k] = (float)(a[k] + t * (b[k] - a[k]));
 }
 
-static float limit_at(const struct cut *cut, double share)
+static float between(const double ends[2], double share)
 {
-    return (float)(cut->limit[0] + share * (cut->limit[1] - cut->limit[0]));
+    return (float)(ends[0] + share * (ends[1] - ends[0]));
 }
 
 static void begin_strip(struct walk *w, bool joined)
@@ -138,6 +144,19 @@ static void end_strip(struct walk *w, bool joined)
     w->strips.strip_count++;
 }
 
+/* Fills in what is tested beyond a silhouette.
+ *   surface  side of its surface: 1: left, -1: right; 0: another line */
+static void look_beyond(const struct cut *cut, double middle, int surface, struct hatch_line_sample *sample)
+{
+    double x = cut->at[1][0] - cut->at[0][0], y = cut->at[1][1] - cut->at[0][1], length = sqrt(x * x + y * y);
+    if (surface == 0 || !(length > 0))
+        return;
+    sample->away[0] = (float)(surface * y / length);
+    sample->away[1] = (float)(-surface * x / length);
+    sample->behind = between(cut->behind, middle);
+    sample->depth = between(cut->depth, middle);
+}
+
 static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
 {
     struct hatch_line_strips *strips = &w->strips;
@@ -153,10 +172,11 @@ static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
         mix(cut->at[0], cut->at[1], k / cut->count, piece->a);
         mix(cut->at[0], cut->at[1], (k + 1) / cut->count, piece->b);
         mix(cut->at[0], cut->at[1], middle, sample->at);
-        sample->limit = limit_at(cut, middle);
+        sample->limit = between(cut->limit, middle);
         sample->turn_rad = (float)atan2(cut->at[1][1] - cut->at[0][1], cut->at[1][0] - cut->at[0][0]);
+        look_beyond(cut, middle, w->trace->surface ? w->trace->surface[segment] : 0, sample);
         for (int end = 0; end < 2; end++)
-            piece->depth[end] = limit_at(cut, (k + end) / cut->count);
+            piece->depth[end] = between(cut->limit, (k + end) / cut->count);
     }
 }
 

@@ -25,13 +25,17 @@ struct hatch_line_sample {
     float at[2];    /* pixels from the tile's lower left corner */
     float limit;    /* the piece is hidden where the depth buffer has a larger value */
     float turn_rad; /* direction of the line in the picture */
+    float away[2];  /* unit vector across a silhouette, away from its surface; 0 0 for other lines */
+    float behind;   /* across a silhouette, the surface beyond it has a smaller value in the depth buffer */
+    float depth;    /* of the silhouette in the depth buffer */
 };
 
 /* Visibility of a piece, as bits. */
 enum hatch_line_seen {
-    HATCH_LINE_VISIBLE = 1, /* no surface hides it */
+    HATCH_LINE_VISIBLE = 1, /* no surface hides it; a silhouette: and the surface beyond it lies deeper */
     HATCH_LINE_TOUCHED = 2, /* a halo covers a part of the sample */
-    HATCH_LINE_COVERED = 4  /* a halo covers more than half of the sample */
+    HATCH_LINE_COVERED = 4, /* a halo covers more than half of the sample */
+    HATCH_LINE_FLAT = 8     /* no surface hides it, but the surface beyond the silhouette does not lie deeper */
 };
 
 /* A strip of connected pieces. */
@@ -62,22 +66,30 @@ enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, c
                                          const struct hatch_line_picture *picture, struct hatch_arena *arena,
                                          struct hatch_line_strips *strips, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Cleans up the visibility along each strip: hidden gaps between visible parts are closed; then short isolated visible
+/* Pieces that are not drawn themselves, but replaced by a straight segment over all of them. */
+#define HATCH_LINE_BRIDGED 2u
+
+/* Cleans up the visibility along each strip: hidden gaps between visible parts are closed if they are short, if their
+ * ends are close together in the picture, or if nothing hides them and they are not long; then short isolated visible
  * parts (also between haloes) are hidden; then visible parts are trimmed where a hidden part follows. Of the pieces
  * that haloes cover, those next to an uncovered one stay visible, so that the line reaches the halo.
  *   gap_px    gaps shorter than this are closed
  *   speck_px  visible parts shorter than this are hidden, unless the line may continue beyond the strip
  *   trim_px   length that visible parts lose at a hidden one
  *   seen      per piece: bits of enum hatch_line_seen
- *   visible   out: per piece, 0 or 1 */
+ *   visible   out: per piece, 0, 1 or HATCH_LINE_BRIDGED */
 void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap_px, double speck_px, double trim_px,
                               const uint8_t *seen, uint8_t *visible);
 
-/* Joins visible pieces into segments and returns the number of segments. Pieces that a halo may cover (touched ones and
- * their neighbours) are put into segments of their own.
- *   visible   per piece, from hatch_line_strips_smooth
- *   seen      as for hatch_line_strips_smooth
- *   segments  out: room for piece_count */
+/* Hides short visible parts that run along longer ones, as where a surface folds over itself by a fraction of a pixel.
+ *   visible  in and out: per piece, from hatch_line_strips_smooth
+ *   arena    for temporary data */
+enum hatch_status hatch_line_strips_drop_doubles(const struct hatch_line_strips *strips, uint8_t *visible,
+                                                 struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Joins visible pieces into segments, in the order of the line, and returns the number of segments. Pieces that a halo
+ * may cover (touched ones and their neighbours) are put into segments of their own. visible   per piece, from
+ * hatch_line_strips_smooth seen      as for hatch_line_strips_smooth segments  out: room for piece_count */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                                    struct hatch_line_segment *segments);
 

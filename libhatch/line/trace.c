@@ -18,17 +18,13 @@ double hatch_line_pixel(const struct hatch_line_eye *eye, const double point[3])
     return depth / eye->focal_px;
 }
 
-static void transform(const double m[16], const double p[3], double out[3])
+void hatch_line_place(const struct hatch_line_shape *shape, uint32_t vertex, double out[3])
 {
-    for (int r = 0; r < 3; r++)
-        out[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
-}
-
-static void corner_at(const struct hatch_line_shape *shape, uint32_t vertex, double out[3])
-{
+    const double *m = shape->to_unit;
     double p[3];
     hatch_vec_of(&shape->positions[3 * (size_t)vertex], p);
-    transform(shape->to_unit, p, out);
+    for (int r = 0; r < 3; r++)
+        out[r] = m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r];
 }
 
 /* Returns the cosine between a face's normal and the direction to the eye; over 0: the face's front is visible. */
@@ -37,7 +33,7 @@ static double facing(const struct hatch_line_shape *shape, const struct hatch_li
     const struct hatch_view *view = eye->view;
     double p[3][3], normal[3], to_eye[3];
     for (uint32_t c = 0; c < 3; c++)
-        corner_at(shape, shape->lines->mesh.indices[3 * (size_t)face + c], p[c]);
+        hatch_line_place(shape, shape->lines->mesh.indices[3 * (size_t)face + c], p[c]);
     hatch_vec_triangle(p[0], p[1], p[2], normal);
     hatch_vec_sub(view->eye, p[0], to_eye);
     if (view->orthographic)
@@ -76,10 +72,10 @@ enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape
     HATCH_TRY(HATCH_ALLOC(arena, &made.nodes, 3 * nodes, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.slack, segments, err));
     for (size_t i = 0; i < nodes; i++)
-        corner_at(shape, lines->node_vertices[i], &made.nodes[3 * i]);
+        hatch_line_place(shape, lines->node_vertices[i], &made.nodes[3 * i]);
     for (size_t s = 0; s < segments; s++) {
         double at[3];
-        corner_at(shape, lines->features[s].ends[0], at);
+        hatch_line_place(shape, lines->features[s].ends[0], at);
         made.slack[s] = feature_slack(shape, eye, &lines->features[s], at);
     }
     *trace = made;

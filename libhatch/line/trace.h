@@ -8,10 +8,10 @@
 /* A posed mesh. */
 struct hatch_line_shape {
     const struct hatch_line_mesh *lines;
-    const float *positions, *normals; /* 3 per vertex of lines->mesh */
-    double to_unit[16];               /* from positions to the unit scene; column-major */
-    bool mirrored;                    /* to_unit reverses the winding of faces */
-    bool double_sided;                /* faces are visible from behind, too */
+    const float *positions; /* 3 per vertex of lines->mesh */
+    double to_unit[16];     /* from positions to the unit scene; column-major */
+    bool mirrored;          /* to_unit reverses the winding of faces */
+    bool double_sided;      /* faces are visible from behind, too */
 };
 
 /* The view, and the size of a pixel. */
@@ -27,31 +27,38 @@ struct hatch_line_trace {
     uint32_t *ends; /* 2 per segment: its nodes */
     float *slack; /* per segment: distance along the view axis by which a surface may be nearer without hiding it; below
                      0: the segment is not drawn */
-    uint8_t *smooth; /* silhouettes only, per node: not 0: the surface is smooth there */
+    int8_t *surface; /* silhouettes only, per segment: the side of it on which the picture shows its surface, from its
+                        first end to its second: 1: left, -1: right */
+    uint8_t *fixed;  /* silhouettes only, per node: not 0: a crease of the silhouette ends there */
 };
 
-/* Traces the silhouette: across faces, where the interpolated normal is orthogonal to the view direction (Hertzmann &
- * Zorin 2000, §4.1); along edges with discontinuous normals, where one side faces the eye and the other does not. The
- * result consists of closed curves, except at boundaries of the mesh. Points on edges lie on the cubic that is
- * orthogonal to the normals at both ends (Vlachos et al. 2001), so that coarse meshes have smooth silhouettes. If
- * to_unit is singular there is no silhouette.
+/* Traces the silhouette of the faces as they are drawn: the edges all of whose faces lie on one side in the picture. On
+ * a closed surface it consists of closed curves, of which parts hide behind the surface close by. The winding of faces
+ * matters only if the shape is not double-sided: then an edge needs a face that is visible. If to_unit is singular
+ * there is no silhouette.
  *   trace  out: in arena */
 enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                                                struct hatch_arena *arena, struct hatch_arena *scratch,
                                                struct hatch_line_trace *trace, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Replaces the segments of a silhouette by curves through its smooth nodes: each segment at a visible turn becomes
- * four.
- *   trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and smooth NULL
- *   chains  of trace; replaced by those of the new trace, in arena */
-enum hatch_status hatch_line_refine(struct hatch_line_trace *trace, struct hatch_line_chains *chains,
-                                    struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
+/* Makes silhouettes smooth where their edges are short, except at creases, without leaving the outline of the faces by
+ * more than a pixel: removes bends from node to node, then replaces segments at slight turns by curves, four segments
+ * each.
+ *   trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and fixed NULL, and with each
+ * segment's surface in the direction of its chain chains  of trace; replaced by those of the new trace, in arena */
+enum hatch_status hatch_line_refine(const struct hatch_line_eye *eye, struct hatch_line_trace *trace,
+                                    struct hatch_line_chains *chains, struct hatch_arena *arena,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Computes the mesh's features at the pose.
- *   trace  out: in arena; nodes and segments are numbered as in shape->lines->chains, ends and smooth are NULL */
+ *   trace  out: in arena; nodes and segments are numbered as in shape->lines->chains, ends, surface and fixed are NULL
+ */
 enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                                             struct hatch_arena *arena, struct hatch_line_trace *trace,
                                             struct hatch_err *err) HATCH_MUST_USE;
+
+/* Computes the position of a vertex of lines->mesh in the unit scene. */
+void hatch_line_place(const struct hatch_line_shape *shape, uint32_t vertex, double out[3]);
 
 /* Returns the distance of a point from the eye, along the view axis. */
 double hatch_line_depth(const struct hatch_view *view, const double point[3]);

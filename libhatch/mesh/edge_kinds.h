@@ -16,13 +16,4 @@ enum hatch_edge_kind { HATCH_EDGE_SMOOTH, HATCH_EDGE_CREASE, HATCH_EDGE_BOUNDARY
 void hatch_edges_classify(const struct hatch_mesh *mesh, const struct hatch_edges *edges, double crease_rad,
                           uint8_t *kinds);
 
-/* Adds NORMAL to a mesh without it, as hatch_mesh_add_normals does, but splits vertices at sharp edges and at edges
- * that do not have exactly two faces. Corners keep their order.
- *   point  3 * face_count: the point of each corner
- *   edges  the edges between these points
- *   sharp  per edge, not 0: normals differ across it */
-enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges, const uint8_t *sharp,
-                                           struct hatch_arena *arena, struct hatch_arena *scratch,
-                                           struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
-
 #endif

@@ -1,4 +1,3 @@
-#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -107,14 +106,6 @@ static enum hatch_status build(const struct work *w, struct hatch_arena *arena, 
     return HATCH_OK;
 }
 
-static enum hatch_status sum_and_build(struct work *w, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                       struct hatch_mesh *out, struct hatch_err *err)
-{
-    HATCH_TRY(HATCH_ALLOC(scratch, &w->sum, (size_t)w->class_count * 3, err));
-    sum_normals(w);
-    return build(w, arena, scratch, out, err);
-}
-
 static enum hatch_status add_normals(struct work *w, float crease_rad, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_mesh *out, struct hatch_err *err)
 {
@@ -132,31 +123,9 @@ static enum hatch_status add_normals(struct work *w, float crease_rad, struct ha
         memcpy(w->class_of, w->point, corners * sizeof *w->point);
         w->class_count = point_count;
     }
-    return sum_and_build(w, arena, scratch, out, err);
-}
-
-enum hatch_status hatch_mesh_split_normals(const uint32_t *point, const struct hatch_edges *edges, const uint8_t *sharp,
-                                           struct hatch_arena *arena, struct hatch_arena *scratch,
-                                           struct hatch_mesh *mesh, struct hatch_err *err)
-{
-    assert(!hatch_mesh_find(mesh, "NORMAL", 3));
-    size_t corners = (size_t)mesh->face_count * 3;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct work w = {.mesh = mesh};
-    struct hatch_mesh out;
-    enum hatch_status status = HATCH_LIMIT;
-    w.point = HATCH_NEW(scratch, uint32_t, corners, err);
-    w.class_of = w.point ? HATCH_NEW(scratch, uint32_t, corners, err) : NULL;
-    if (w.class_of) {
-        memcpy(w.point, point, corners * sizeof *point);
-        status = classes_by_edges(&w, edges, sharp, scratch, err);
-        if (status == HATCH_OK)
-            status = sum_and_build(&w, arena, scratch, &out, err);
-    }
-    hatch_arena_rewind(scratch, mark);
-    if (status == HATCH_OK)
-        *mesh = out;
-    return status;
+    HATCH_TRY(HATCH_ALLOC(scratch, &w->sum, (size_t)w->class_count * 3, err));
+    sum_normals(w);
+    return build(w, arena, scratch, out, err);
 }
 
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,

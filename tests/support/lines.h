@@ -51,10 +51,7 @@ static inline struct hatch_view view_from(double x, double y, double z, bool ort
 
 static inline struct hatch_line_shape shape_in_place(const struct hatch_line_mesh *lines)
 {
-    struct hatch_line_shape shape = {.lines = lines,
-                                     .positions = lines->mesh.attributes[0].data,
-                                     .normals = hatch_mesh_find(&lines->mesh, "NORMAL", 3),
-                                     .double_sided = true};
+    struct hatch_line_shape shape = {.lines = lines, .positions = lines->mesh.attributes[0].data, .double_sided = true};
     for (int i = 0; i < 16; i += 5)
         shape.to_unit[i] = 1;
     return shape;

@@ -7,6 +7,7 @@
 #include "render-gl/gpu/texture.h"
 
 #define BATCH 1024u /* samples in a row of the texture */
+#define TEXELS 2u   /* of a sample */
 #define ROWS 1024u  /* rows of the texture; if there are more samples, they are tested in several passes */
 
 static enum hatch_status compile(struct line_overlay *overlay, struct gpu_programs *programs, struct hatch_err *err)
@@ -33,7 +34,7 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
     HATCH_TRY(hatch_lines_make(&scene->unit, &style->lines, &args->keep, &args->scratch, &made.lines, err));
     HATCH_TRY(compile(&made, programs, err));
     HATCH_TRY(gpu_target_make(&results, &made.results, err));
-    made.samples = gpu_texture_2d(GL_RGBA32F, BATCH, ROWS);
+    made.samples = gpu_texture_2d(GL_RGBA32F, TEXELS * BATCH, ROWS);
     glCreateBuffers(1, &made.segments);
     glCreateVertexArrays(1, &made.array);
     gpu_array_attach(made.array, 0, made.segments, sizeof(struct hatch_line_segment), attributes, 2);
@@ -48,9 +49,10 @@ static void upload(const struct line_overlay *overlay, const struct hatch_line_s
 {
     GLsizei rows = (GLsizei)(count / BATCH), rest = (GLsizei)(count % BATCH);
     if (rows)
-        glTextureSubImage2D(overlay->samples, 0, 0, 0, (GLsizei)BATCH, rows, GL_RGBA, GL_FLOAT, samples);
+        glTextureSubImage2D(overlay->samples, 0, 0, 0, (GLsizei)(TEXELS * BATCH), rows, GL_RGBA, GL_FLOAT, samples);
     if (rest)
-        glTextureSubImage2D(overlay->samples, 0, 0, rows, rest, 1, GL_RGBA, GL_FLOAT, samples + (size_t)rows * BATCH);
+        glTextureSubImage2D(overlay->samples, 0, 0, rows, rest * (GLsizei)TEXELS, 1, GL_RGBA, GL_FLOAT,
+                            samples + (size_t)rows * BATCH);
 }
 
 /* Tests the samples against the canvas's depth and haloes. A sample is visible if at least one of the depths around it

@@ -181,8 +181,9 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
     memset(visible, 1, sizeof visible);
     visible[30] = 0;
     ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, visible, segments), 5);
-    ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[31].a[0], 1e-6f);
-    ck_assert_float_eq_tol(segments[1].b[0], strips.pieces[66].b[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[0].a[0], strips.pieces[31].a[0], 1e-6f); /* the path begins after the gap */
+    ck_assert_float_eq_tol(segments[0].b[0], strips.pieces[66].b[0], 1e-6f);
+    ck_assert_float_eq_tol(segments[4].b[0], strips.pieces[29].b[0], 1e-6f);
 }
 END_TEST
 
@@ -242,6 +243,73 @@ START_TEST(chains_go_straight_on)
 }
 END_TEST
 
+/* Pieces that only lack a step in depth do not interrupt a line for 12 pixels, hidden ones do after 4. */
+START_TEST(longer_gaps_are_closed_where_nothing_hides_the_line)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    memset(seen, HATCH_LINE_VISIBLE, sizeof seen);
+    memset(seen + 20, HATCH_LINE_FLAT, 7);
+    memset(seen + 90, HATCH_LINE_FLAT, 9);
+    memset(seen + 150, 0, 7);
+    hatch_line_strips_smooth(&strips, 4, 8, 0, seen, visible);
+    ck_assert_uint_eq(sum(visible, 90), 90);
+    ck_assert_uint_eq(sum(visible + 90, 9), 0);
+    ck_assert_uint_eq(sum(visible + 150, 7), 0);
+}
+END_TEST
+
+/* A line hides in a fold, which goes back and forth by 6 pixels: the visible parts are joined by one short segment. */
+START_TEST(folds_are_bridged)
+{
+    static const double points[18] = {-.5, 0, 0, 0, 0, 0, -.06, .002, 0, -.005, .004, 0, .5, 0, 0, .6, 0, 0};
+    struct hatch_line_trace trace = polyline(points, 6);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    uint8_t seen[300], visible[300];
+    struct hatch_line_segment segments[300];
+    ck_assert_uint_eq(strips.strip_count, 1);
+    ck_assert_uint_lt(strips.piece_count, 300);
+    for (uint32_t i = 0; i < strips.piece_count; i++)
+        seen[i] = strips.pieces[i].segment == 1 || strips.pieces[i].segment == 2 ? 0 : HATCH_LINE_VISIBLE;
+    hatch_line_strips_smooth(&strips, 4, 8, 1, seen, visible);
+    for (uint32_t i = 0; i < strips.piece_count; i++)
+        ck_assert_uint_eq(visible[i], seen[i] ? HATCH_LINE_VISIBLE : HATCH_LINE_BRIDGED);
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, segments), 4);
+    ck_assert_float_eq_tol(segments[1].a[0], 200, 1e-3f);
+    ck_assert_float_eq_tol(segments[1].b[0], 199.5f, 1e-3f);
+    for (uint32_t i = 1; i < 4; i++)
+        ck_assert_float_eq(segments[i].a[0], segments[i - 1].b[0]);
+}
+END_TEST
+
+/* Of two lines a pixel apart the one of 12 pixels is hidden; a line of 12 pixels across the long one stays, and so do
+ * two long ones. */
+START_TEST(short_lines_along_longer_ones_are_hidden)
+{
+    static const double beside[2][2][3] = {{{0, .01, 0}, {.12, .01, 0}}, {{-.2, -.06, 0}, {-.2, .06, 0}}};
+    struct hatch_line_trace trace = {.node_count = 8, .segment_count = 4};
+    struct hatch_view view = view_from(0, 0, 4, true);
+    trace.nodes = HATCH_NEW(&keep, double, 24, &err);
+    trace.ends = HATCH_NEW(&keep, uint32_t, 8, &err);
+    trace.slack = HATCH_NEW(&keep, float, 4, &err);
+    memcpy(trace.nodes, beside, sizeof beside);
+    for (uint32_t i = 4; i < 8; i++) {
+        trace.nodes[3 * i] = i % 2 ? 1 : -1;
+        trace.nodes[3 * i + 1] = i / 6 * -.01;
+    }
+    for (uint32_t i = 0; i < 8; i++)
+        trace.ends[i] = i;
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    uint8_t visible[400];
+    ck_assert_uint_lt(strips.piece_count, 400);
+    memset(visible, 1, sizeof visible);
+    HATCH_TEST_OK(hatch_line_strips_drop_doubles(&strips, visible, &scratch, &err), &err);
+    for (uint32_t i = 0; i < strips.piece_count; i++)
+        ck_assert_uint_eq(visible[i], strips.pieces[i].segment != 0);
+}
+END_TEST
+
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_err *error)
 {
@@ -252,7 +320,9 @@ static enum hatch_status make(void *context, struct hatch_arena *arena, struct h
     struct hatch_line_chains chains;
     struct hatch_line_strips strips;
     HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, error));
-    return hatch_line_strips_make(trace, &chains, &picture, arena, &strips, error);
+    HATCH_TRY(hatch_line_strips_make(trace, &chains, &picture, arena, &strips, error));
+    uint8_t visible[300] = {1, 1, 0, 1};
+    return hatch_line_strips_drop_doubles(&strips, visible, arena, error);
 }
 
 START_TEST(strips_survive_every_failed_allocation)
@@ -277,6 +347,9 @@ static Suite *suite(void)
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
     tcase_add_test(tests, specks_between_haloes_are_hidden);
     tcase_add_test(tests, only_pieces_near_haloes_are_tested_again);
+    tcase_add_test(tests, longer_gaps_are_closed_where_nothing_hides_the_line);
+    tcase_add_test(tests, folds_are_bridged);
+    tcase_add_test(tests, short_lines_along_longer_ones_are_hidden);
     tcase_add_test(tests, chains_go_straight_on);
     tcase_add_test(tests, strips_survive_every_failed_allocation);
     suite_add_tcase(suite, tests);

@@ -1,26 +1,44 @@
-// Tests whether surfaces hide a sample of a line, and whether a halo covers it. The sample is visible if any of the
-// depths around it is not nearer: the surface of a silhouette may be nearer on one side of it, but never on both.
+// Tests whether surfaces hide a sample of a line, and whether a halo covers it. A sample is hidden if all depths around
+// it are nearer: the surface of a silhouette may be nearer on one side of it, but never on both. A sample of a
+// silhouette also needs a step in depth beyond it.
 #include "halo/halo.glsl"
 
 layout(binding = UNIT_TONES) uniform sampler2D depths;
-layout(binding = UNIT_SOURCE) uniform sampler2D points; // x, y in pixels; depth limit; angle of the line
+layout(binding = UNIT_SOURCE) uniform sampler2D points; // two texels: x, y in pixels; depth limit; angle of the line;
+                                                        // direction away from a silhouette; `behind`; depth
 layout(location = UNIFORM_A) uniform float samples_per_pixel;
 
-out uint o_seen; // bits of enum hatch_line_seen: 1: visible; 2: a halo covers a part of it; 4: more than half of it
+out uint o_seen; // bits of enum hatch_line_seen: 1: visible; 2: a halo covers a part of it; 4: more than half of it;
+                 // 8: visible but for the step
 
 const float REACH_PX = 1.25;
+const float CLIFF = 8.0; // least steps in depth, over REACH_PX
+
+float depth_at(vec2 at_px)
+{
+    ivec2 last = textureSize(depths, 0) - 1;
+    return texelFetch(depths, clamp(ivec2(floor(at_px * samples_per_pixel)), ivec2(0), last), 0).r;
+}
+
+// Returns whether the surface beyond a silhouette lies deeper than `behind` at the silhouette, if continued up to it
+// with its own slope: one that merely recedes does not. A larger slope than CLIFF is another step.
+bool is_step(vec2 at, vec2 away, float behind, float depth)
+{
+    float first = depth_at(at + REACH_PX * away), second = depth_at(at + 2.0 * REACH_PX * away);
+    float slope = first - second > CLIFF * (depth - behind) ? 0.0 : max(first - second, 0.0);
+    return first + slope < behind;
+}
 
 void main()
 {
-    vec4 point = texelFetch(points, ivec2(gl_FragCoord.xy), 0);
-    ivec2 last = textureSize(depths, 0) - 1;
+    ivec2 at = ivec2(2 * int(gl_FragCoord.x), int(gl_FragCoord.y));
+    vec4 point = texelFetch(points, at, 0), beyond = texelFetch(points, at + ivec2(1, 0), 0);
     float least = 1.0;
     for (int y = -1; y <= 1; y++)
-        for (int x = -1; x <= 1; x++) {
-            vec2 at = (point.xy + REACH_PX * vec2(x, y)) * samples_per_pixel;
-            least = min(least, texelFetch(depths, clamp(ivec2(floor(at)), ivec2(0), last), 0).r);
-        }
-    o_seen = uint(least <= point.z);
+        for (int x = -1; x <= 1; x++)
+            least = min(least, depth_at(point.xy + REACH_PX * vec2(x, y)));
+    bool ends = beyond.xy == vec2(0.0) || is_step(point.xy, beyond.xy, beyond.z, beyond.w);
+    o_seen = least > point.z ? 0u : ends ? 1u : 8u;
 #ifdef HALOES
     float share = halo_over_line(point.xy, point.z, vec2(cos(point.w), sin(point.w)));
     o_seen += share > 0.0 ? 2u : 0u;
