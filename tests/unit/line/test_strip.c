@@ -321,7 +321,8 @@ static enum hatch_status make(void *context, struct hatch_arena *arena, struct h
     struct hatch_line_strips strips;
     HATCH_TRY(hatch_line_chains_make(&graph, arena, temporary, &chains, error));
     HATCH_TRY(hatch_line_strips_make(trace, &chains, &picture, arena, &strips, error));
-    uint8_t visible[300] = {1, 1, 0, 1};
+    uint8_t visible[400] = {1, 1, 0, 1};
+    ck_assert_uint_le(strips.piece_count, 400);
     return hatch_line_strips_drop_doubles(&strips, visible, arena, error);
 }
 

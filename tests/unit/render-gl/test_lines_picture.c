@@ -219,6 +219,22 @@ START_TEST(hidden_parts_of_a_torus_are_left_out)
 }
 END_TEST
 
+/* A sheet goes back under itself: the lower part is seen beyond the edge of the upper one, deeper by some pixels. */
+START_TEST(silhouettes_need_a_step_of_four_pixels)
+{
+    static const float steps_px[2] = {1, 10};
+    static const uint32_t faces[18] = {0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3, 4, 6, 7, 4, 7, 5};
+    float drop = steps_px[_i] / 100;
+    const float corners[24] = {-1,    -1, 0,     -1,    1, 0,     0.1f, -1, 0,     0.1f, 1, 0,
+                               0.05f, -1, -drop, 0.05f, 1, -drop, 1,    -1, -drop, 1,    1, -drop};
+    struct hatch_mesh mesh = mesh_of(corners, 8, faces, 6);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    show(&mesh, HATCH_LINES_SILHOUETTES, 2);
+    struct hatch_image image = draw(&view, 400, 2);
+    ck_assert_double_eq_tol(ink_of(&image), _i ? 400 : 0, 8);
+}
+END_TEST
+
 /* Draws one picture as a whole and in tiles of several sizes. */
 START_TEST(tiles_have_no_seams)
 {
@@ -263,6 +279,7 @@ static Suite *suite(void)
     tcase_add_test(tests, nine_edges_of_a_cube_are_visible);
     tcase_add_loop_test(tests, a_sphere_has_one_even_outline, 0, 3);
     tcase_add_loop_test(tests, hidden_parts_of_a_torus_are_left_out, 0, 3);
+    tcase_add_loop_test(tests, silhouettes_need_a_step_of_four_pixels, 0, 2);
     tcase_add_test(tests, tiles_have_no_seams);
     tcase_add_loop_test(tests, cameras_on_or_inside_the_mesh_draw_the_right_lines, 0, 4);
     suite_add_tcase(suite, tests);
