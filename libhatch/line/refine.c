@@ -6,6 +6,7 @@
 
 #define WINDOW_PX 8.0 /* nodes move towards the mean of the chain up to this far along it */
 #define TAPS 8        /* positions to either side that the mean is taken of */
+#define WALK_MAX 256u /* segments that are followed for it; shorter ones need no smoothing */
 #define MOVE_PX 0.5   /* largest movement of a node */
 
 #define PARTS 4u            /* segments that a curve is divided into */
@@ -70,15 +71,15 @@ static void find_places(struct work *w)
 }
 
 /* Adds the weighted positions at equal distances along a chain from node i, up to WINDOW_PX away. Returns false where
- * the chain ends or leaves the picture's side of the near plane before that. */
+ * the chain ends, leaves the picture's side of the near plane, or has too many segments before that. */
 static bool add_taps(const struct run *run, uint32_t i, bool forward, double sum[2])
 {
     const double step = WINDOW_PX / (TAPS + 1);
     double before = 0;
     int tap = 1;
-    while (tap <= TAPS) {
+    for (uint32_t walked = 0; tap <= TAPS; walked++) {
         const double *a = place_at(run, i);
-        if (!advance(run, forward, &i))
+        if (walked == WALK_MAX || !advance(run, forward, &i))
             return false;
         const double *b = place_at(run, i);
         double length = distance(a, b);

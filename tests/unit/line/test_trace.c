@@ -331,6 +331,25 @@ START_TEST(short_sides_become_curves)
 }
 END_TEST
 
+/* All nodes of a closed chain lie in one place: those of a sphere that is as good as a point. */
+START_TEST(chains_without_length_are_left_alone)
+{
+    struct hatch_mesh mesh = shape_of(HATCH_SHAPE_SPHERE, 300);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_SILHOUETTES, CREASE_RAD);
+    struct hatch_line_shape shape = shape_in_place(&lines);
+    for (int i = 0; i < 15; i += 5)
+        shape.to_unit[i] = 1e-60;
+    struct hatch_view view = view_from(3, -2, 9, true);
+    const struct hatch_line_eye eye = {&view, 400};
+    struct hatch_line_trace trace = silhouettes_of(&shape, &view);
+    struct hatch_line_chains chains = chains_of(&trace);
+    ck_assert_uint_gt(trace.segment_count, 10);
+    HATCH_TEST_OK(hatch_line_refine(&eye, &trace, &chains, &keep, &err), &err);
+    for (uint32_t i = 0; i < trace.node_count; i++)
+        ck_assert_double_le(hatch_vec_length(&trace.nodes[3 * i]), 1e-59);
+}
+END_TEST
+
 static enum hatch_status trace_all(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                                    struct hatch_err *error)
 {
@@ -371,6 +390,7 @@ static Suite *suite(void)
     tcase_add_test(tests, zigzags_below_a_pixel_become_straight);
     tcase_add_test(tests, corners_stay_in_their_places);
     tcase_add_test(tests, short_sides_become_curves);
+    tcase_add_test(tests, chains_without_length_are_left_alone);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);
     return suite;
