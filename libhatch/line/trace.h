@@ -44,8 +44,9 @@ enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *sh
 /* Makes silhouettes smooth where their edges are short, except at creases, without leaving the outline of the faces by
  * more than a pixel: removes bends from node to node, then replaces segments at slight turns by curves, four segments
  * each.
- *   trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and fixed NULL, and with each
- * segment's surface in the direction of its chain chains  of trace; replaced by those of the new trace, in arena */
+ *   trace   of hatch_line_trace_silhouettes; replaced by one in arena, with ends and fixed NULL, and with the surface
+ *           of each segment in the direction of its chain
+ *   chains  of trace; replaced by those of the new trace, in arena */
 enum hatch_status hatch_line_refine(const struct hatch_line_eye *eye, struct hatch_line_trace *trace,
                                     struct hatch_line_chains *chains, struct hatch_arena *arena,
                                     struct hatch_err *err) HATCH_MUST_USE;
