@@ -17,13 +17,16 @@ SHELL := /bin/bash
 # Folder of large intermediate files; another one than OUT keeps them away from the pictures.
 WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
-pictures := teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
+pictures := engraving teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
 all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png \
     $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
 
+$(OUT)/engraving.png:
+	mkdir -p $(OUT)
+	meshgen teapot --faces 20000 | strokegen | render-gl - --technique traced --size 1280x720 -o $@
 $(OUT)/teapot.png: SIZE := 1280x720
 $(OUT)/teapot.png: $(call map,ink)
 	$(call draw,teapot,ink)
