@@ -1,8 +1,9 @@
 #!/usr/bin/env perl
 # run.pl FOLDER: draws N (80) random mutations of single lines of libhatch and cmd with the seed SEED (1), and tells for
 # each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that gives the
-# same machine code, is replaced by another. The tests run nearest first, two at a time (JOBS), and stop at the first
-# failure; those that need longer than eight times what they need on the unchanged tree, and a minute, have failed.
+# same machine code, is replaced by another. A first run of all tests, built with --coverage, finds which of them execute
+# the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
+# eight times what they needed in the first run, and a minute, have failed.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
 # equivalent.tsv explains are not counted: they cannot change a result.
 use strict;
@@ -12,12 +13,16 @@ use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
 use POSIX qw(:sys_wait_h);
 use Time::HiRes qw(time sleep);
+$| = 1;
 
 my $here = abs_path(dirname($0));
 my $top = abs_path("$here/../..");
 my $folder = shift or die "usage: run.pl FOLDER\n";
 my ($wanted, $seed, $jobs) = ($ENV{N} || 80, $ENV{SEED} || 1, $ENV{JOBS} || 2);
-my @make = ('make', '-s', "-j$jobs", 'CFLAGS=-O1 -g0', 'B=build');
+my $processors = () = contents('/proc/cpuinfo') =~ /^processor\b/mg;
+my @make = ('make', '-s', "-j$jobs");
+my %flags = (build => '-O1 -g0', cover => '-O1 -g0 --coverage'); # by the folders of the two builds
+require "$here/reach.pl";
 
 sub prepare_tree {
     make_path($folder);
@@ -27,23 +32,30 @@ sub prepare_tree {
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
     make_path("$folder/tmp");
-    @ENV{qw(TOP BUILD BIN TMPDIR CK_DEFAULT_TIMEOUT)} =
-        ($folder, "$folder/build", "$folder/build/bin", "$folder/tmp", 600);
+    @ENV{qw(TOP TMPDIR CK_DEFAULT_TIMEOUT)} = ($folder, "$folder/tmp", 600);
 }
 
-sub build { # target ...: whether they can be built
-    return system(join(' ', map { "'$_'" } @make, @_) . ' >make.log 2>&1') == 0;
+# Builds targets in a folder, and returns whether they can be built.
+sub build {
+    my ($to, @targets) = @_;
+    my @words = (@make, "B=$to", "CFLAGS=$flags{$to}", map { $_ eq 'all' ? $_ : "$to/$_" } @targets);
+    return system(join(' ', map { "'$_'" } @words) . ' >make.log 2>&1') == 0;
 }
 
-# Starts a test in a process group of its own and returns the process.
+# Starts a test of a build in a process group of its own and returns the process; counts of --coverage go to
+# tmp/PROCESS.counts.
 sub start {
-    my ($test) = @_;
+    my ($of, $test) = @_;
     my $pid = fork // die "run.pl: fork: $!\n";
     return $pid if $pid;
     setpgrp 0, 0;
+    @ENV{qw(BUILD BIN)} = ("$folder/$of", "$folder/$of/bin");
+    $ENV{GCOV_PREFIX} = "$folder/tmp/$$.counts";
     open STDOUT, '>', "tmp/$$.out" or die;
     open STDERR, '>&', \*STDOUT or die;
-    exec $test =~ /\.t$/ ? ('sh', $test) : ($test) or die;
+    # Threads on several processors would wait for each other at every count.
+    my @on = $of eq 'cover' ? ('taskset', '-c', $$ % $processors) : ();
+    exec @on, $test =~ /\.t$/ ? ('sh', $test) : ("$of/$test") or die;
 }
 
 sub passed {
@@ -52,23 +64,22 @@ sub passed {
     return $status == 0 && contents('tmp/last.out') !~ /^not ok/m;
 }
 
-# Runs tests, several at a time, and returns the first that fails, or nothing. Notes the seconds of each in %$took if
-# that is given; otherwise %$limit has the seconds after which a test has failed.
-sub first_failure {
-    my ($tests, $took, $limit) = @_;
-    my (@waiting, %running, $failed) = @$tests;
-    while (!$failed && (@waiting || %running)) {
+# Runs tests of a build, several at a time. Calls done(TEST, PASSED, SECONDS, PROCESS) after each, and ends when that
+# returns true. A test has failed when it needs more seconds than $limit->{TEST}.
+sub run_tests {
+    my ($of, $tests, $limit, $done) = @_;
+    my (@waiting, %running, $ended) = @$tests;
+    while (!$ended && (@waiting || %running)) {
         while (@waiting && keys %running < $jobs) {
             my $test = shift @waiting;
-            $running{start($test)} = [$test, time];
+            $running{start($of, $test)} = [$test, time];
         }
         for my $pid (keys %running) {
             my ($test, $since) = @{$running{$pid}};
-            my $late = $limit && time - $since > ($limit->{$test} // 60);
+            my $late = time - $since > ($limit->{$test} // 1e9);
             next unless $late || waitpid($pid, WNOHANG) > 0;
             delete $running{$pid} unless $late;
-            $failed = $test if $late || !passed($pid, $?);
-            $took->{$test} = time - $since if $took;
+            $ended = $done->($test, !$late && passed($pid, $?), time - $since, $pid) || $ended;
         }
         sleep 0.02;
     }
@@ -77,6 +88,17 @@ sub first_failure {
         waitpid $pid, 0;
         unlink "tmp/$pid.out";
     }
+}
+
+# Returns the first test that fails, or nothing.
+sub first_failure {
+    my ($tests, $limit) = @_;
+    my $failed;
+    run_tests('build', $tests, $limit, sub {
+        my ($test, $passed) = @_;
+        $failed //= $test unless $passed;
+        return $failed;
+    });
     return $failed;
 }
 
@@ -92,7 +114,7 @@ sub nearness {
 
 sub object_of { # the object file of a source, or nothing: shaders are strings of one
     my ($file) = @_;
-    return $file =~ /\.(?:c|cc)$/ ? "build/obj/$file.o" : undef;
+    return $file =~ /\.(?:c|cc)$/ ? "obj/$file.o" : undef;
 }
 
 sub contents {
@@ -109,15 +131,39 @@ sub put {
     close $out;
 }
 
-# Returns the tests, with their seconds: unit programs and scripts, without those of the code's form.
-sub measured_tests {
-    my @programs = map { s{^tests/(.*)\.c$}{build/tests/$1}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
+# Builds all that the tests need, in both folders. Returns the tests, unit programs and scripts, without those of the
+# code's form.
+sub build_tests {
+    my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
     my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/render-gl,prop,stability,bad,memory}/*.t';
-    build('all', 'build/tests/bad/maps', @programs) or die "run.pl: the unchanged tree does not build\n", contents('make.log');
-    my %took;
-    my $failed = first_failure([@programs, @scripts], \%took);
+    for my $of (sort keys %flags) {
+        build($of, 'all', 'tests/bad/maps', @programs)
+            or die "run.pl: the unchanged tree does not build\n", contents('make.log');
+    }
+    return (\@programs, \@scripts);
+}
+
+# Runs the tests on the unchanged tree and notes the seconds of each in %$took, and the lines that it executes. Returns
+# those that --coverage makes fail, other than scripts that go on to their plan; they count as tests that execute all
+# lines.
+sub measure_tests {
+    my ($took, @tests) = @_;
+    my (%odd, @failed);
+    run_tests('cover', \@tests, {}, sub {
+        my ($test, $passed, $seconds, $pid) = @_;
+        $took->{$test} = $seconds;
+        push @failed, $test unless $passed;
+        if ($passed || ($test =~ /\.t$/ && contents('tmp/last.out') =~ /^1\.\.\d+$/m)) {
+            reach_read($test, "tmp/$pid.counts");
+        } else {
+            $odd{$test} = 1;
+        }
+        remove_tree("tmp/$pid.counts");
+        return 0;
+    });
+    my $failed = first_failure(\@failed, {});
     die "run.pl: $failed fails on the unchanged tree\n", contents('tmp/last.out') if $failed;
-    return (\@programs, \@scripts, \%took);
+    return %odd;
 }
 
 # Returns the tests of a kind, nearest first, among equals the fastest first.
@@ -127,18 +173,20 @@ sub in_order {
 }
 
 # Judges the mutation that the tree has: "does not compile", "same code", the test that fails, or "survived".
+#   programs, scripts  the tests that execute the line
 sub verdict {
     my ($file, $before, $programs, $scripts, $took) = @_;
     my $object = object_of($file);
-    return 'does not compile' if $object && !build($object);
-    return 'same code' if $object && contents($object) eq $before;
+    return 'does not compile' if $object && !build('build', $object);
+    return 'same code' if $object && contents("build/$object") eq $before;
     my %limit = map { $_ => 60 + 8 * $took->{$_} } keys %$took;
     my @near = grep { nearness($_, $file) == 2 } @$programs;
     my %is_near = map { $_ => 1 } @near;
     for my $stage ([\@near, []], [[], $scripts], [[grep { !$is_near{$_} } @$programs], []]) {
         my ($some, $others) = @$stage;
-        build(@$some, @$others ? 'all' : ()) or return 'does not compile';
-        my $failed = first_failure([in_order($file, $took, @$some, @$others)], undef, \%limit);
+        next unless @$some || @$others;
+        build('build', @$some, @$others ? 'all' : ()) or return 'does not compile';
+        my $failed = first_failure([in_order($file, $took, @$some, @$others)], \%limit);
         return $failed if $failed;
     }
     return 'survived';
@@ -150,7 +198,9 @@ my @drawn = map { chomp; [split /\t/] } do {
     open my $in, '-|', 'perl', "$here/draw.pl", 2 * $wanted, $seed, @sources or die;
     <$in>;
 } or die "run.pl: no mutation was drawn\n";
-my ($programs, $scripts, $took) = measured_tests();
+my ($programs, $scripts) = build_tests();
+my $took = {};
+my %odd = measure_tests($took, @$programs, @$scripts);
 my %reason = map { chomp; my ($file, $line, $after, $why) = split /\t/; ("$file\t$line\t$after" => $why) }
     split /^/, contents("$here/equivalent.tsv");
 my ($counted, @survivors) = (0);
@@ -159,18 +209,19 @@ for my $mutation (@drawn) {
     my ($file, $number, $line, $after) = @$mutation;
     my ($old, $new) = map { s/^\s+//r } $line, $after;
     my $text = contents($file);
-    my $before = object_of($file) ? contents(object_of($file)) : '';
+    my $before = object_of($file) ? contents('build/' . object_of($file)) : '';
+    my ($some, $others) = map { [grep { $odd{$_} || nearness($_, $file) == 2 || reaches($_, $file, $number) } @$_] }
+        $programs, $scripts;
     my @lines = split /\n/, $text, -1;
     $lines[$number - 1] = $after;
     put($file, join "\n", @lines);
     my $since = time;
-    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent' : verdict($file, $before, $programs, $scripts, $took);
+    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent' : verdict($file, $before, $some, $others, $took);
     put($file, $text);
-    build(object_of($file)) if object_of($file);
+    build('build', object_of($file)) if object_of($file);
     $counted++ unless $said =~ /^(?:does not compile|same code|equivalent)$/;
     push @survivors, "$file:$number: $old  ->  $new" if $said eq 'survived';
     printf "%s\t%s:%d\t%s\t%s\t%.0f s\n", $said, $file, $number, $old, $new, time - $since;
-    $| = 1;
 }
 print "survived: $_\n" for @survivors;
 printf "%d mutations, %d survived: %.1f %%\n", $counted, scalar @survivors, 100 * @survivors / ($counted || 1);
