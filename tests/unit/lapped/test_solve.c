@@ -67,19 +67,28 @@ static uint64_t reverse_envelope(const struct star *star)
     return size;
 }
 
+static struct star star;
+static struct hatch_patch_domain domain;
+static struct hatch_patch patch;
+static struct hatch_solver solver;
+
+static void begin_star(void)
+{
+    begin();
+    make_star(&star);
+    domain = (struct hatch_patch_domain){.flattened = star.flattened[0], .singular = star.singular};
+    patch = (struct hatch_patch){.face_count = FACES,
+                                 .vertex_count = VERTICES,
+                                 .faces = star.faces,
+                                 .corners = star.corners[0],
+                                 .sign = star.sign,
+                                 .xy = star.xy[0]};
+    solver = (struct hatch_solver){.arena = &scratch};
+    HATCH_TEST_OK(hatch_solver_solve(&solver, &domain, &patch, &err), &err);
+}
+
 START_TEST(the_shortest_envelope_is_chosen)
 {
-    static struct star star;
-    make_star(&star);
-    const struct hatch_patch_domain domain = {.flattened = star.flattened[0], .singular = star.singular};
-    struct hatch_patch patch = {.face_count = FACES,
-                                .vertex_count = VERTICES,
-                                .faces = star.faces,
-                                .corners = star.corners[0],
-                                .sign = star.sign,
-                                .xy = star.xy[0]};
-    struct hatch_solver solver = {.arena = &scratch};
-    HATCH_TEST_OK(hatch_solver_solve(&solver, &domain, &patch, &err), &err);
     uint64_t size = 0, reverse = reverse_envelope(&star);
     for (uint32_t v = 0; v < VERTICES; v++)
         size += v - solver.first_column[v] + 1;
@@ -90,12 +99,33 @@ START_TEST(the_shortest_envelope_is_chosen)
 }
 END_TEST
 
+/* The arrays fit into the arena before the factors fit beside them. */
+START_TEST(factors_keep_to_the_limit_of_the_arena)
+{
+    enum hatch_status status = HATCH_LIMIT;
+    bool met = false;
+    const size_t limit = scratch.limit_bytes;
+    for (scratch.limit_bytes = scratch.used_bytes; status != HATCH_OK; scratch.limit_bytes += 1024) {
+        struct hatch_sparse_solver made = {.column = NULL};
+        struct hatch_arena_mark mark = hatch_arena_mark(&scratch);
+        status = hatch_sparse_solver_make(&solver, &patch, &made, &err);
+        met = met || (status == HATCH_LIMIT &&
+                      strncmp(err.text, "out of memory for the factors of a patch of 1001 vertices, ", 59) == 0);
+        ck_assert(scratch.limit_bytes < limit);
+        hatch_sparse_solver_free(&made);
+        hatch_arena_rewind(&scratch, mark);
+    }
+    ck_assert(met);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("lapped solve");
     TCase *tests = tcase_create("solve");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin_star, end);
     tcase_add_test(tests, the_shortest_envelope_is_chosen);
+    tcase_add_test(tests, factors_keep_to_the_limit_of_the_arena);
     suite_add_tcase(suite, tests);
     return suite;
 }
