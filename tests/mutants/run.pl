@@ -210,8 +210,9 @@ for my $mutation (@drawn) {
     my ($old, $new) = map { s/^\s+//r } $line, $after;
     my $text = contents($file);
     my $before = object_of($file) ? contents('build/' . object_of($file)) : '';
-    my ($some, $others) = map { [grep { $odd{$_} || nearness($_, $file) == 2 || reaches($_, $file, $number) } @$_] }
-        $programs, $scripts;
+    my $some = [grep { $odd{$_} || reaches($_, $file, $number) } @$programs];
+    # Near scripts count, too, if the command was killed before it could note what it executed.
+    my $others = [grep { $odd{$_} || reaches($_, $file, $number) || nearness($_, $file) == 2 } @$scripts];
     my @lines = split /\n/, $text, -1;
     $lines[$number - 1] = $after;
     put($file, join "\n", @lines);
