@@ -2,10 +2,10 @@
 # manual_options.pl TABLE MANUAL: prints the differences between the options of a manual and the table that COMMAND
 # --options-table prints, in range, default and choices. An option's line in the manual ends in range and default,
 #     .It Fl -tone-gamma Ar G Pq 0.05 to 20 ; default 1
-# with "each" for pairs; further words may follow the default after a comma. An option without a default in the table has
-# none in the manual, or one in words: "default: as noise asks". Numbers may be written 2^53, 1e9 and 4G. Each choice is
-# a Cm in the option's entry or an item of the section to which it refers, and all such items are choices. A number given
-# as the default in the help must be the table's.
+# with "each" for pairs; further words may follow the default after a comma and a space. An option without a default in
+# the table has none in the manual, or one in words: "default: as noise asks". Numbers may be written 2^53, 1e9 and 4G.
+# Each choice is a Cm in the option's entry or an item of the section to which it refers, and all such items are choices.
+# A number given as the default in the help must be the table's.
 use strict;
 use warnings;
 
@@ -91,7 +91,7 @@ sub check {
     print "--$name: default '$default', the table has '$row{default}'\n"
         if $default ne $row{default} && !same($default, $row{default});
     print "--$name: the help's default is $1, the table's '$row{default}'\n"
-        if $row{help} =~ /\(default (-?[\d.]+(?:[:x]-?[\d.]+)?)[ ,;:)]/ && !same($1, $row{default});
+        if $row{help} =~ /\(default (-?[\d.]+(?:[:x]-?[\d.]+)?)(?:, |[ ;:)])/ && !same($1, $row{default});
     check_choices($name, split /,/, $row{choices}) if $row{type} eq 'choice';
 }
 
