@@ -33,8 +33,10 @@ unpack placed.glb unplaced
 is "the outline does not take over a texture's transform" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
 lapped-param <torus.glb >filter.glb
 ok "from a pipe to a pipe" cmp filter.glb alone.glb
+numbers alone.glb >a
 lapped-param --seed 2 torus.glb -o other.glb
-ok "another random seed gives other patches" test "$(cksum <other.glb)" != "$(cksum <alone.glb)"
+numbers other.glb >b
+ok "another random seed gives other patches" test "$(cksum <a)" != "$(cksum <b)"
 cp torus.glb "two words.glb"
 lapped-param "two words.glb" -o "the result.glb"
 ok "file names may have spaces" cmp "the result.glb" alone.glb
