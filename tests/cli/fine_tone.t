@@ -99,7 +99,7 @@ refused "--exact with --bins" 2 2
 try tamthresh --exact map.exr -o x.exr
 refused "--exact with EXR" 2 2
 tamthresh --seed 2 map.exr -o other.ktx2
-is "another random seed gives other thresholds" "$(cmp -s other.ktx2 thresholds.ktx2; echo $?)" 1
+ok "another random seed gives other thresholds" test "$(cmp -l other.ktx2 thresholds.ktx2 | wc -l)" -gt 100
 meshgen plane --faces 2 | render-gl - --technique gouraud --size 32x32 -o picture.png
 try tamthresh --modulate picture.png --mask picture.png map.exr -o pictures.ktx2
 is "--modulate and --mask fill the spare channels" "$status $(cmp -s pictures.ktx2 thresholds.ktx2; echo $?)" "0 1"

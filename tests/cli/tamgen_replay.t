@@ -24,7 +24,7 @@ tamgen --replay "$drawing" --size 128 --quiet -o first.exr
 tamgen --replay "$drawing" --size 128 --quiet --keep .5 -o kept.exr
 tamgen --replay "$drawing" --size 128 --quiet --keep .5 --seed 2 -o other.exr
 ok "--keep draws other strokes than the first ones" sh -c '! cmp -s first.exr kept.exr'
-ok "the strokes that --keep draws depend on the random seed" sh -c '! cmp -s other.exr kept.exr'
+ok "the strokes that --keep draws depend on the random seed" test "$(cmp -l other.exr kept.exr 2>&1 | wc -l)" -gt 100
 
 try tamgen --replay "$drawing" --size 64 --tones 10 --set 'darkest .9' -o light.exr
 ok "a drawing too light for its targets is warned of" grep -qE \
