@@ -55,6 +55,19 @@ enum hatch_status hatch_vector_end(struct hatch_vector_builder *builder, bool cl
     return hatch_buffer_add(&builder->paths, path, sizeof *path, err);
 }
 
+enum hatch_status hatch_vector_append(struct hatch_vector_builder *builder, const struct hatch_vector_paths *paths,
+                                      struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < paths->count; i++) {
+        const struct hatch_vector_path *path = &paths->paths[i];
+        hatch_vector_begin(builder, path);
+        for (uint32_t k = 0; k < path->count; k++)
+            HATCH_TRY(hatch_vector_add(builder, hatch_vector_point(paths, path, k), err));
+        HATCH_TRY(hatch_vector_end(builder, path->closed, err));
+    }
+    return HATCH_OK;
+}
+
 struct hatch_vector_paths hatch_vector_built(const struct hatch_vector_builder *builder)
 {
     return (struct hatch_vector_paths){.count = (uint32_t)(builder->paths.size / sizeof(struct hatch_vector_path)),

@@ -40,6 +40,10 @@ enum hatch_status hatch_vector_add(struct hatch_vector_builder *builder, const d
 enum hatch_status hatch_vector_end(struct hatch_vector_builder *builder, bool closed,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* Appends copies of paths. */
+enum hatch_status hatch_vector_append(struct hatch_vector_builder *builder, const struct hatch_vector_paths *paths,
+                                      struct hatch_err *err) HATCH_MUST_USE;
+
 /* Returns the paths that have been ended. They share the builder's memory. */
 struct hatch_vector_paths hatch_vector_built(const struct hatch_vector_builder *builder);
 

@@ -34,6 +34,9 @@ struct drawing {
     struct hatch_arena *arena; /* of one frame */
     struct canvas canvas;      /* zeroed: the technique has no curves */
     uint32_t stroke_layers;    /* of the frame */
+    struct hatch_page page;
+    double pixel_mm, pen_mm;           /* on the page */
+    struct hatch_vector_builder paths; /* of one frame, on the page */
 };
 
 /* Returns the slack of a segment of a chain (struct hatch_line_trace) for exact visibility. */
@@ -99,45 +102,43 @@ static enum hatch_status trace(struct drawing *drawing, const struct hatch_view 
     return HATCH_OK;
 }
 
-/* Makes the paths of a layer ready for the pen. Lengths of paths change from pixels to millimetres.
- *   page  with its size set */
-static enum hatch_status tidy(struct drawing *drawing, const struct hatch_page *page, double pixel_mm, double pen_mm,
-                              struct hatch_vector_paths *paths, struct hatch_err *err)
+/* Places paths on the page and makes them ready for the pen. */
+static enum hatch_status tidy(struct drawing *drawing, struct hatch_vector_paths *paths, struct hatch_err *err)
 {
     const struct options *options = drawing->job->options;
     struct hatch_arena *arena = drawing->arena, *scratch = &drawing->job->args.scratch;
+    double pixel_mm = drawing->pixel_mm, pen_mm = drawing->pen_mm;
     struct hatch_vector_paths single;
-    hatch_page_place(page, options->width, options->height, pixel_mm, paths);
+    hatch_page_place(&drawing->page, options->width, options->height, pixel_mm, paths);
     HATCH_TRY(hatch_vector_drop_doubles(paths, DOUBLE_PENS * pen_mm, arena, scratch, &single, err));
     HATCH_TRY(hatch_vector_join(&single, JOIN_PENS * pen_mm, arena, scratch, paths, err));
     HATCH_TRY(hatch_vector_drop_specks(paths, SPECK_PX * pixel_mm, MEET_PX * pixel_mm, scratch, err));
     return hatch_vector_simplify(paths, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err);
 }
 
-/* Appends paths to others, in layers that are higher by `layer`. */
-static enum hatch_status append(struct hatch_vector_paths *paths, const struct hatch_vector_paths *more, uint32_t layer,
-                                struct hatch_arena *arena, struct hatch_err *err)
+/* Adds the visible parts of curves to the drawing, and the hidden ones, as dashes, if they are wanted. */
+static enum hatch_status add_curves(struct drawing *drawing, const struct hatch_occluders *occluders,
+                                    const struct hatch_vector_curves *curves, struct hatch_err *err)
 {
-    struct hatch_vector_builder builder = hatch_vector_builder_of(arena);
-    const struct hatch_vector_paths *const both[2] = {paths, more};
-    for (int i = 0; i < 2; i++)
-        for (uint32_t k = 0; k < both[i]->count; k++) {
-            const struct hatch_vector_path *path = &both[i]->paths[k];
-            hatch_vector_begin(&builder, path);
-            builder.path.layer += i ? layer : 0;
-            for (uint32_t at = 0; at < path->count; at++)
-                HATCH_TRY(hatch_vector_add(&builder, hatch_vector_point(both[i], path, at), err));
-            HATCH_TRY(hatch_vector_end(&builder, path->closed, err));
-        }
-    *paths = hatch_vector_built(&builder);
-    return HATCH_OK;
+    struct hatch_arena *arena = drawing->arena, *scratch = &drawing->job->args.scratch;
+    bool dashed = drawing->job->options->hidden == OPTION_HIDDEN_DASH;
+    struct hatch_vector_paths visible, hidden, dashes;
+    HATCH_TRY(hatch_vector_see(occluders, curves, NULL, &care, arena, scratch, &visible, dashed ? &hidden : NULL, err));
+    HATCH_TRY(tidy(drawing, &visible, err));
+    HATCH_TRY(hatch_vector_append(&drawing->paths, &visible, err));
+    if (!dashed)
+        return HATCH_OK;
+    HATCH_TRY(tidy(drawing, &hidden, err));
+    HATCH_TRY(hatch_vector_dash(&hidden, DASH_PENS * drawing->pen_mm, GAP_PENS * drawing->pen_mm, arena, scratch,
+                                &dashes, err));
+    for (uint32_t i = 0; i < dashes.count; i++)
+        dashes.paths[i].layer = LAYER_HIDDEN;
+    return hatch_vector_append(&drawing->paths, &dashes, err);
 }
 
-/* Finds the visible parts of the technique's strokes and appends them. */
+/* Adds the visible parts of the technique's strokes. */
 static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch_view *view,
-                                     const struct hatch_occluders *occluders, const struct hatch_page *page,
-                                     double pixel_mm, double pen_mm, struct hatch_vector_paths *paths,
-                                     struct hatch_err *err)
+                                     const struct hatch_occluders *occluders, struct hatch_err *err)
 {
     struct job *job = drawing->job;
     const struct options *options = job->options;
@@ -147,43 +148,36 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
         .view = view, .tile = &tile, .canvas = &drawing->canvas, .background = options->inks.paper};
     struct technique_curves strokes;
     struct hatch_vector_paths visible;
-    HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request, pen_mm / pixel_mm,
-                                    arena, &strokes, err));
+    HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request,
+                                    drawing->pen_mm / drawing->pixel_mm, arena, &strokes, err));
     HATCH_TRY(hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
-    hatch_page_place(page, options->width, options->height, pixel_mm, &visible);
-    HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err));
+    hatch_page_place(&drawing->page, options->width, options->height, drawing->pixel_mm, &visible);
+    HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, SHORTEST_PX * drawing->pixel_mm, scratch, err));
+    for (uint32_t i = 0; i < visible.count; i++)
+        visible.paths[i].layer += LAYER_STROKES;
     drawing->stroke_layers = strokes.layer_count;
-    return append(paths, &visible, LAYER_STROKES, arena, err);
+    return hatch_vector_append(&drawing->paths, &visible, err);
 }
 
-/* Finds the paths of the posed scene on a page. */
+/* Finds the paths of the posed scene on the page. */
 static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_view *view,
-                                    const struct hatch_page *page, double pixel_mm, double pen_mm,
                                     struct hatch_vector_paths *paths, struct hatch_err *err)
 {
+    static const enum hatch_vector_order orders[] = {HATCH_VECTOR_IMPROVED, HATCH_VECTOR_NEAREST};
     struct job *job = drawing->job;
     const struct options *options = job->options;
     struct hatch_arena *arena = drawing->arena, *scratch = &job->args.scratch;
     struct hatch_occluders occluders;
-    struct hatch_vector_curves curves;
-    struct hatch_vector_paths hidden, dashes;
-    bool dashed = options->hidden == OPTION_HIDDEN_DASH;
-    HATCH_TRY(trace(drawing, view, &curves, err));
+    struct hatch_vector_curves outlines;
+    drawing->paths = hatch_vector_builder_of(arena);
     HATCH_TRY(
         hatch_occluders_make(&job->scene.unit, view, options->width, options->height, arena, scratch, &occluders, err));
-    HATCH_TRY(hatch_vector_see(&occluders, &curves, NULL, &care, arena, scratch, paths, dashed ? &hidden : NULL, err));
-    HATCH_TRY(tidy(drawing, page, pixel_mm, pen_mm, paths, err));
-    if (dashed) {
-        HATCH_TRY(tidy(drawing, page, pixel_mm, pen_mm, &hidden, err));
-        HATCH_TRY(hatch_vector_dash(&hidden, DASH_PENS * pen_mm, GAP_PENS * pen_mm, arena, scratch, &dashes, err));
-        HATCH_TRY(append(paths, &dashes, LAYER_HIDDEN - LAYER_OUTLINES, arena, err));
-    }
+    HATCH_TRY(trace(drawing, view, &outlines, err));
+    HATCH_TRY(add_curves(drawing, &occluders, &outlines, err));
     if (options->technique->curves)
-        HATCH_TRY(add_strokes(drawing, view, &occluders, page, pixel_mm, pen_mm, paths, err));
-    if (options->sort != OPTION_SORT_NONE)
-        HATCH_TRY(hatch_vector_sort(
-            paths, options->sort == OPTION_SORT_BEST ? HATCH_VECTOR_IMPROVED : HATCH_VECTOR_NEAREST, scratch, err));
-    return HATCH_OK;
+        HATCH_TRY(add_strokes(drawing, view, &occluders, err));
+    *paths = hatch_vector_built(&drawing->paths);
+    return options->sort == OPTION_SORT_NONE ? HATCH_OK : hatch_vector_sort(paths, orders[options->sort], scratch, err);
 }
 
 /* Tells with --verbose what the pen does. */
@@ -201,22 +195,23 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
 {
     const struct options *options = drawing->job->options;
     struct hatch_drawing made = {.layers = NULL};
-    struct hatch_page page = options->page;
+    struct hatch_page *page = &drawing->page;
     struct hatch_drawing_layer layers[LAYER_COUNT] = {
         {.name = "outlines"},  {.name = "hidden"},    {.name = "strokes-1"}, {.name = "strokes-2"},
         {.name = "strokes-3"}, {.name = "strokes-4"}, {.name = "strokes-5"}, {.name = "strokes-6"},
         {.name = "strokes-7"}, {.name = "strokes-8"}};
-    double pixel_mm = hatch_page_pixel_mm(&page, options->width, options->height);
-    double pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * pixel_mm;
+    *page = options->page;
+    drawing->pixel_mm = hatch_page_pixel_mm(page, options->width, options->height);
+    drawing->pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * drawing->pixel_mm;
     for (int i = 0; i < LAYER_COUNT; i++) {
         memcpy(layers[i].color, i < LAYER_STROKES ? options->line_color : options->inks.ink, sizeof layers[i].color);
-        layers[i].pen_mm = pen_mm;
+        layers[i].pen_mm = drawing->pen_mm;
     }
     memcpy(made.paper, options->inks.paper, sizeof made.paper);
     made.layers = layers;
-    made.width_mm = page.width_mm;
-    made.height_mm = page.height_mm;
-    HATCH_TRY(find_paths(drawing, view, &page, pixel_mm, pen_mm, &made.paths, err));
+    made.width_mm = page->width_mm;
+    made.height_mm = page->height_mm;
+    HATCH_TRY(find_paths(drawing, view, &made.paths, err));
     made.layer_count = options->technique->curves              ? LAYER_STROKES + drawing->stroke_layers
                        : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
                                                                : LAYER_HIDDEN;
