@@ -24,19 +24,19 @@ struct advance {
     uint32_t count;
 };
 
-static struct hatch_trace_origin origin_of(const struct hatch_tracer *tracer, uint32_t half, double walked)
+static struct hatch_trace_origin origin_of(const struct hatch_tracer *tracer, uint32_t half, double walked, double turn)
 {
     double arc = tracer->strokes[half / 2].length[half % 2] + walked;
-    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true};
+    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true, turn};
 }
 
 /* Returns whether strokes pass too near to both sides of an end. */
 static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *stride, double walked)
 {
-    const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked);
     double reach = ACROSS_MIN * tracer->gap;
     for (int side = -1; side <= 1; side += 2) {
         struct hatch_trace_place aside = stride->to;
+        const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, side);
         double border;
         hatch_trace_turn(&aside, side);
         if (hatch_trace_cast(tracer, &aside, reach, &origin, &border) < reach && border == 0)
@@ -60,7 +60,7 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
             stride->goes_on = false;
             return;
         }
-        const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked);
+        const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, 0);
         stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
                                            HATCH_TRACE_ALONG, &leg);
         if (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL) {

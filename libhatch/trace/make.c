@@ -54,6 +54,7 @@ static enum hatch_status add_sets(const struct hatch_trace_options *options, uin
                                   struct hatch_curves *curves, struct hatch_err *err)
 {
     const struct hatch_curves *from = &sink->curves;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct ranked *order;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &order, from->count, err));
     for (uint32_t c = 0; c < from->count; c++) {
@@ -82,6 +83,7 @@ static enum hatch_status add_sets(const struct hatch_trace_options *options, uin
         }
         set->count = curves->count - set->first;
     }
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
 

@@ -175,8 +175,15 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
     return HATCH_OK;
 }
 
+/* Returns whether a piece runs against the heading of a stroke, to which `way` is at a right angle. */
+static bool is_opposed(const struct hatch_trace_piece *piece, const float way[2], double turn)
+{
+    float along[2] = {piece->to[0] - piece->from[0], piece->to[1] - piece->from[1]};
+    return (way[1] * along[0] - way[0] * along[1]) * (float)turn < 0;
+}
+
 /* Returns whether a piece does not hinder the way from an origin. */
-static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece,
+static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece, const float way[2],
                        const struct hatch_trace_origin *origin)
 {
     uint32_t stroke = piece->half / 2;
@@ -184,9 +191,8 @@ static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_tra
         double arc = piece->half % 2 ? -(double)piece->arc : (double)piece->arc;
         return fabs(arc - origin->arc) < OWN_GAPS * tracer->gap;
     }
-    return origin->growing && piece->round + 1 == tracer->round && origin->stroke != HATCH_TRACE_NONE &&
-           tracer->strokes[stroke].growing[piece->half % 2] &&
-           tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id;
+    return origin->growing && piece->round + 1 == tracer->round && tracer->strokes[stroke].growing[piece->half % 2] &&
+           tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id && !is_opposed(piece, way, origin->turn);
 }
 
 /* Returns the share of a way at which a piece crosses it, or HUGE_VALF. */
@@ -213,7 +219,7 @@ static float first_in_cell(const struct hatch_tracer *tracer, uint32_t cell, con
     for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell) {
         const struct hatch_trace_piece *piece = &tracer->pieces[n];
         float share = crossing(from, way, piece);
-        if (share < nearest && !is_ignored(tracer, piece, origin))
+        if (share < nearest && !is_ignored(tracer, piece, way, origin))
             nearest = share;
     }
     return nearest;

@@ -99,7 +99,9 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
 struct hatch_trace_origin {
     uint32_t stroke; /* HATCH_TRACE_NONE: of no stroke */
     double arc;      /* from the seed, negative behind it: pieces nearby on the same stroke do not count */
-    bool growing;    /* strokes that drew in the round before and have a lower id do not count: they will end */
+    bool growing;    /* strokes that run beside it, drew in the round before and have a lower id do not count: of two
+                        strokes that converge evenly, only one is to end */
+    double turn; /* sine of the angle from the stroke's heading to the way: 0: along it, 1: to its left, -1: right */
 };
 
 /* Looks along a way within a face. Returns the length to the first stroke that crosses it, or HUGE_VAL.
