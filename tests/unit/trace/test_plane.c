@@ -83,12 +83,13 @@ static int by_across(const void *a, const void *b)
     return x->across < y->across ? -1 : x->across > y->across;
 }
 
-/* Finds the strokes up to a level that pass a line across, in the order of their places. */
-static uint32_t pass_at(double along, uint32_t level, const struct line *found[STROKES_MAX])
+/* Finds the strokes up to a level that pass a line across, but for their ends, in the order of their places.
+ *   trim  length of the ends that do not count */
+static uint32_t pass_at(double along, uint32_t level, double trim, const struct line *found[STROKES_MAX])
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < made.count; i++)
-        if (made.list[i].level <= level && made.list[i].begin < along && along < made.list[i].end)
+        if (made.list[i].level <= level && made.list[i].begin + trim < along && along < made.list[i].end - trim)
             found[count++] = &made.list[i];
     qsort(found, count, sizeof *found, by_across);
     return count;
@@ -97,38 +98,42 @@ static uint32_t pass_at(double along, uint32_t level, const struct line *found[S
 /* Gaps between neighbours, in gaps of the level. */
 struct figures {
     uint32_t count, wide;
-    double sum;
+    double sum, least;
 };
 
-/* Measures the gaps at lines across the whole plane. */
-static struct figures measure(uint32_t level)
+/* Measures the gaps at lines across the whole plane.
+ *   trim  length of the strokes' ends that do not count */
+static struct figures measure(uint32_t level, double trim)
 {
     const double gap = ldexp(made.options.gap, -(int)level);
     const struct line *found[STROKES_MAX];
-    struct figures figures = {0};
+    struct figures figures = {.least = HUGE_VAL};
     for (int k = -40; k <= 40; k++) {
-        uint32_t count = pass_at(k * 0.02 + 0.003, level, found);
+        uint32_t count = pass_at(k * 0.02 + 0.003, level, trim, found);
         for (uint32_t i = 1; i < count; i++) {
             double wide = (found[i]->across - found[i - 1]->across) / gap;
             figures.count++;
             figures.sum += wide;
             figures.wide += wide > 2;
+            figures.least = fmin(figures.least, wide);
         }
     }
     return figures;
 }
 
-/* Level by level, the mean gap is that of the level, and few are wider than twice that. */
+/* Level by level, the mean gap is that of the level, few are wider than twice that, and where strokes do not end they
+ * are nowhere nearer than 0.45 gaps. An end may pass another for the half gap that both grow at once. */
 START_TEST(gaps_halve_from_level_to_level)
 {
     for (int i = 0; i < 4; i++) {
         make_lines(trace_plane(i % 2 ? 3000 : 2, 1), i / 2 ? 0.5 : 0, with_gap(0.1, 3));
         for (uint32_t level = 0; level < 3; level++) {
-            struct figures all = measure(level);
+            struct figures all = measure(level, 0), inner = measure(level, 0.51 * ldexp(0.1, -(int)level));
             double mean = all.sum / all.count;
             ck_assert_uint_gt(all.count, 1000u << level);
             ck_assert_msg(mean > 0.85 && mean < 1.1, "level %u: mean gap %g", level, mean);
             ck_assert_msg(all.wide * 100 < all.count, "level %u: %u of %u gaps are wide", level, all.wide, all.count);
+            ck_assert_msg(inner.least > 0.449, "level %u: a gap of %g", level, inner.least);
         }
     }
 }
@@ -140,7 +145,7 @@ static double room_at(const struct line *line, double along)
 {
     const struct line *found[STROKES_MAX];
     double gap = ldexp(made.options.gap, -(int)line->level), room = 0;
-    uint32_t count = pass_at(along, line->level, found);
+    uint32_t count = pass_at(along, line->level, 0, found);
     for (uint32_t i = 1; i + 1 < count; i++)
         if (found[i] == line) {
             double left = line->across - found[i - 1]->across, right = found[i + 1]->across - line->across;
@@ -195,7 +200,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace plane");
     TCase *tests = tcase_create("plane");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, strokes_are_straight_lines_at_the_angle);
     tcase_add_test(tests, gaps_halve_from_level_to_level);
     tcase_add_test(tests, thresholds_follow_the_gaps);

@@ -1,4 +1,5 @@
 /* What strokes do not depend on. */
+#include "fail_alloc.h"
 #include "trace_make.h"
 
 static struct field_case make_ring(uint32_t faces)
@@ -150,15 +151,34 @@ START_TEST(another_seed_gives_other_strokes)
 }
 END_TEST
 
+static struct field_case small;
+static struct hatch_curves traced;
+
+static enum hatch_status trace_small(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
+                                     struct hatch_err *error)
+{
+    return hatch_trace_make(&small.surface, &small.mesh, &small.frames, small.direction, context, NULL, kept, temporary,
+                            &traced, error);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    struct hatch_trace_options options = two_families(0.5, 2);
+    small = make_ring(60);
+    hatch_test_fail_alloc(trace_small, &options, &traced, sizeof traced);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("trace same");
     TCase *tests = tcase_create("same");
-    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, the_number_of_threads_does_not_matter);
     tcase_add_test(tests, size_and_place_do_not_matter);
     tcase_add_test(tests, finer_levels_leave_coarser_ones_alone);
     tcase_add_test(tests, another_seed_gives_other_strokes);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
 }
