@@ -116,7 +116,7 @@ int main(int argc, char **argv)
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     const struct hatch_surface *surfaces = cmd_make_surfaces(&args, input, &scene);
-    cmd_check(hatch_scene_measure(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
+    cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
     const struct hatch_trace_options how = {.family_count = families,
                                             .angle_rad = angle_rad,
                                             .gap = gap * extent.diagonal,

@@ -108,7 +108,7 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
     struct lapped_param_part *parts;
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
-    cmd_check(hatch_scene_measure(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
+    cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
     double faces = 0;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         faces += scene->meshes[i].mesh.face_count;

@@ -80,9 +80,9 @@ static enum hatch_status measure(const struct hatch_scene *scene, struct hatch_a
     return HATCH_OK;
 }
 
-enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
-                                      struct hatch_err *err)
+enum hatch_status hatch_scene_find_extent(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                          struct hatch_arena *scratch, struct hatch_scene_extent *extent,
+                                          struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = measure(scene, arena, scratch, extent, err);

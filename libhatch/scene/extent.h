@@ -13,8 +13,8 @@ struct hatch_scene_extent {
 
 /* Measures a scene.
  *   extent  out: its array is in arena */
-enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_scene_extent *extent,
-                                      struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_scene_find_extent(const struct hatch_scene *scene, struct hatch_arena *arena,
+                                          struct hatch_arena *scratch, struct hatch_scene_extent *extent,
+                                          struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -41,7 +41,7 @@ static void place(uint32_t node, uint32_t mesh, float x, float y, float z)
 /* Checks the diagonal of the box and the meshes' scales. */
 static void check_extent(double diagonal, double first, double second)
 {
-    HATCH_TEST_OK(hatch_scene_measure(&scene, &keep, &scratch, &extent, &err), &err);
+    HATCH_TEST_OK(hatch_scene_find_extent(&scene, &keep, &scratch, &extent, &err), &err);
     ck_assert_double_eq_tol(extent.diagonal, diagonal, 1e-5 * diagonal);
     ck_assert_double_eq_tol(extent.scale[0], first, 1e-6 * first);
     ck_assert_double_eq_tol(extent.scale[1], second, 1e-6 * second);
@@ -89,7 +89,7 @@ START_TEST(meshes_without_nodes_have_their_own_size)
     scene.node_count = 0;
     check_extent(5 * sqrt(3), 1, 1);
     scene.mesh_count = 0;
-    HATCH_TEST_OK(hatch_scene_measure(&scene, &keep, &scratch, &extent, &err), &err);
+    HATCH_TEST_OK(hatch_scene_find_extent(&scene, &keep, &scratch, &extent, &err), &err);
     ck_assert_double_eq(extent.diagonal, 0);
 }
 END_TEST
@@ -108,7 +108,7 @@ END_TEST
 static enum hatch_status measure(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
                                  struct hatch_err *error)
 {
-    return hatch_scene_measure(context, kept, temporary, &extent, error);
+    return hatch_scene_find_extent(context, kept, temporary, &extent, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)

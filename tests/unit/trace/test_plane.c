@@ -84,13 +84,16 @@ static int by_across(const void *a, const void *b)
 }
 
 /* Finds the strokes up to a level that pass a line across, but for their ends, in the order of their places.
- *   trim  length of the ends that do not count */
+ *   trim  length of the ends that do not count, in gaps of the stroke's level */
 static uint32_t pass_at(double along, uint32_t level, double trim, const struct line *found[STROKES_MAX])
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < made.count; i++)
-        if (made.list[i].level <= level && made.list[i].begin + trim < along && along < made.list[i].end - trim)
-            found[count++] = &made.list[i];
+    for (uint32_t i = 0; i < made.count; i++) {
+        const struct line *line = &made.list[i];
+        double end = trim * ldexp(made.options.gap, -(int)line->level);
+        if (line->level <= level && line->begin + end < along && along < line->end - end)
+            found[count++] = line;
+    }
     qsort(found, count, sizeof *found, by_across);
     return count;
 }
@@ -102,7 +105,7 @@ struct figures {
 };
 
 /* Measures the gaps at lines across the whole plane.
- *   trim  length of the strokes' ends that do not count */
+ *   trim  length of the strokes' ends that do not count, in gaps of their level */
 static struct figures measure(uint32_t level, double trim)
 {
     const double gap = ldexp(made.options.gap, -(int)level);
@@ -128,7 +131,7 @@ START_TEST(gaps_halve_from_level_to_level)
     for (int i = 0; i < 4; i++) {
         make_lines(trace_plane(i % 2 ? 3000 : 2, 1), i / 2 ? 0.5 : 0, with_gap(0.1, 3));
         for (uint32_t level = 0; level < 3; level++) {
-            struct figures all = measure(level, 0), inner = measure(level, 0.51 * ldexp(0.1, -(int)level));
+            struct figures all = measure(level, 0), inner = measure(level, 0.51);
             double mean = all.sum / all.count;
             ck_assert_uint_gt(all.count, 1000u << level);
             ck_assert_msg(mean > 0.85 && mean < 1.1, "level %u: mean gap %g", level, mean);
