@@ -28,7 +28,7 @@ static enum hatch_status look(void *context, uint32_t segment, struct hatch_err 
     return HATCH_OK;
 }
 
-/* Returns in w->meets whether another path passes one of the ends of a path. */
+/* Finds out whether another path passes one of the ends of a path: of a closed one, its first or its last point. */
 static enum hatch_status find_neighbours(struct work *w, uint32_t number, struct hatch_err *err)
 {
     const struct hatch_vector_path *path = &w->paths->paths[number];
@@ -58,7 +58,7 @@ static enum hatch_status drop(struct work *w, struct hatch_vector_paths *paths, 
         }
     }
     for (uint32_t i = 0; i < paths->count; i++) {
-        if (paths->paths[i].closed || !(hatch_vector_length(paths, &paths->paths[i]) < speck))
+        if (!(hatch_vector_length(paths, &paths->paths[i]) < speck))
             continue;
         HATCH_TRY(find_neighbours(w, i, err));
         dropped[i] = !w->meets;

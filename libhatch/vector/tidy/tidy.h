@@ -19,7 +19,8 @@ enum hatch_status hatch_vector_join(const struct hatch_vector_paths *paths, doub
                                     struct hatch_arena *scratch, struct hatch_vector_paths *joined,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* Removes open paths that are shorter than `speck` and of which no end is within `reach` of another path.
+/* Removes paths that are shorter than `speck` and of which neither the first nor the last point is within `reach` of
+ * another path.
  *   paths  in, out; afterwards the points of those that remain have gaps between them */
 enum hatch_status hatch_vector_drop_specks(struct hatch_vector_paths *paths, double speck, double reach,
                                            struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
