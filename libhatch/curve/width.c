@@ -25,18 +25,17 @@ double hatch_stroke_darkest(const struct hatch_stroke_pen *pen, uint32_t familie
 void hatch_stroke_tones(const struct hatch_stroke_pen *pen, uint32_t families, uint32_t family,
                         float tones[HATCH_STROKE_TONES])
 {
-    double darkest = hatch_stroke_darkest(pen, families), join = fmin((double)pen->join, 0.9 * darkest);
-    double most = (double)pen->response[HATCH_STROKE_RESPONSES - 1];
+    double darkest = hatch_stroke_darkest(pen, families);
+    double join = fmin((double)pen->join, 0.9 * (double)pen->response[HATCH_STROKE_RESPONSES - 1]);
     for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
-        double ink = fmin((double)i / (HATCH_STROKE_TONES - 1), darkest), paper = 1, own = 0;
-        for (uint32_t f = 1; f < families; f++) {
-            double from = join + (darkest - join) * (f - 1) / (families - 1);
-            double share = most * pow(fmax(ink - from, 0) / (darkest - from), JOINING);
-            paper *= 1 - share;
-            own = f == family ? share : own;
+        double ink = fmin((double)i / (HATCH_STROKE_TONES - 1), darkest), sum = 0, own = 0;
+        for (uint32_t f = 0; f < families; f++) {
+            double from = f > 0 ? join + (darkest - join) * (f - 1) / (families - 1) : 0;
+            double weight = f > 0 ? pow(fmax(ink - from, 0) / (darkest - from), JOINING) : 1;
+            sum += weight;
+            own = f == family ? weight : own;
         }
-        own = family == 0 ? 1 - (1 - ink) / paper : own;
-        tones[i] = (float)tone_for(pen, own);
+        tones[i] = (float)tone_for(pen, 1 - pow(1 - ink, own / sum)); /* what crossing strokes leave is multiplied */
     }
 }
 

@@ -15,13 +15,19 @@
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
-/* How a pen draws tone. */
+/* How a pen draws strokes. */
 struct hatch_stroke_pen {
     float width_px; /* of a whole stroke at tone 1/2 */
     float thin;     /* width in the lightest tone, as a share of width_px, over 0 .. 1; it grows evenly with the tone */
     float join;     /* ink from which on the second family joins the first, 0 .. 1 */
     float response[HATCH_STROKE_RESPONSES]; /* ink, 0 .. 1, that strokes of one family really make where the tone is
                                                1/8, 2/8 .. 1: less than the tone, because strokes overlap and taper */
+    float taper_px;  /* length of the tapered ends of a stroke; of a short one, they are three tenths of its length */
+    float vary;      /* greatest change of width along a stroke, as a share of it, 0 .. 1 */
+    float pressure;  /* greatest lightening of the ink along a stroke, 0 .. 1 */
+    float grain;     /* share of the ink that the grain of the paper leaves out, 0 .. 1 */
+    float wobble_px; /* greatest distance from the stroke's own line */
+    float turn_rad;  /* greatest turn of neighbouring strokes together about their middles */
 };
 
 /* Returns the darkest ink that strokes of so many families make together. */

@@ -22,6 +22,12 @@ void hatch_style_default(struct hatch_style *style)
         .tone_gamma = 1,
         .direction_count = 3,
         .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
+        .pen = {.thin = 0.6f,
+                .join = 0.38f,
+                .response = {0.119f, 0.229f, 0.334f, 0.443f, 0.546f, 0.643f, 0.728f, 0.799f},
+                .taper_px = 14,
+                .vary = 0.3f,
+                .wobble_px = 0.4f},
         .candidates_light = 1000,
         .candidates_dark = 100,
     };
@@ -83,6 +89,14 @@ static const struct number_key number_keys[] = {
     {"ink", 1, 0.01, 1, 1, {AT(ink), 0}},
     {"darkest", 1, 0.01, 1, 1, {AT(tone_max), 0}},
     {"gamma", 1, 0.1, 10, 1, {AT(tone_gamma), 0}},
+    {"thin", 1, 0.05, 1, 1, {AT(pen.thin), 0}},
+    {"join", 1, 0, 1, 1, {AT(pen.join), 0}},
+    {"taper", 1, 0, 1000, 1, {AT(pen.taper_px), 0}},
+    {"vary", 1, 0, 1, 1, {AT(pen.vary), 0}},
+    {"pressure", 1, 0, 1, 1, {AT(pen.pressure), 0}},
+    {"grain", 1, 0, 1, 1, {AT(pen.grain), 0}},
+    {"wobble", 1, 0, 20, 1, {AT(pen.wobble_px), 0}},
+    {"turn", 1, 0, 30, RADIANS_PER_DEGREE, {AT(pen.turn_rad), 0}},
 };
 
 static enum hatch_status read_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
@@ -199,6 +213,18 @@ static enum hatch_status read_candidates(struct hatch_text *rest, struct reading
     return HATCH_OK;
 }
 
+static enum hatch_status read_response(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    double value, before = 0;
+    for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++, before = value) {
+        HATCH_TRY(read_number(rest, "response", 0, 1, &value, err));
+        if (!(value > before))
+            return hatch_fail(err, HATCH_BAD_INPUT, "response: %g does not exceed %g", value, before);
+        r->style.pen.response[i] = (float)value;
+    }
+    return HATCH_OK;
+}
+
 static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     struct hatch_text word;
@@ -224,8 +250,9 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 static const struct {
     const char *name;
     enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
-} keys[] = {{"name", read_name},       {"brush", read_brush}, {"direction", read_direction},
-            {"overlap", read_overlap}, {"color", read_color}, {"candidates", read_candidates}};
+} keys[] = {{"name", read_name},        {"brush", read_brush}, {"direction", read_direction},
+            {"overlap", read_overlap},  {"color", read_color}, {"candidates", read_candidates},
+            {"response", read_response}};
 
 static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
 {

@@ -18,6 +18,10 @@ nodes.lapped.glb lapped-param -q nodes.gltf
 textured.lapped.glb lapped-param -q textured.gltf
 atlas.glb lapped-param -q --atlas field.glb
 strokes.glb strokegen -q --levels 3 field.glb
+teapot.strokes.glb strokegen -q --levels 4 teapot.glb
+skinned.strokes.glb strokegen -q --levels 4 skinned.gltf
+nodes.strokes.glb strokegen -q --levels 4 nodes.gltf
+textured.strokes.glb strokegen -q --levels 4 --angles 0,60,30 textured.gltf
 map.exr tamgen --size 64 --levels 2 --strokes map.tsv
 eight.exr tamgen --size 64 --levels 1 --tones 8
 two.exr tamgen --size 64 --levels 2 --tones 2 --set 'darkest 0.5'
@@ -89,6 +93,12 @@ END
 
 list_pictures() {
     cat <<'END'
+traced-haloes draw teapot.strokes.glb -t traced --haloes 4
+traced-shadows draw teapot.strokes.glb -t traced --stroke-style etching --shadows 0.1 --ground 2
+traced-inks draw teapot.strokes.glb -t traced --stroke-style sketch --paper grey --ink black,white --samples 1
+traced-skinned film skinned.strokes.glb -t traced --rate 4
+traced-nodes draw nodes.strokes.glb -t traced --stroke-style woodcut --specular 1:8
+traced-textured draw textured.strokes.glb -t traced --stroke-style pencil --texture-tone --pixel-light
 lines-none draw ring.obj --tam map.exr --lines none
 lines-silhouettes draw ring.obj --tam map.exr --lines silhouettes --line-width 3
 lines-creases draw moebius.off -t gouraud --lines creases --crease 10
@@ -362,7 +372,8 @@ END
 
 # The other commands.
 list_maps() {
-    for style in arcs chalk charcoal crayon drafting ink marker pencil speckle stipple wash; do
+    for style in arcs chalk charcoal crayon drafting engraving etching ink marker pencil sketch speckle stipple \
+        wash woodcut; do
         echo "tamgen-$style tamgen --size 64 --tones 4 --style $style --strokes strokes.tsv --contact-sheet sheet.png -o new.exr"
     done
     for palette in dusk earth sea; do

@@ -2,41 +2,48 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "math/vector.h"
+#include "placement/style.h"
 #include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 #include "render-gl/technique/list.h"
+#include "shared/style.h"
 
-#define CHORD 0.15     /* share of the finest gap by which strokes may pass under the surface between their points */
+#define CHORD 0.3      /* share of the finest gap by which strokes may pass under the surface between their points */
 #define NARROWEST 0.02 /* share of the view's distance at which an item's strokes are all taken as visible */
 #define OFF_AXIS 1.5   /* factor of scale towards the corners of a picture */
 
-static double width_px = 1.4;
+static const char *style_name = "engraving";
+static double width_px; /* 0: the style's */
 
 static const struct cmd_option options[] = {
-    {0, "stroke-width", CMD_REAL, 0.2, 64, "PX", "traced: width of strokes in pixels (default 1.4)", &width_px, NULL,
-     NULL},
+    {0, "stroke-style", CMD_TEXT, 0, 0, "STYLE",
+     "traced: drawing style of the strokes, a name or a file (default engraving)", &style_name, NULL, NULL},
+    {0, "stroke-width", CMD_REAL, 0.2, 64, "PX", "+traced: width of strokes in pixels (default: the style's)",
+     &width_px, NULL, NULL},
     {0},
 };
 static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
 
-/* Returns the pen of pictures; or one that draws all strokes alike, whose strokes do not overlap.
- *   pen_px  its width; 0: the pen of pictures */
-static struct hatch_stroke_pen pen_in_use(double pen_px)
+/* Returns a pen that draws all strokes alike, whose strokes do not overlap. */
+static struct hatch_stroke_pen even_pen(const struct hatch_stroke_pen *style, double width_mean_px)
 {
-    if (pen_px > 0)
-        return (struct hatch_stroke_pen){.width_px = (float)pen_px,
-                                         .thin = 1,
-                                         .join = 0.38f,
-                                         .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
-    return (struct hatch_stroke_pen){.width_px = (float)width_px,
-                                     .thin = 0.55f,
-                                     .join = 0.38f,
-                                     .response = {0.118f, 0.227f, 0.333f, 0.4375f, 0.538f, 0.631f, 0.714f, 0.784f}};
+    return (struct hatch_stroke_pen){.width_px = (float)width_mean_px,
+                                     .thin = 1,
+                                     .join = style->join,
+                                     .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
+}
+
+static void read_style(struct technique_context *context, struct technique_instance *instance)
+{
+    struct traced_state *state = instance->state;
+    struct hatch_brush brush;
+    cmd_read_style(context->args, style_name, NULL, NULL, &state->style, &brush);
+    if (!(width_px > 0))
+        width_px = (double)state->style.width_px;
 }
 
 static enum hatch_status check(const struct hatch_scene *scene, const struct hatch_patch_mesh *patches,
@@ -101,13 +108,14 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
 
 void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state)
 {
-    const struct hatch_stroke_pen pen = pen_in_use(pen_px);
-    struct traced_block block = {.pen = {pen.width_px, pen.thin, (float)frame->request.canvas->side},
-                                 .hand = {0.3f, 0.0f, 0.4f, 14.0f}};
-    if (pen_px > 0)
-        memset(block.hand, 0, sizeof block.hand);
+    const struct hatch_stroke_pen even = even_pen(&state->style.pen, pen_px);
+    const struct hatch_stroke_pen *pen = pen_px > 0 ? &even : &state->style.pen;
+    struct traced_block block = {.pen = {(float)(pen_px > 0 ? pen_px : width_px), pen->thin,
+                                         (float)frame->request.canvas->side, tanf(pen->turn_rad)},
+                                 .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(pen->taper_px, 1e-3f)},
+                                 .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain}};
     for (uint32_t f = 0; f < state->families; f++)
-        hatch_stroke_tones(&pen, state->families, f, block.tones[f]);
+        hatch_stroke_tones(pen, state->families, f, block.tones[f]);
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
@@ -245,12 +253,12 @@ const struct technique technique_traced = {
     .options = options,
     .params = params,
     .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT,
-    .reach_px = 64,
     .state_size = sizeof(struct traced_state),
     .shading = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},
                 .patches = FRAME_PATCHES_UNSEEN,
                 .passes = {{.name = "paper", .depth = FRAME_DEPTH_NEARER}}},
     .check = check,
+    .read = read_style,
     .prepare = prepare,
     .draw = draw,
     .curves = traced_curves,

@@ -3,22 +3,25 @@
 #define RENDER_TECHNIQUE_TRACED_H
 
 #include "curve/width.h"
+#include "placement/style.h"
 #include "render-gl/technique/technique.h"
 
 /* std140 layout; the same as block Style of shaders/traced/style.glsl. */
 struct traced_block {
-    float pen[4];  /* width in pixels, thin (curve/width.h); samples along a pixel's side; unused */
-    float hand[4]; /* variation of width and of pressure, 0 .. 1; wobble in pixels; length of tapered ends in pixels */
+    float pen[4];  /* width in pixels, thin (curve/width.h); samples along a pixel's side; tangent of turn_rad */
+    float hand[4]; /* vary, pressure, wobble_px, taper_px (curve/width.h) */
+    float ink[4];  /* darkness of a stroke, grain; unused */
     float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
 };
 
 /* A point of a stroke, as shaders/traced/points.comp reads it. */
 struct traced_point {
     uint32_t corners[3], hash;
-    float share[2], way[2];        /* of corners 1 and 2; their change per mesh unit along the stroke */
-    float threshold, area;         /* strokes per mesh unit; doubled area of the face, in mesh units squared */
-    float from_start, to_end;      /* arc lengths, in mesh units */
-    float family, ends, unused[2]; /* ends: 1: first, 2: last of its stroke */
+    float share[2], way[2];   /* of corners 1 and 2; their change per mesh unit along the stroke */
+    float threshold, area;    /* strokes per mesh unit; doubled area of the face, in mesh units squared */
+    float from_start, to_end; /* arc lengths, in mesh units */
+    float family, ends;       /* ends: 1: first, 2: last of its stroke */
+    float turn, thin;         /* of the stroke and its neighbours together, random, -1 .. 1 */
 };
 
 /* Where a stroke comes from. */
@@ -53,6 +56,7 @@ struct traced_state {
     struct shaded_state shaded;     /* first: shaded_prepare finds it there */
     struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
     struct traced_item *items;      /* per item */
+    struct hatch_style style;
     uint32_t mesh_count, item_count, families;
     GLuint array, block_buffer;
     const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */

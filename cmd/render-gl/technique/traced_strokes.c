@@ -2,15 +2,18 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/random.h"
 #include "curve/density.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/technique/traced.h"
 
+#define SHEAF 6.0 /* side of the cells whose strokes turn and thin together, in gaps of their level */
+
 /* A stroke of a mesh, and its place in the order of drawing. */
 struct entry {
     const struct hatch_curve *curve;
-    uint32_t family;
+    const struct hatch_curve_set *set;
     float least;
 };
 
@@ -31,7 +34,7 @@ static void list_entries(const struct hatch_curves *curves, const float *thresho
             float least = FLT_MAX;
             for (uint32_t p = curve->first; p < curve->first + curve->count; p++)
                 least = fminf(least, thresholds[p]);
-            *entries++ = (struct entry){curve, set->family, least};
+            *entries++ = (struct entry){curve, set, least};
         }
     }
 }
@@ -63,6 +66,20 @@ static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_poi
     point->area = (float)fmax(hatch_vec_length(normal), DBL_MIN);
 }
 
+/* Returns a random number, -1 .. 1, that a stroke shares with the neighbours of its set. */
+static float shared_random(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const struct entry *entry,
+                           uint64_t stream)
+{
+    float middle[3];
+    uint64_t cell = entry->set->family;
+    hatch_curve_position(mesh, &curves->points[entry->curve->first + entry->curve->count / 2], middle);
+    for (int k = 0; k < 3; k++) {
+        double at = floor((double)middle[k] / (SHEAF * (double)entry->set->gap));
+        cell = cell * 0x9e3779b97f4a7c15u + (uint64_t)(int64_t)fmin(fmax(at, -0x1p40), 0x1p40);
+    }
+    return 2 * (float)hatch_random_unit(0, stream, cell) - 1;
+}
+
 /* Makes the points of a stroke.
  *   thresholds  of all points of the curves */
 static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const float *thresholds,
@@ -70,6 +87,7 @@ static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves
 {
     const struct hatch_curve *curve = entry->curve;
     const struct hatch_curve_point *from = &curves->points[curve->first];
+    float turn = shared_random(mesh, curves, entry, 0), thin = shared_random(mesh, curves, entry, 1);
     double length = 0;
     for (uint32_t i = 0; i < curve->count; i++) {
         uint32_t before = i > 0 ? i - 1 : 0, after = i + 1 < curve->count ? i + 1 : i;
@@ -87,7 +105,9 @@ static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves
                                           .share = {from[i].share[0], from[i].share[1]},
                                           .threshold = thresholds[curve->first + i],
                                           .from_start = (float)length,
-                                          .family = (float)entry->family,
+                                          .family = (float)entry->set->family,
+                                          .turn = turn,
+                                          .thin = thin,
                                           .ends = (i == 0 ? 1.0f : 0.0f) + (i + 1 == curve->count ? 2.0f : 0.0f)};
         set_face(mesh, &from[i], along, &points[i]);
     }
@@ -133,7 +153,7 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
         next = make_triangles(first, entries[i].curve->count, next);
         first += entries[i].curve->count;
         least[i] = entries[i].least;
-        sources[i] = (struct traced_stroke){entries[i].curve, entries[i].family};
+        sources[i] = (struct traced_stroke){entries[i].curve, entries[i].set->family};
         end[i] = first;
     }
     strokes->least = least;

@@ -9,6 +9,8 @@ tamthresh -q fine.exr -o thresholds.ktx2
 tamthresh -q --exact fine.exr -o exact.ktx2
 meshgen plane --faces 200 -o plane.glb
 meshgen teapot --faces 10000 -o teapot.glb
+meshgen plane --faces 200 | strokegen -q --levels 6 --gap 0.04 -o plane.strokes.glb
+strokegen -q --levels 6 teapot.glb -o teapot.strokes.glb
 
 # draw OPTION ...: draws with $technique and $asset and prints the mean darkness
 draw() {
@@ -18,10 +20,10 @@ draw() {
 }
 # The square fills the picture.
 square() {
-    draw plane.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov 30 --tone-range "$1:$1"
+    draw plane${strokes:+.strokes}.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov 30 --tone-range "$1:$1"
 }
 teapot() {
-    draw teapot.glb --size 640x480 --tone-range "0:$1"
+    draw teapot${strokes:+.strokes}.glb --size 640x480 --tone-range "0:$1"
 }
 # off NAME GOT WANT BELOW ABOVE: checks that GOT lies between WANT - BELOW and WANT + ABOVE
 off() {
@@ -50,7 +52,7 @@ columns=".16666667 .5 .83333333" # tones of columns of the map
 between=".04 .25 .6 .9"
 # shellcheck disable=SC2086 # tones are words
 for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
-    asset=
+    asset='' strokes=
     case $technique in
     gouraud) # the tone itself, stored as half floats
         squares .001 .001 $ends $columns $between
@@ -95,6 +97,12 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         asset=thresholds.ktx2
         squares .2 0.001 $ends $columns $between
         lit .06 0
+        ;;
+    traced) # the response of the style corrects what strokes leave out and cover twice
+        strokes=yes
+        squares .01 .01 0 .05 $columns $between
+        squares .06 0 1
+        lit .02 .02
         ;;
     *) fail "$technique has its tone" "no case for it: add its tolerances" ;;
     esac

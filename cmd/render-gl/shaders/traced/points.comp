@@ -15,15 +15,18 @@ struct Point { // struct traced_point of technique/traced.h
     uvec4 corners; // three vertices; hash of the stroke
     vec4 at;       // shares of corners 1 and 2; change of these shares per mesh unit along the stroke
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
-    vec4 rest;     // family; 1: first, 2: last of its stroke; unused
+    vec4 rest;     // family; 1: first, 2: last of its stroke; turn and thinning with its neighbours, -1 .. 1
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
-layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; }; // x, y, depth, half width; ink, ends, px to ends
+layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
+    vec4 ribbon[]; // x, y, depth, half width; ink, ends (as in Point), pixels to both ends
+};
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
 layout(location = UNIFORM_INK) uniform int ink_index;
 
+const float TURNED_MOST_PX = 8.0;
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -110,17 +113,21 @@ void main()
     float width = width_px(pen.xy, tone, point.stroke.x, scale);
     vec2 ends = point.stroke.zw * length_px;
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
-    width *= 1.0 + hand.x * stroke_noise(corners.w, point.stroke.z, octave);
+    width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) + 0.3 * point.rest.w);
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
     vec2 across = vec2(-way.y, way.x) / length_px;
-    float wobble = hand.z * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave);
-    float rise = dot(gradient, across), toward_eye = (lift.x - place.z * lift.y) / at.w; // of depth
+    float wobble = hand.z * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
+                   clamp(pen.w * point.rest.z * 0.5 * (ends.x - ends.y), -TURNED_MOST_PX, TURNED_MOST_PX);
+    float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
     float unit_px = length(vec3(clip_from_unit[0].x, clip_from_unit[1].x, clip_from_unit[2].x)) * viewport.x / at.w;
-    float reach = min(abs(rise), STEEPEST * toward_eye / unit_px) * (0.5 * width + 1.0);
+    float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
+    float reach = min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + 1.0);
+    wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
     place.xy += wobble * across;
     place.z += wobble * rise + reach + lift.z * toward_eye;
-    float pressure = 1.0 + hand.y * (stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave) - 1.0) * 0.5;
+    float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
+    float pressure = matter.x * (1.0 - hand.y * lightening);
     ribbon[2u * i] = vec4(place, 0.5 * width);
     ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, ends);
 }

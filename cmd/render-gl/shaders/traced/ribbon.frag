@@ -1,16 +1,30 @@
 // Draws a stroke over the canvas. Its opacity is the share of a sample's width that it covers.
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
+#include "traced/noise.glsl"
 
 layout(location = UNIFORM_INK) uniform int ink_index;
 noperspective in vec3 v_across;
 noperspective in vec2 v_ends;
 out vec4 o_color;
 
+// Returns noise that is fixed to the paper, 0 .. 1: that of grains about two pixels wide.
+float paper_grain(vec2 at)
+{
+    vec2 cell = floor(0.6 * at), from = smoothstep(0.0, 1.0, 0.6 * at - cell);
+    uint number = uint(int(cell.x)) * 0x9e3779b9u + uint(int(cell.y)) * 0x85ebca6bu;
+    float low = mix(hash_unit(number), hash_unit(number + 0x9e3779b9u), from.x);
+    float high = mix(hash_unit(number + 0x85ebca6bu), hash_unit(number + 0x9e3779b9u + 0x85ebca6bu), from.x);
+    return 0.5 + 0.5 * mix(low, high, from.y);
+}
+
 void main()
 {
     float taper = clamp(min(v_ends.x, v_ends.y) / min(hand.w, 0.3 * (v_ends.x + v_ends.y)), 0.0, 1.0);
     float half_width = v_across.y * taper * (2.0 - taper);
     float covered = min(half_width, v_across.x + 0.5) - max(-half_width, v_across.x - 0.5);
-    o_color = vec4(ink_index == 0 ? ink.rgb : light_ink.rgb, clamp(covered, 0.0, 1.0) * v_across.z);
+    float opacity = clamp(covered, 0.0, 1.0) * v_across.z;
+    if (matter.y > 0.0)
+        opacity *= 1.0 - matter.y * paper_grain(gl_FragCoord.xy / pen.z);
+    o_color = vec4(ink_index == 0 ? ink.rgb : light_ink.rgb, opacity);
 }

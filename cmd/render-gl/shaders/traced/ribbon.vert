@@ -2,7 +2,7 @@
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 
-layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // x, y, depth, half width in pixels; ink, ends, pixels to ends
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // as points.comp writes it
 
 noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
 noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke
@@ -26,7 +26,7 @@ void main()
     vec2 way = after.xy - before.xy;
     float size = length(way), half_width = pen.z * here.w;
     vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0);
-    float reach = half_width > 0.0 ? half_width + 0.75 : 0.0, turn = (gl_VertexID & 1) == 0 ? 1.0 : -1.0;
+    float reach = half_width > 0.0 ? half_width + 0.5 : 0.0, turn = (gl_VertexID & 1) == 0 ? 1.0 : -1.0;
     v_across = vec3(turn * reach, max(half_width, 0.0), more.x);
     gl_Position = vec4((here.xy + turn * reach / pen.z * across) / viewport.xy - 1.0, here.z, 1.0);
 }

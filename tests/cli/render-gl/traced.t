@@ -1,0 +1,60 @@
+# --technique traced: strokes of strokegen follow tone, perspective, shadows and poses, and stay on their surfaces.
+. "${TOP:-.}/tests/tap.sh"
+
+meshgen plane --faces 200 | strokegen -q --levels 6 -o plane.glb
+meshgen sphere --faces 2000 | strokegen -q --levels 5 -o ball.glb
+meshgen plane --faces 200 -o bare.glb
+
+# draw FILE OPTION ...: draws without feature lines into $file
+file=picture.exr
+draw() {
+    render-gl -q -t traced --lines none -o $file "$@"
+}
+# ink: prints the mean darkness of the picture
+ink() {
+    hatchstat frames $file $file | awk 'NR == 2 {print 1 - $2}'
+}
+# near NAME GOT WANT OFF
+near() {
+    is "$1: $2 for $3" "$(awk -v got="$2" -v want="$3" -v off="$4" \
+        'BEGIN {print (got != "" && (got - want) ^ 2 <= off ^ 2)}')" 1
+}
+
+try draw bare.glb
+refused "a scene without strokes" 3 1
+is "the message names the command to use" "$(cat .err)" \
+    "render-gl: bare.glb: there are no strokes on the meshes: make them with strokegen"
+try draw plane.glb --stroke-style nothing
+refused "a pen that does not exist" 2 2
+
+# The plane fills the picture: its ink is its tone, near, far, slanted, and with any pen.
+for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
+    draw plane.glb --size 200x200 --camera $camera --fov 25 --tone-range .4:.4
+    near "a plane seen from $camera" "$(ink)" .4 .02
+done
+for pen in etching woodcut; do
+    draw plane.glb --stroke-style $pen --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
+    near "a plane drawn by $pen" "$(ink)" .4 .025
+done
+draw plane.glb --stroke-width 3 --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
+near "a plane of wide strokes" "$(ink)" .4 .02
+
+# Two inks: the lit parts have the light one, and no part has both.
+draw plane.glb --size 64x64 --camera 0,0,3:0,0,0 --paper grey --ink black,white --tone-range 0:1 --light 0:0
+is "the light ink draws lit parts" "$(awk -v ink="$(ink)" 'BEGIN {print (ink < .5)}')" 1
+
+# A tile of a picture is the same part of the picture drawn at once.
+draw ball.glb --size 2200x20
+cp $file wide.exr
+draw ball.glb --size 2200x20 -j 1
+ok "the same picture with another number of threads" cmp -s wide.exr $file
+
+# Strokes on far sides are hidden, and those at silhouettes are not: closed shapes have their tone.
+meshgen torus --faces 2000 | strokegen -q --levels 5 -o torus.glb
+for shape in ball torus; do
+    draw $shape.glb --size 320x240 --tone-range .5:.5
+    traced=$(ink)
+    draw $shape.glb --size 320x240 --tone-range .5:.5 -t gouraud
+    near "a $shape" "$traced" "$(ink)" .015
+done
+finish

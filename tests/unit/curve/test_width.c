@@ -1,0 +1,75 @@
+#include "run.h"
+
+#include <math.h>
+
+#include "curve/width.h"
+
+static const struct hatch_stroke_pen pen = {
+    .width_px = 2, .thin = 0.5f, .join = 0.4f, .response = {0.12f, 0.24f, 0.36f, 0.48f, 0.58f, 0.66f, 0.74f, 0.8f}};
+
+/* Returns the ink of one family at a tone, as the response says. */
+static double response(double tone)
+{
+    double at = tone * HATCH_STROKE_RESPONSES;
+    int low = at < 8 ? (int)at : 7;
+    double below = low > 0 ? (double)pen.response[low - 1] : 0;
+    return below + (at - low) * ((double)pen.response[low] - below);
+}
+
+START_TEST(families_make_the_ink_together)
+{
+    for (uint32_t families = 1; families <= 4; families++) {
+        float tones[4][HATCH_STROKE_TONES];
+        double darkest = hatch_stroke_darkest(&pen, families);
+        for (uint32_t f = 0; f < families; f++)
+            hatch_stroke_tones(&pen, families, f, tones[f]);
+        for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
+            double ink = (double)i / (HATCH_STROKE_TONES - 1), paper = 1;
+            for (uint32_t f = 0; f < families; f++)
+                paper *= 1 - response((double)tones[f][i]);
+            ck_assert_double_eq_tol(1 - paper, fmin(ink, darkest), 1e-5);
+            ck_assert(families == 1 || ink > 0.4 || tones[1][i] <= 0);
+        }
+    }
+}
+END_TEST
+
+/* The strokes that a plane of evenly spread thresholds shows have the tone together: one per unit of threshold. */
+START_TEST(strokes_of_all_thresholds_cover_the_tone)
+{
+    const double scale = 500;
+    for (double tone = 0.125; tone <= 1; tone += 0.125) {
+        double covered = 0;
+        for (double threshold = 0.05; threshold < 2000; threshold += 0.1)
+            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale) / scale;
+        ck_assert_double_eq_tol(covered, tone, 0.002);
+    }
+}
+END_TEST
+
+START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
+{
+    double before = 0;
+    for (double tone = 0; tone <= 1; tone += 0.01) {
+        double width = hatch_stroke_width_px(&pen, tone, 50, 300);
+        ck_assert_double_ge(width, before);
+        ck_assert_double_le(width, hatch_stroke_whole_px(&pen, tone) + 1e-12);
+        before = width;
+    }
+    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300) <= 0);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300), 2, 1e-12);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("width");
+    TCase *tests = tcase_create("width");
+    tcase_add_test(tests, families_make_the_ink_together);
+    tcase_add_test(tests, strokes_of_all_thresholds_cover_the_tone);
+    tcase_add_test(tests, a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
