@@ -5,16 +5,12 @@
 #include "io/svg/write.h"
 #include "math/angle.h"
 #include "render-gl/mode/modes.h"
-#include "vector/curves.h"
+#include "render-gl/mode/outlines.h"
 #include "vector/project.h"
 #include "vector/tidy/tidy.h"
 
 /* The pens of a drawing, in the order of its layers. Strokes have one for each direction. */
 enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
-
-#define REACH_PX 0.5          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
-#define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it */
-#define FLOAT_SLACK 5e-7      /* rounding of positions in the unit scene to floats */
 
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
 #define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
@@ -38,69 +34,6 @@ struct drawing {
     double pixel_mm, pen_mm;           /* on the page */
     struct hatch_vector_builder paths; /* of one frame, on the page */
 };
-
-/* Returns the slack of a segment of a chain (struct hatch_line_trace) for exact visibility. */
-static float slack_of(const struct hatch_line_curves *from, const struct hatch_line_eye *eye, uint32_t segment,
-                      const double at[3])
-{
-    float slack = from->trace.slack[segment];
-    return from->silhouettes || slack < 0 ? slack : (float)(FEATURE_SLACK_PX * hatch_line_pixel(eye, at) + FLOAT_SLACK);
-}
-
-/* Curves under construction. */
-struct gathering {
-    struct hatch_line_eye eye;
-    uint32_t count;
-    struct hatch_buffer curves, points, slack;
-};
-
-/* Converts chains to curves; these are numbered from 1. */
-static enum hatch_status add_chains(struct gathering *gathering, const struct hatch_line_curves *from,
-                                    struct hatch_err *err)
-{
-    for (uint32_t i = 0; i < from->chains.count; i++) {
-        const struct hatch_line_chain *chain = &from->chains.chains[i];
-        const uint32_t *nodes = &from->chains.nodes[chain->first + i];
-        const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof(float)),
-                                                 .count = chain->segment_count + 1,
-                                                 .layer = LAYER_OUTLINES,
-                                                 .id = ++gathering->count,
-                                                 .reach_px = from->silhouettes ? REACH_PX : 0,
-                                                 .closed = chain->closed};
-        HATCH_TRY(hatch_buffer_add(&gathering->curves, &curve, sizeof curve, err));
-        for (uint32_t k = 0; k <= chain->segment_count; k++) {
-            uint32_t segment = from->chains.segments[chain->first + (k < chain->segment_count ? k : k - 1)];
-            const double *at = &from->trace.nodes[3 * (size_t)nodes[k]];
-            const float slack = slack_of(from, &gathering->eye, segment, at);
-            HATCH_TRY(hatch_buffer_add(&gathering->points, at, 3 * sizeof *at, err));
-            HATCH_TRY(hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err));
-        }
-    }
-    return HATCH_OK;
-}
-
-/* Traces the feature lines of the posed scene as curves. */
-static enum hatch_status trace(struct drawing *drawing, const struct hatch_view *view,
-                               struct hatch_vector_curves *curves, struct hatch_err *err)
-{
-    struct hatch_arena *arena = drawing->arena;
-    struct gathering gathering = {.curves = {.arena = arena}, .points = {.arena = arena}, .slack = {.arena = arena}};
-    const double height_px = drawing->job->options->height;
-    struct hatch_line_curves *sets;
-    uint32_t count;
-    gathering.eye = (struct hatch_line_eye){view, 0.5 * height_px / view->half_height};
-    HATCH_TRY(hatch_lines_pose(&drawing->lines, view, height_px, arena, &sets, &count, err));
-    for (int silhouettes = 0; silhouettes < 2;
-         silhouettes++) /* features first: their number is the same in all views */
-        for (uint32_t i = 0; i < count; i++)
-            if (sets[i].silhouettes == (silhouettes == 1))
-                HATCH_TRY(add_chains(&gathering, &sets[i], err));
-    *curves = (struct hatch_vector_curves){.count = gathering.count,
-                                           .curves = (const void *)gathering.curves.data,
-                                           .points = (const void *)gathering.points.data,
-                                           .slack = (const void *)gathering.slack.data};
-    return HATCH_OK;
-}
 
 /* Places paths on the page and makes them ready for the pen. */
 static enum hatch_status tidy(struct drawing *drawing, struct hatch_vector_paths *paths, struct hatch_err *err)
@@ -172,7 +105,7 @@ static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_
     drawing->paths = hatch_vector_builder_of(arena);
     HATCH_TRY(
         hatch_occluders_make(&job->scene.unit, view, options->width, options->height, arena, scratch, &occluders, err));
-    HATCH_TRY(trace(drawing, view, &outlines, err));
+    HATCH_TRY(outlines_trace(&drawing->lines, view, options->height, &occluders, arena, &outlines, err));
     HATCH_TRY(add_curves(drawing, &occluders, &outlines, err));
     if (options->technique->curves)
         HATCH_TRY(add_strokes(drawing, view, &occluders, err));

@@ -1,0 +1,19 @@
+/* Steps in depth across a line in the picture. */
+#ifndef HATCH_VECTOR_STEP_H
+#define HATCH_VECTOR_STEP_H
+
+#include "vector/occluders.h"
+
+/* Returns the depth of the nearest surface at a place of the picture; HUGE_VAL where there is none, or outside the
+ * picture. */
+double hatch_occluders_depth(const struct hatch_occluders *occluders, const double at_px[2]);
+
+/* Returns whether the surface beyond a line is farther than the line by a few pixels, its own slope deducted: one that
+ * merely recedes is no step. The same rule as in shaders/overlay/line_test.frag of render-gl.
+ *   at_px  place on the line
+ *   away   unit vector in the picture, from the line to where the surface beyond it is looked for
+ *   depth  of the line there */
+bool hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
+                          double depth);
+
+#endif
