@@ -161,6 +161,11 @@ static bool draws_strokes(const struct technique *drawn)
     return drawn->features & TECHNIQUE_STROKES;
 }
 
+static bool has_curves(const struct technique *drawn)
+{
+    return drawn->curves != NULL;
+}
+
 static bool has_lines(const struct technique *drawn)
 {
     return drawn->features & (TECHNIQUE_STROKES | TECHNIQUE_LINES);
@@ -178,7 +183,7 @@ static bool reads_six_columns(const struct technique *drawn)
 
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
  * them, and --show draws without one. */
-static char strokes[256], assets[256], six_columns[256], lined[320];
+static char strokes[256], assets[256], six_columns[256], lined[320], inked[320];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},
@@ -199,10 +204,10 @@ static const struct cmd_rule rules[] = {
     {"time", "!probe !window", NULL},
     {"probe", "!window", NULL},
     {"page margin pen hidden sort", "output=*.svg", "it shapes a drawing"},
-    {"tam samples hatch-turn hatch-scale tone-range tone-gamma show light specular shadows exposure texture-tone "
-     "modulate "
-     "pixel-light haloes uv-scale anisotropy shader-dir time probe window",
-     "output!=*.svg", "a drawing has lines alone"},
+    {"tam samples hatch-turn hatch-scale show haloes uv-scale anisotropy time probe window", "output!=*.svg",
+     "a drawing consists of lines"},
+    {"tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir", inked,
+     "a drawing without traced strokes has no tone"},
     {"margin", "page", "the page without it is as large as the picture"},
     {"pen", "!line-width", "give one of them"},
     {NULL, NULL, NULL},
@@ -267,6 +272,7 @@ static void make_rules(void)
     make_condition(reads_asset, "|window", assets, sizeof assets);
     make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
     make_condition(has_lines, "|lines|window|output=*.svg", lined, sizeof lined);
+    make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
 }
 
 /* Joins the rows of the command and of all techniques into one table. */

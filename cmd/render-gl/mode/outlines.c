@@ -164,7 +164,6 @@ enum hatch_status outlines_trace(const struct hatch_lines *lines, const struct h
 {
     struct gathering gathering = {.eye = {view, 0.5 * height_px / view->half_height},
                                   .occluders = occluders,
-
                                   .curves = {.arena = arena},
                                   .points = {.arena = arena},
                                   .slack = {.arena = arena},

@@ -1,0 +1,52 @@
+# Strokes of --technique traced in SVG drawings: their tone, their places, their layers.
+. "${TOP:-.}/tests/tap.sh"
+
+meshgen plane --faces 200 | strokegen -q --levels 7 --angles 0 -o plane.glb
+meshgen sphere --faces 2000 | strokegen -q --levels 5 -o ball.glb
+
+# figures FILE: prints the area of the strokes' centre lines times their width, as a share of the page, and their largest
+# distance from the middle of the page
+figures() {
+    perl -ne 'if (/<svg.*width="([\d.]+)mm" height="([\d.]+)mm"/) { ($w, $h) = ($1, $2) }
+        if (/<g id="([a-z]+).*stroke-width="([\d.]+)"/) { ($layer, $pen) = ($1, $2) }
+        next unless $layer eq "strokes" && / d="([^"]*)"/;
+        for my $part (split /M/, $1) {
+            my @n = $part =~ /-?[\d.]+/g;
+            for (my $i = 0; $i < @n; $i += 2) {
+                my $far = sqrt(($n[$i] - $w / 2) ** 2 + ($n[$i + 1] - $h / 2) ** 2);
+                $most = $far if $far > $most;
+                $sum += $pen * sqrt(($n[$i] - $n[$i - 2]) ** 2 + ($n[$i + 1] - $n[$i - 1]) ** 2) if $i;
+            }
+        }
+        END { printf "%.3f %.2f\n", $sum / ($w * $h), $most }' "$1"
+}
+# near NAME GOT WANT OFF
+near() {
+    is "$1: $2 for $3" "$(awk -v got="$2" -v want="$3" -v off="$4" \
+        'BEGIN {print (got != "" && (got - want) ^ 2 <= off ^ 2)}')" 1
+}
+draw() {
+    render-gl -q -t traced --lines none --margin 0mm "$@"
+}
+
+# The plane fills the page: strokes cover the share of it that is its tone, with any pen.
+for tone in .1 .3 .5; do
+    for pen in 0.3mm 0.6mm; do
+        draw plane.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range $tone:$tone \
+            --page 160x160mm --pen $pen -o plane.svg
+        near "a plane of tone $tone drawn by a pen of $pen" "$(figures plane.svg | cut -d' ' -f1)" $tone .03
+    done
+done
+
+# A ball of radius 1 at distance 4, field of view 60 degrees: its outline is a circle of 1 / sqrt(15) / tan(30) half pages.
+draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -o ball.svg
+is "no stroke leaves the ball" "$(figures ball.svg | awk '{print ($2 > 15 && $2 < 22.4)}')" 1
+is "each direction is a layer" "$(grep -o 'inkscape:label="strokes-[0-9]*"' ball.svg | sort -u | wc -l)" 2
+draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -j 1 -o again.svg
+ok "the same drawing with another number of threads" cmp -s ball.svg again.svg
+render-gl -q -t traced ball.glb --size 400x400 --page 100x100mm -o outlined.svg
+ok "outlines have a layer of their own" grep -q 'inkscape:label="outlines"' outlined.svg
+meshgen sphere >bare.glb
+try render-gl -t traced bare.glb -o bare.svg
+refused "a scene without strokes" 3 1
+finish
