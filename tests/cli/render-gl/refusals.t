@@ -53,11 +53,12 @@ refuses "a number of samples that is no square" 2 2 "--samples 5" $draw torus.gl
 refuses "a size with half a pixel" 2 2 "whole numbers" render-gl --size 32.5x24 torus.glb --tam map.exr -o picture.png
 
 # Message and manual must name exactly the techniques that accept --pixel-light, each tried with its own kind of asset.
+strokegen -q --levels 3 torus.glb -o strokes.glb
 tamvol -q map.exr -o volume.ktx2
 tamthresh -q map.exr -o thresholds.ktx2
 for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
     for asset in '' map.exr volume.ktx2 thresholds.ktx2; do
-        try render-gl --size 32x24 -o lit.png torus.glb -q -t "$technique" ${asset:+--tam $asset} --pixel-light
+        try render-gl --size 32x24 -o lit.png strokes.glb -q -t "$technique" ${asset:+--tam $asset} --pixel-light
         [ $status -ne 0 ] || break
     done
     [ $status -ne 0 ] || echo "$technique"
