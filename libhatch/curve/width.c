@@ -44,9 +44,12 @@ double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone)
     return (double)pen->width_px * ((double)pen->thin + (1 - (double)pen->thin) * 2 * tone);
 }
 
-double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale)
+double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
+                             double densest)
 {
-    double whole_px = hatch_stroke_whole_px(pen, tone), wanted = tone * scale / (HATCH_STROKE_GAIN * whole_px);
+    double whole_px = hatch_stroke_whole_px(pen, tone), covered = tone * scale / HATCH_STROKE_GAIN;
+    whole_px = fmin(fmax(HATCH_STROKE_SPARE * covered / densest, whole_px), HATCH_STROKE_WIDEST * whole_px);
+    double wanted = covered / whole_px;
     if (!(wanted * HATCH_STROKE_FADE > threshold))
         return 0;
     double share = fmin(0.5 + 0.5 * log(wanted / threshold) / log(HATCH_STROKE_FADE), 1);

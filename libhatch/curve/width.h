@@ -4,7 +4,8 @@
  * of that width: where
  *     a * scale / w > threshold,    scale = ppu * cos / s
  * with ppu pixels per mesh unit at the point, cos the foreshortening of areas and s that of lengths along the stroke.
- * Around that limit the width fades over a factor HATCH_STROKE_FADE of the threshold to both sides. */
+ * Around that limit the width fades over a factor HATCH_STROKE_FADE of the threshold to both sides. Where the
+ * surface has fewer strokes than wanted, they are wider, up to a factor HATCH_STROKE_WIDEST. */
 #ifndef HATCH_CURVE_WIDTH_H
 #define HATCH_CURVE_WIDTH_H
 
@@ -12,6 +13,8 @@
 
 #define HATCH_STROKE_FADE 1.8      /* ratio of thresholds from the middle of the fading to its ends */
 #define HATCH_STROKE_GAIN 1.307580 /* ink of the strokes around a limit, if those under it would have 1 */
+#define HATCH_STROKE_WIDEST 1.25
+#define HATCH_STROKE_SPARE 1.35 /* ratio of the densest strokes to those wanted under which strokes get wider */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
@@ -47,7 +50,9 @@ double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone);
 /* Returns the width of a stroke at a point, in pixels; 0: it is not drawn there.
  *   tone       share of the surface that the strokes of this family cover together, 0 .. 1
  *   threshold  of the point, in strokes per mesh unit across
- *   scale      ppu * cos / s, in pixels per mesh unit */
-double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale);
+ *   scale      ppu * cos / s, in pixels per mesh unit
+ *   densest    greatest threshold of the mesh's strokes */
+double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
+                             double densest);
 
 #endif

@@ -190,6 +190,7 @@ uint32_t traced_place(const struct frame *frame, const struct traced_state *stat
         glUniform1f(UNIFORM_SIDE, item->double_sided ? -1.0f : 1.0f);
         glUniform1ui(UNIFORM_COUNT, counts[pass]);
         glUniform1i(UNIFORM_INK, ink);
+        glUniform1f(UNIFORM_DENSEST, strokes->densest);
         set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), programs[pass]->name);
         frame_dispatch(&dispatch, NULL);
     }

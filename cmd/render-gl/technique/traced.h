@@ -36,8 +36,8 @@ struct traced_strokes {
     uint32_t count;         /* strokes */
     const float *least;     /* least threshold of each stroke */
     const struct traced_stroke *sources;
-    const uint32_t *end; /* number of points up to the end of each stroke */
-    float finest;        /* finest gap, in mesh units */
+    const uint32_t *end;   /* number of points up to the end of each stroke */
+    float finest, densest; /* finest gap, in mesh units; greatest threshold */
 };
 
 /* The buffers of an item. */

@@ -162,6 +162,8 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
     strokes->finest = curves->sets[0].gap;
     for (uint32_t s = 0; s < curves->set_count; s++)
         strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
+    for (uint32_t i = 0; i < first; i++)
+        strokes->densest = fmaxf(strokes->densest, points[i].threshold);
     strokes->points = gpu_buffer_make(points, sizeof *points * first);
     strokes->indices = gpu_buffer_make(indices, sizeof *indices * (size_t)(next - indices));
     hatch_arena_rewind(scratch, mark);

@@ -41,7 +41,7 @@ START_TEST(strokes_of_all_thresholds_cover_the_tone)
     for (double tone = 0.125; tone <= 1; tone += 0.125) {
         double covered = 0;
         for (double threshold = 0.05; threshold < 2000; threshold += 0.1)
-            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale) / scale;
+            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale, 1e6) / scale;
         ck_assert_double_eq_tol(covered, tone, 0.002);
     }
 }
@@ -51,13 +51,14 @@ START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
 {
     double before = 0;
     for (double tone = 0; tone <= 1; tone += 0.01) {
-        double width = hatch_stroke_width_px(&pen, tone, 50, 300);
+        double width = hatch_stroke_width_px(&pen, tone, 50, 300, 1e6);
         ck_assert_double_ge(width, before);
         ck_assert_double_le(width, hatch_stroke_whole_px(&pen, tone) + 1e-12);
         before = width;
     }
-    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300) <= 0);
-    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300), 2, 1e-12);
+    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300, 1e6) <= 0);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 1e6), 2, 1e-12);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 30), 2 * HATCH_STROKE_WIDEST, 1e-12);
 }
 END_TEST
 

@@ -25,6 +25,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
 layout(location = UNIFORM_INK) uniform int ink_index;
+layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold of all strokes
 
 const float TURNED_MOST_PX = 8.0;
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
@@ -110,7 +111,7 @@ void main()
         return;
     float scale = abs(area) / (point.stroke.y * length_px);
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
-    float width = width_px(pen.xy, tone, point.stroke.x, scale);
+    float width = width_px(pen.xy, tone, point.stroke.x, scale, densest);
     vec2 ends = point.stroke.zw * length_px;
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
     width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) + 0.3 * point.rest.w);
@@ -122,7 +123,9 @@ void main()
     float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
     float unit_px = length(vec3(clip_from_unit[0].x, clip_from_unit[1].x, clip_from_unit[2].x)) * viewport.x / at.w;
     float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
-    float reach = min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + 1.0);
+    float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + 1.0);
+    if (behind)
+        width *= clamp(2.0 - 0.3 * steep, 0.0, 1.0); // next to silhouettes, the front is too near to tell them apart
     wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
     place.xy += wobble * across;
     place.z += wobble * rise + reach + lift.z * toward_eye;
