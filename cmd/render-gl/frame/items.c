@@ -252,8 +252,12 @@ enum hatch_status frame_draw_items(struct frame *frame, const struct gpu_target 
     HATCH_TRY(compile_all(frame, shading, defines, true, shader, err));
     for (uint32_t i = 0; i < count_passes(shading) && ordinary; i++) {
         const struct frame_item_pass *from = &shading->passes[i];
-        const struct frame_pass pass = {
-            .name = from->name, .target = target, .blend = from->blend, .depth = from->depth, .culls = true};
+        const struct frame_pass pass = {.name = from->name,
+                                        .target = target,
+                                        .blend = from->blend,
+                                        .depth = from->depth,
+                                        .culls = true,
+                                        .masks_color = from->masks_color};
         frame_pass_begin(&pass);
         draw_all(&all, false, i, false);
         frame_pass_end(&pass, frame->timer);

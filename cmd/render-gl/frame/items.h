@@ -22,6 +22,7 @@ struct frame_item_pass {
     const char *name; /* for the report of --time */
     enum frame_blend blend;
     enum frame_depth depth;
+    bool masks_color; /* only depth is written */
 };
 
 /* A shading: the programs and passes that draw items. Shaders are compiled with `defines` and with the macros that the

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "math/vector.h"
 #include "placement/style.h"
@@ -214,12 +215,23 @@ static void draw_ribbons(const struct frame *frame, const struct traced_state *s
     glDrawElements(GL_TRIANGLES, (GLsizei)(6 * (strokes->end[count - 1] - count)), GL_UNSIGNED_INT, NULL);
 }
 
+/* Draws the surfaces as bare paper; only their depth where the background is paper already. */
+static enum hatch_status draw_paper(struct frame *frame, const struct frame_shading *shading,
+                                    struct traced_state *state, struct hatch_err *err)
+{
+    struct frame_shading paper = *shading;
+    paper.passes[0].masks_color =
+        memcmp(frame->request.background, frame->style.inks.paper, sizeof frame->style.inks.paper) == 0;
+    return frame_draw_items(frame, &frame->request.canvas->samples, &paper, state->shaded.defines,
+                            &state->shaded.shader, err);
+}
+
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err)
 {
     const struct frame *frame = context->frame;
     struct traced_state *state = instance->state;
-    HATCH_TRY(shaded_draw(context, instance, err));
+    HATCH_TRY(draw_paper(context->frame, &instance->technique->shading, state, err));
     traced_set_style(frame, 0, state);
     for (uint32_t i = 0; i < state->item_count; i++)
         for (int ink = 0; ink < (frame->style.inks.two ? 2 : 1); ink++) {
