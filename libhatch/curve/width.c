@@ -53,5 +53,5 @@ double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, do
     if (!(wanted * HATCH_STROKE_FADE > threshold))
         return 0;
     double share = fmin(0.5 + 0.5 * log(wanted / threshold) / log(HATCH_STROKE_FADE), 1);
-    return whole_px * fmin(4 * share, 0.4 + 0.6 * share);
+    return whole_px * fmin(1.6 * share, 0.25 + 0.75 * share);
 }

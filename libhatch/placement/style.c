@@ -24,10 +24,10 @@ void hatch_style_default(struct hatch_style *style)
         .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
         .pen = {.thin = 0.6f,
                 .join = 0.38f,
-                .response = {0.119f, 0.229f, 0.334f, 0.443f, 0.546f, 0.643f, 0.728f, 0.799f},
-                .taper_px = 14,
+                .response = {0.1208f, 0.2314f, 0.3356f, 0.4427f, 0.5493f, 0.6508f, 0.7403f, 0.812f},
+                .taper_px = 16,
                 .vary = 0.3f,
-                .wobble_px = 0.4f},
+                .wobble_px = 0.3f},
         .candidates_light = 1000,
         .candidates_dark = 100,
     };

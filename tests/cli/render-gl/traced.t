@@ -1,7 +1,7 @@
 # --technique traced: strokes of strokegen follow tone, perspective, shadows and poses, and stay on their surfaces.
 . "${TOP:-.}/tests/tap.sh"
 
-meshgen plane --faces 200 | strokegen -q --levels 6 -o plane.glb
+meshgen plane --faces 200 | strokegen -q --levels 5 --gap 0.06 -o plane.glb
 meshgen sphere --faces 2000 | strokegen -q --levels 5 -o ball.glb
 meshgen plane --faces 200 -o bare.glb
 
@@ -56,5 +56,15 @@ for shape in ball torus; do
     traced=$(ink)
     draw $shape.glb --size 320x240 --tone-range .5:.5 -t gouraud
     near "a $shape" "$traced" "$(ink)" .015
+done
+# Strokes follow skins and nodes: the moved surfaces keep their tone.
+perl "$TOP/tests/bytes/scenes.pl"
+for scene in skinned nodes; do
+    strokegen -q --levels 5 --gap 0.06 $scene.gltf -o $scene.glb
+    for technique in traced gouraud; do
+        draw $scene.glb --size 160x120 --from 0:30 --fov 20 --time-s 0.7 --tone-range .4:.4 -t $technique
+        ink >$technique.ink
+    done
+    near "the scene $scene" "$(cat traced.ink)" "$(cat gouraud.ink)" .012
 done
 finish

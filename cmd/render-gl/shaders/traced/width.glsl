@@ -1,5 +1,5 @@
 // The width of a stroke at a point in the picture: libhatch/curve/width.h, where the law is explained.
-const float LOG_FADE = 0.5877867, GAIN = 1.307580, SPARE = 1.35, WIDEST = 1.25;
+const float LOG_FADE = 0.5877867, GAIN = 1.174385, SPARE = 1.35, WIDEST = 1.25;
 
 // pen: width in pixels, thin
 float width_px(vec2 pen, float tone, float threshold, float scale, float densest)
@@ -8,5 +8,5 @@ float width_px(vec2 pen, float tone, float threshold, float scale, float densest
     whole = clamp(SPARE * covered / densest, whole, WIDEST * whole);
     float wanted = covered / whole;
     float share = clamp(0.5 + 0.5 / LOG_FADE * log(max(wanted, 1e-30) / threshold), 0.0, 1.0);
-    return whole * min(4.0 * share, 0.4 + 0.6 * share);
+    return whole * min(1.6 * share, 0.25 + 0.75 * share);
 }
