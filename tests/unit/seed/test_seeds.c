@@ -74,19 +74,25 @@ START_TEST(distances_wrap_around_the_tile)
 }
 END_TEST
 
+static void random_points(uint32_t count, struct hatch_seed_point *points)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        points[i].u = hatch_random_u64(7, count, 2 * (uint64_t)i);
+        points[i].v = hatch_random_u64(7, count, 2 * (uint64_t)i + 1);
+    }
+}
+
 /* Compares with all pairs of random points. */
 START_TEST(the_smallest_distance_is_that_of_all_pairs)
 {
     static struct hatch_seed_point points[500];
     for (uint32_t count = 2; count <= 500; count += 7) {
         double best = 1, distance;
-        for (uint32_t i = 0; i < count; i++) {
-            points[i].u = hatch_random_u64(7, count, 2 * (uint64_t)i);
-            points[i].v = hatch_random_u64(7, count, 2 * (uint64_t)i + 1);
+        random_points(count, points);
+        for (uint32_t i = 0; i < count; i++)
             for (uint32_t k = 0; k < i; k++)
                 best = fmin(best, hypot((double)(int64_t)(points[i].u - points[k].u) * 0x1p-64,
                                         (double)(int64_t)(points[i].v - points[k].v) * 0x1p-64));
-        }
         HATCH_TEST_OK(hatch_spread_distance(points, count, &scratch, &distance, &err), &err);
         ck_assert_double_eq_tol(distance, best, 1e-12);
     }
@@ -103,6 +109,36 @@ START_TEST(discrepancy_of_one_point_is_known)
     ck_assert_double_eq_tol(discrepancy, 0.75, 1e-12);
     HATCH_TEST_OK(hatch_spread_discrepancy(&corner, 1, &scratch, &discrepancy, &err), &err);
     ck_assert_double_eq_tol(discrepancy, 1.0, 1e-12);
+}
+END_TEST
+
+/* Returns by how much the share of the points in a box from the origin differs from its area, with its upper sides or
+ * without them. */
+static double box_difference(const struct hatch_seed_point *points, uint32_t count, double u, double v)
+{
+    double open = 0, closed = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        double x = (double)points[i].u * 0x1p-64, y = (double)points[i].v * 0x1p-64;
+        open += x < u && y < v;
+        closed += x <= u && y <= v;
+    }
+    return fmax(u * v - open / count, closed / count - u * v);
+}
+
+/* Compares with all boxes whose upper sides go through points or are those of the tile. */
+START_TEST(discrepancy_is_that_of_all_boxes)
+{
+    struct hatch_seed_point points[20];
+    for (uint32_t count = 1; count <= 20; count++) {
+        double worst = 0, discrepancy;
+        random_points(count, points);
+        for (uint32_t i = 0; i <= count; i++)
+            for (uint32_t k = 0; k <= count; k++)
+                worst = fmax(worst, box_difference(points, count, i < count ? (double)points[i].u * 0x1p-64 : 1,
+                                                   k < count ? (double)points[k].v * 0x1p-64 : 1));
+        HATCH_TEST_OK(hatch_spread_discrepancy(points, count, &scratch, &discrepancy, &err), &err);
+        ck_assert_double_eq_tol(discrepancy, worst, 1e-12);
+    }
 }
 END_TEST
 
@@ -188,6 +224,7 @@ static Suite *suite(void)
     tcase_add_test(tests, distances_wrap_around_the_tile);
     tcase_add_test(tests, the_smallest_distance_is_that_of_all_pairs);
     tcase_add_test(tests, discrepancy_of_one_point_is_known);
+    tcase_add_test(tests, discrepancy_is_that_of_all_boxes);
     tcase_add_test(tests, sets_nest_exactly_and_are_even);
     tcase_add_test(tests, an_uneven_set_is_detected);
     tcase_add_test(tests, more_candidates_spread_seed_points_better);
