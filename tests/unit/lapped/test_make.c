@@ -343,6 +343,36 @@ START_TEST(failed_allocations_are_reported)
 }
 END_TEST
 
+/* Returns the variance of the logarithms of some numbers. */
+static double spread_of(const double *values, uint32_t count)
+{
+    double sum = 0, squares = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sum += log(values[i]);
+        squares += log(values[i]) * log(values[i]);
+    }
+    return squares / count - sum / count * (sum / count);
+}
+
+/* On an irregular plane the typical edges around faces differ less than the faces do. */
+START_TEST(typical_edges_are_smoothed)
+{
+    struct lapped_case plane = {.field = case_of_shape(HATCH_SHAPE_PLANE, 2000, 1)};
+    struct hatch_patch_domain domain;
+    hatch_outline_make(3, 0.3, 0.05, &plane.outline);
+    const struct hatch_lapped_input input = lapped_input(&plane.field, &plane.outline);
+    uint32_t count = plane.field.surface.face_count;
+    double *own = HATCH_NEW(&keep, double, count, &err);
+    HATCH_TEST_OK(hatch_patch_domain_make(&input, &LAPPED_DEFAULTS, NULL, &keep, &scratch, &domain, &err), &err);
+    for (uint32_t f = 0; f < count; f++) {
+        const double *flat = &domain.flattened[4 * f];
+        own[f] = sqrt((flat[0] * flat[3] - flat[1] * flat[2]) * 2 / sqrt(3));
+    }
+    ck_assert_double_gt(spread_of(own, count), 0.01);
+    ck_assert_double_lt(spread_of(domain.edge_length, count), spread_of(own, count) / 4);
+}
+END_TEST
+
 static void note_share(void *context, double share)
 {
     double *last = context;
@@ -379,6 +409,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_rotated_and_moved_torus_is_covered_alike);
     tcase_add_test(tests, a_patch_mesh_has_positions_of_the_source);
     tcase_add_test(tests, failed_allocations_are_reported);
+    tcase_add_test(tests, typical_edges_are_smoothed);
     tcase_add_test(tests, progress_rises_to_the_end);
     suite_add_tcase(suite, tests);
     return suite;

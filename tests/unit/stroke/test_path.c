@@ -218,6 +218,22 @@ START_TEST(curves_keep_to_the_tolerance)
 }
 END_TEST
 
+/* The second differences of the control points are 0.002, so that a piece of half the curve is off by up to 0.000375.
+ */
+START_TEST(curves_have_as_few_pieces_as_the_tolerance_allows)
+{
+    const double control[6] = {0.1, 0.002, 0.2, 0.002, 0.3, 0};
+    static const double tolerances[] = {0.0016, 0.0014, 0.0004, 0.00036, 0.00017, 0.00016};
+    static const uint32_t pieces[] = {1, 2, 2, 3, 3, 4};
+    for (int i = 0; i < 6; i++) {
+        struct hatch_path_builder b = {.arena = &keep, .tolerance = tolerances[i]};
+        HATCH_TEST_OK(hatch_path_add_line(&b, 0, 0, &err), &err);
+        HATCH_TEST_OK(hatch_path_add_cubic(&b, control, &err), &err);
+        ck_assert_uint_eq(b.count, pieces[i] + 1);
+    }
+}
+END_TEST
+
 START_TEST(points_not_finite_or_too_far_are_rejected)
 {
     struct hatch_path_builder b = builder();
@@ -338,6 +354,7 @@ static Suite *suite(void)
     tcase_add_test(tests, no_pixel_is_listed_twice_or_over_covered);
     tcase_add_test(tests, a_point_is_a_dot_and_a_tiny_circle_does_not_vanish);
     tcase_add_test(tests, curves_keep_to_the_tolerance);
+    tcase_add_test(tests, curves_have_as_few_pieces_as_the_tolerance_allows);
     tcase_add_test(tests, points_not_finite_or_too_far_are_rejected);
     tcase_add_test(tests, the_longest_path_is_accepted_and_a_longer_one_is_not);
     tcase_add_test(tests, scripts_keep_arcs_paths_and_levels);
