@@ -108,6 +108,26 @@ START_TEST(the_exposure_makes_a_lit_plane_white)
 }
 END_TEST
 
+/* The light of a vertex that is 2^-99.97 of the strongest light, of a normal almost across it, is in the histogram's
+ * first bin; what is darker does not count as lit. */
+START_TEST(the_exposure_of_grazing_light_is_known_down_to_the_first_bin)
+{
+    static const double octaves[] = {-99.97, -100.1};
+    for (int dark = 0; dark <= 1; dark++) {
+        light_plane(sun, nowhere);
+        struct hatch_mesh *plane = &scene.meshes[0].mesh;
+        float *normals = hatch_mesh_find(plane, "NORMAL", 3);
+        double exposure, want = dark ? 1 : exp2(-octaves[dark]) / 8, bin = exp2(1.0 / 16);
+        for (uint32_t v = 0; v < plane->vertex_count; v++) {
+            normals[3 * v] = 1;
+            normals[3 * v + 2] = (float)exp2(octaves[dark]);
+        }
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, &view_facing, &scratch, &exposure, &err), &err);
+        ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
+    }
+}
+END_TEST
+
 START_TEST(the_exposure_of_a_plane_lit_from_behind_is_one)
 {
     double exposure;
@@ -129,6 +149,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_point_light_is_scaled_with_the_scene);
     tcase_add_test(tests, lights_beyond_the_limit_are_counted);
     tcase_add_test(tests, the_exposure_makes_a_lit_plane_white);
+    tcase_add_test(tests, the_exposure_of_grazing_light_is_known_down_to_the_first_bin);
     tcase_add_test(tests, the_exposure_of_a_plane_lit_from_behind_is_one);
     suite_add_tcase(made, tests);
     return made;
