@@ -37,6 +37,13 @@ grep -q 'warning: .*mip levels' .err
 is "PNG pictures of levels are warned of" "$? $(wc -l <.err)" "0 1"
 is "pictures of level 1 are half as wide as those of level 0" \
     "$(od -An -tu1 -j16 -N8 png/map.002.01.png | tr -d ' ')" 0003200032
+tamgen -q --size 64 --tones 2 --levels 1 --palette dusk -o color.exr
+mkdir color
+tampack -q --layout png color.exr -o color/as.png
+tampack -q --layout exr color.exr -o color/as.exr
+is "pictures have the colours of the map" "$(for tone in 000 001; do
+    hatchstat diff color/as.$tone.exr color/as.$tone.00.png
+done | awk '$1 != "max" {print $1 < 0.005}' | paste -sd' ')" "1 1"
 try tampack -q --layout png map.exr -o png/quiet
 is "--quiet prints nothing" "$(wc -c <.err)" 0
 

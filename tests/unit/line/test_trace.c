@@ -231,6 +231,29 @@ START_TEST(the_matrix_of_a_shape_is_applied)
 }
 END_TEST
 
+static struct hatch_line_trace features_of(const struct hatch_mesh *mesh, const struct hatch_view *view)
+{
+    const struct hatch_line_eye eye = {view, 400};
+    struct hatch_line_mesh lines = lines_of(mesh, HATCH_LINES_ALL, CREASE_RAD);
+    struct hatch_line_shape shape = shape_in_place(&lines);
+    struct hatch_line_trace trace;
+    HATCH_TEST_OK(hatch_line_trace_features(&shape, &eye, &keep, &trace, &err), &err);
+    return trace;
+}
+
+/* In an orthographic view slack follows from the slopes of faces alone. */
+START_TEST(slack_of_an_edge_does_not_depend_on_the_size_of_faces)
+{
+    struct hatch_mesh small = cube(-0.25f, 0.25f), large = cube(-1, 1);
+    struct hatch_view view = view_from(1, 2, 4, true);
+    struct hatch_line_trace a = features_of(&small, &view), b = features_of(&large, &view);
+    ck_assert_uint_ge(a.segment_count, 12);
+    ck_assert_uint_eq(a.segment_count, b.segment_count);
+    for (uint32_t i = 0; i < a.segment_count; i++)
+        ck_assert_float_eq_tol(a.slack[i], b.slack[i], 1e-6f);
+}
+END_TEST
+
 /* Makes a trace and its only chain, of points in the plane of a view of 400 pixels from -2 to 2. */
 static void chain_through(const double (*places_px)[2], uint32_t count, struct hatch_line_trace *trace,
                           struct hatch_line_chains *chains)
@@ -387,6 +410,7 @@ static Suite *suite(void)
     tcase_add_test(tests, winding_matters_only_if_backs_are_hidden);
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
     tcase_add_test(tests, the_matrix_of_a_shape_is_applied);
+    tcase_add_test(tests, slack_of_an_edge_does_not_depend_on_the_size_of_faces);
     tcase_add_test(tests, zigzags_below_a_pixel_become_straight);
     tcase_add_test(tests, corners_stay_in_their_places);
     tcase_add_test(tests, short_sides_become_curves);
