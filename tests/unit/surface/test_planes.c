@@ -1,3 +1,5 @@
+#include <stdlib.h>
+
 #include "fail_alloc.h"
 #include "meshes.h"
 #include "run.h"
@@ -105,6 +107,31 @@ START_TEST(creases_around_planes_are_cut)
 }
 END_TEST
 
+/* A gutter of three strips, 6 by 3 rectangles each, ten times as long as wide, which meet at 10 degrees. The middle one
+ * is open along 12 of the 18 sides of its border, but these are a sixth of its length. */
+START_TEST(creases_are_counted_by_their_length)
+{
+    enum { STRIP = 6, ROW = 3 * STRIP + 1, ROWS = 4 };
+    static float positions[3 * ROW * ROWS];
+    static uint32_t indices[6 * (ROW - 1) * (ROWS - 1)];
+    const double turn = 10 * 3.14159265358979 / 180;
+    for (int v = 0; v < ROW * ROWS; v++) {
+        double beyond = fmax(0, abs(v % ROW - ROW / 2) - STRIP / 2), side = v % ROW < ROW / 2 ? -1 : 1;
+        double inside = v % ROW - ROW / 2 - side * beyond;
+        positions[3 * v] = (float)(inside + side * beyond * cos(turn));
+        positions[3 * v + 1] = 10.0f * (float)(v / ROW);
+        positions[3 * v + 2] = (float)(beyond * sin(turn));
+    }
+    for (uint32_t q = 0; q < (ROW - 1) * (ROWS - 1); q++) {
+        uint32_t a = q / (ROW - 1) * ROW + q % (ROW - 1), c = a + ROW;
+        const uint32_t faces[6] = {a, a + 1, c, a + 1, c + 1, c};
+        memcpy(&indices[6 * q], faces, sizeof faces);
+    }
+    struct hatch_mesh mesh = mesh_of(positions, ROW * ROWS, indices, 2 * (ROW - 1) * (ROWS - 1));
+    ck_assert_uint_eq(cut(&mesh).plane_count, 2);
+}
+END_TEST
+
 /* An L of 3 x 3 squares without the last: 3 + 2 + 1 units of its border run either way; turned by 20 degrees. */
 START_TEST(directions_follow_straight_borders_however_they_lie)
 {
@@ -150,6 +177,7 @@ static Suite *suite(void)
     tcase_add_test(tests, without_planes_a_box_is_one_component);
     tcase_add_test(tests, curved_shapes_have_no_planes);
     tcase_add_test(tests, creases_around_planes_are_cut);
+    tcase_add_test(tests, creases_are_counted_by_their_length);
     tcase_add_test(tests, directions_follow_straight_borders_however_they_lie);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(all, tests);
