@@ -12,7 +12,10 @@ static const char *ending(GLuint shader)
 {
     GLint kind = 0;
     glGetShaderiv(shader, GL_SHADER_TYPE, &kind);
-    return kind == GL_VERTEX_SHADER ? "vert" : kind == GL_GEOMETRY_SHADER ? "geom" : "frag";
+    return kind == GL_VERTEX_SHADER     ? "vert"
+           : kind == GL_GEOMETRY_SHADER ? "geom"
+           : kind == GL_COMPUTE_SHADER  ? "comp"
+                                        : "frag";
 }
 
 /* FNV-1a */

@@ -42,8 +42,10 @@ scene() {
                 {"bufferView":0,"byteOffset":96,"componentType":5126,"count":4,"type":"VEC2"},
                 {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]});' "$1" "${2:-0}" "${3:-1}" "${4:-10497}"
 }
-scene OPAQUE >OPAQUE.gltf
-scene MASK >MASK.gltf
+for mode in OPAQUE MASK; do
+    scene $mode >$mode.gltf
+    strokegen -q --levels 3 $mode.gltf -o $mode.strokes.glb # for --technique traced
+done
 
 techniques=$(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}')
 tamvol -q map.exr -o volume.ktx2
@@ -52,7 +54,7 @@ tamthresh -q map.exr -o steps.ktx2
 for technique in $techniques; do
     for asset in "--tam map.exr" "--tam volume.ktx2" "--tam steps.ktx2" ""; do
         # shellcheck disable=SC2086 # the options are words
-        try render-gl OPAQUE.gltf --technique "$technique" --size 32x24 $asset -o picture.png
+        try render-gl OPAQUE.strokes.glb --technique "$technique" --size 32x24 $asset -o picture.png
         [ $status -ne 0 ] || break
     done
     is "$technique draws with a map, a volume, thresholds or nothing" "$status" 0
@@ -63,7 +65,7 @@ for technique in $techniques; do
         for tone in "" --texture-tone; do
             for ink in "" "--paper grey --ink black,white"; do
                 # shellcheck disable=SC2046,SC2086 # the options are words
-                ok "$technique $mode $tone $ink" drawn $mode.gltf --technique "$technique" \
+                ok "$technique $mode $tone $ink" drawn $mode.strokes.glb --technique "$technique" \
                     $(cat "$technique.asset") --size 32x24 $tone $ink -o picture.png
             done
         done
@@ -104,14 +106,16 @@ tamvol -q --compress eight.exr -o blocks.ktx2
 tamthresh --exact eight.exr -o exact.ktx2
 meshgen torus --faces 800 -o torus.glb
 dirfield torus.glb | lapped-param -o patches.glb
+strokegen -q --levels 3 torus.glb -o strokes.glb
 for scene in torus.glb patches.glb; do
     for technique in $techniques; do
-        asset=$(cat "$technique.asset")
+        asset=$(cat "$technique.asset") file=$scene
+        [ $technique != traced ] || file=strokes.glb
         # shellcheck disable=SC2086 # the options are words
-        ok "$technique with shadows and haloes, $scene" drawn $scene -t "$technique" $asset --size 32x24 \
+        ok "$technique with shadows and haloes, $scene" drawn $file -t "$technique" $asset --size 32x24 \
             --shadows 0.05 --haloes 3 --ground 2 -o picture.png
         # shellcheck disable=SC2086
-        try drawn $scene -t "$technique" $asset --size 32x24 --pixel-light -o picture.png
+        try drawn $file -t "$technique" $asset --size 32x24 --pixel-light -o picture.png
         is "$technique with --pixel-light is drawn or refused, $scene" \
             "$status $(grep -c "pixel-light.* not with $technique\$" .err)" "$((status ? 2 : 0)) $((status != 0))"
     done
