@@ -8,7 +8,7 @@ static const char *const fades_by[] = {"opacity", "size", NULL};
 static const char *const loops[] = {"coverage", "brute", NULL};
 
 const struct cmd_option rptam_option_table[] = {
-    {0, "seeds", CMD_TEXT, 0, 0, "FILE", "rptam: file of seed sets, made by seedgen (default: 4 sets of 64)",
+    {0, "seeds", CMD_TEXT, 0, 0, "FILE", "+rptam: file of seed sets, made by seedgen (default: 4 sets of 64)",
      &rptam_options.seeds, NULL, NULL},
     {0, "layers", CMD_TEXT, 0, 0, "FILE", "+rptam: file with the strokes and tones of each layer (default: none)",
      &rptam_options.layers, NULL, NULL},

@@ -15,6 +15,8 @@
 
 #define CHORD 0.3      /* share of the finest gap by which strokes may pass under the surface between their points */
 #define NARROWEST 0.02 /* share of the view's distance at which an item's strokes are all taken as visible */
+#define SMOOTH 8.0     /* greatest threshold in sight, in finest gaps, from which on lines are drawn as curves */
+#define PARTS_MAX 4u   /* straight parts of a line between two points in near views */
 #define OFF_AXIS 1.5   /* factor of scale towards the corners of a picture */
 
 static const char *style_name = "engraving";
@@ -22,7 +24,7 @@ static double width_px; /* 0: the style's */
 
 static const struct cmd_option options[] = {
     {0, "stroke-style", CMD_TEXT, 0, 0, "STYLE",
-     "traced: drawing style of the strokes, a name or a file (default engraving)", &style_name, NULL, NULL},
+     "+traced: drawing style of the strokes, a name or a file (default engraving)", &style_name, NULL, NULL},
     {0, "stroke-width", CMD_REAL, 0.2, 64, "PX", "+traced: width of strokes in pixels (default: the style's)",
      &width_px, NULL, NULL},
     {0},
@@ -93,6 +95,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     static const struct gpu_stages vertices = {.compute = "traced/vertices.comp"};
     static const struct gpu_stages points = {.compute = "traced/points.comp"};
     static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
+    static const struct gpu_stages curve = {.vertex = "traced/curve.vert", .fragment = "traced/ribbon.frag"};
     struct gpu_programs *programs = &context->frame->programs;
     struct traced_state *state = instance->state;
     char light[FRAME_LIGHT_DEFINES_BYTES], based[FRAME_LIGHT_DEFINES_BYTES + 32];
@@ -103,7 +106,8 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &vertices, light, &state->vertices, err));
     HATCH_TRY(gpu_program_get(programs, &points, light, &state->points[0], err));
     HATCH_TRY(gpu_program_get(programs, &points, based, &state->points[1], err));
-    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbon, err));
+    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbons[0], err));
+    HATCH_TRY(gpu_program_get(programs, &curve, "", &state->ribbons[1], err));
     return shaded_prepare(context, instance, err);
 }
 
@@ -207,12 +211,18 @@ static void draw_ribbons(const struct frame *frame, const struct traced_state *s
                                     .blend = FRAME_BLEND_OVER_COLOR,
                                     .depth = FRAME_DEPTH_BEFORE};
     frame_pass_begin(&pass);
-    glUseProgram(state->ribbon->name);
+    double limit = threshold_limit(frame, &frame->scene->unit.items[index]) * (double)strokes->finest;
+    uint32_t parts = limit < SMOOTH ? 1 : limit < 4 * SMOOTH ? 2 : PARTS_MAX;
+    glUseProgram(state->ribbons[parts > 1]->name);
     glUniform1i(UNIFORM_INK, ink);
     gpu_texture_bind(UNIT_TECHNIQUE, state->items[index].ribbon_view, 0);
     glVertexArrayElementBuffer(state->array, strokes->indices);
     glBindVertexArray(state->array);
-    glDrawElements(GL_TRIANGLES, (GLsizei)(6 * (strokes->end[count - 1] - count)), GL_UNSIGNED_INT, NULL);
+    if (parts > 1) {
+        glUniform1ui(UNIFORM_COUNT, parts);
+        glDrawArraysInstanced(GL_TRIANGLES, 0, (GLsizei)(6 * strokes->end[count - 1]), (GLsizei)parts);
+    } else
+        glDrawElements(GL_TRIANGLES, (GLsizei)(6 * (strokes->end[count - 1] - count)), GL_UNSIGNED_INT, NULL);
 }
 
 /* Draws the surfaces as bare paper; only their depth where the background is paper already. */

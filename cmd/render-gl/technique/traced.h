@@ -59,7 +59,7 @@ struct traced_state {
     struct hatch_style style;
     uint32_t mesh_count, item_count, families;
     GLuint array, block_buffer;
-    const struct gpu_program *vertices, *points[2], *ribbon; /* points: [1] with BASE_TONE */
+    const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };
 
 #define TRACED_RIBBON_FLOATS 8u /* per point of a ribbon: x, y, depth, half width in pixels; ink, ends, 2 unused */

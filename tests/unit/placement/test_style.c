@@ -47,6 +47,8 @@ START_TEST(every_key_sets_its_member)
                         "color 0.75 000\n"
                         "direction 45 0.25 0.5\n"
                         "direction -90 0 1\n"
+                        "thin 0.5\njoin 0.25\ntaper 3\nvary 0.125\npressure 0.75\ngrain 1\nwobble 4\nturn 30\n"
+                        "response .1 .2 .3 .4 .5 .6 .7 .75\n"
                         "candidates 5e2 7"),
                   &err);
     ck_assert_str_eq(style.name, "chalk");
@@ -70,6 +72,15 @@ START_TEST(every_key_sets_its_member)
     ck_assert_float_eq(style.directions[0].from, 0.25f);
     ck_assert_float_eq(style.directions[0].to, 0.5f);
     ck_assert_float_eq_tol(style.directions[1].angle_rad, -1.57079633f, 1e-6f);
+    ck_assert_float_eq(style.pen.thin, 0.5f);
+    ck_assert_float_eq(style.pen.join, 0.25f);
+    ck_assert_float_eq(style.pen.taper_px, 3);
+    ck_assert_float_eq(style.pen.vary, 0.125f);
+    ck_assert_float_eq(style.pen.pressure, 0.75f);
+    ck_assert_float_eq(style.pen.grain, 1);
+    ck_assert_float_eq(style.pen.wobble_px, 4);
+    ck_assert_float_eq_tol(style.pen.turn_rad, 0.523598776f, 1e-6f);
+    ck_assert_float_eq(style.pen.response[7], 0.75f);
     ck_assert_uint_eq(style.candidates_light, 500);
     ck_assert_uint_eq(style.candidates_dark, 7);
     HATCH_TEST_OK(parse("overlap darkens"), &err);
