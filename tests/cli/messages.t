@@ -35,7 +35,7 @@ says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.
 says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of diff, field, frames, ink, lapped, mesh, seeds, tam, tones" \
     hatchstat bunny
 says "a shape with a typing error" 2 2 "bump, helicoid, catenoid; perhaps teapot" meshgen teapto
-says "a style with a typing error" 2 2 "speckle, stipple, wash, and not a file; perhaps pencil" tamgen --style penci
+says "a style with a typing error" 2 2 "speckle, stipple, wash, woodcut, and not a file; perhaps pencil" tamgen --style penci
 says "a palette that does not exist" 2 2 "palette: 'dawn' is not one of dusk, earth, sea, and not a file" \
     tamgen --palette dawn
 says "a colour with a typing error" 2 2 "--ink: 'blak' is not one of black, white, grey, gray, cream, sepia, blue, red, and not #rrggbb; perhaps black" \

@@ -13,8 +13,9 @@
 static struct hatch_arena map_arena, map_scratch;
 static struct hatch_err map_err;
 
-static const char *const map_styles[] = {"ink",     "pencil", "crayon", "charcoal", "stipple", "arcs",
-                                         "speckle", "chalk",  "wash",   "marker",   "drafting"};
+static const char *const map_styles[] = {"ink",      "pencil",    "crayon",  "charcoal", "stipple",
+                                         "arcs",     "speckle",   "chalk",   "wash",     "marker",
+                                         "drafting", "engraving", "etching", "sketch",   "woodcut"};
 enum { MAP_STYLES = sizeof map_styles / sizeof *map_styles };
 
 struct test_map {

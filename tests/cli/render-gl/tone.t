@@ -98,9 +98,9 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         squares .2 0.001 $ends $columns $between
         lit .06 0
         ;;
-    traced) # the response of the style corrects what strokes leave out and cover twice
+    traced) # the response of the style corrects what strokes leave out and cover twice, but not at the square's border
         strokes=yes
-        squares .01 .01 0 .05 $columns $between
+        squares .016 .01 0 .05 $columns $between
         squares .06 0 1
         lit .02 .02
         ;;
