@@ -27,7 +27,7 @@ struct advance {
 static struct hatch_trace_origin origin_of(const struct hatch_tracer *tracer, uint32_t half, double walked, double turn)
 {
     double arc = tracer->strokes[half / 2].length[half % 2] + walked;
-    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true, turn};
+    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true, turn != 0, turn};
 }
 
 /* Returns whether strokes pass too near to both sides of an end. */

@@ -12,7 +12,8 @@
 #define GAP_LEAST 0.2    /* of the gap: nothing is nearer, but for rounding and strokes that cross */
 #define OBLIQUE 0.7   /* sine of the angle between a border and the way across: below, strokes run into the border, */
 #define PARALLEL 0.95 /* and above, beside it */
-#define SLACK 1e-4f   /* of a piece's length: pieces that meet at a face's border leave no hole */
+#define OVERLAP_GAPS 0.6 /* length by which strokes that meet may pass one another */
+#define SLACK 1e-4f      /* of a piece's length: pieces that meet at a face's border leave no hole */
 
 enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
                                       uint32_t *capacity, struct hatch_err *err)
@@ -182,17 +183,20 @@ static bool is_opposed(const struct hatch_trace_piece *piece, const float way[2]
     return (way[1] * along[0] - way[0] * along[1]) * (float)turn < 0;
 }
 
-/* Returns whether a piece does not hinder the way from an origin. */
-static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece, const float way[2],
-                       const struct hatch_trace_origin *origin)
+/* Returns whether a piece does not hinder the way from an origin, which it crosses at a place of the face. */
+static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece, const float at[2],
+                       const float way[2], const struct hatch_trace_origin *origin)
 {
     uint32_t stroke = piece->half / 2;
-    if (stroke == origin->stroke) {
-        double arc = piece->half % 2 ? -(double)piece->arc : (double)piece->arc;
-        return fabs(arc - origin->arc) < OWN_GAPS * tracer->gap;
-    }
-    return origin->growing && piece->round + 1 == tracer->round && tracer->strokes[stroke].growing[piece->half % 2] &&
-           tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id && !is_opposed(piece, way, origin->turn);
+    double arc = (double)(piece->arc - hypotf(piece->to[0] - at[0], piece->to[1] - at[1]));
+    if (stroke == origin->stroke)
+        return fabs((piece->half % 2 ? -arc : arc) - origin->arc) < OWN_GAPS * tracer->gap;
+    bool opposed = is_opposed(piece, way, origin->turn);
+    if (opposed && origin->passes)
+        return tracer->strokes[stroke].length[piece->half % 2] - arc < OVERLAP_GAPS * tracer->gap;
+    return !opposed && origin->growing && piece->round + 1 == tracer->round &&
+           tracer->strokes[stroke].growing[piece->half % 2] &&
+           tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id;
 }
 
 /* Returns the share of a way at which a piece crosses it, or HUGE_VALF. */
@@ -219,7 +223,8 @@ static float first_in_cell(const struct hatch_tracer *tracer, uint32_t cell, con
     for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell) {
         const struct hatch_trace_piece *piece = &tracer->pieces[n];
         float share = crossing(from, way, piece);
-        if (share < nearest && !is_ignored(tracer, piece, way, origin))
+        const float at[2] = {from[0] + share * way[0], from[1] + share * way[1]};
+        if (share < nearest && !is_ignored(tracer, piece, at, way, origin))
             nearest = share;
     }
     return nearest;
@@ -278,9 +283,11 @@ struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, c
     double gap[2], reach = HATCH_TRACE_REACH * tracer->gap;
     for (int side = 0; side < 2; side++) {
         struct hatch_trace_place aside = *place;
+        struct hatch_trace_origin from = *origin;
         double border, share;
-        hatch_trace_turn(&aside, side == 0 ? 1 : -1);
-        gap[side] = hatch_trace_cast(tracer, &aside, reach, origin, &border);
+        from.turn = side == 0 ? 1 : -1;
+        hatch_trace_turn(&aside, from.turn);
+        gap[side] = hatch_trace_cast(tracer, &aside, reach, &from, &border);
         if (border > 0) {
             share = fmin(fmax((border - OBLIQUE) / (PARALLEL - OBLIQUE), 0), 1);
             gap[side] = fmin(fmax(2 * gap[side], (1 - share) * tracer->gap), reach);

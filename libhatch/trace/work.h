@@ -101,6 +101,7 @@ struct hatch_trace_origin {
     double arc;      /* from the seed, negative behind it: pieces nearby on the same stroke do not count */
     bool growing;    /* strokes that run beside it, drew in the round before and have a lower id do not count: of two
                         strokes that converge evenly, only one is to end */
+    bool passes;     /* strokes that run against it and end nearby do not count: ends that meet overlap a little */
     double turn; /* sine of the angle from the stroke's heading to the way: 0: along it, 1: to its left, -1: right */
 };
 

@@ -115,9 +115,10 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
 {
     const struct hatch_stroke_pen even = even_pen(&state->style.pen, pen_px);
     const struct hatch_stroke_pen *pen = pen_px > 0 ? &even : &state->style.pen;
+    float taper_px = pen->taper_px * (float)width_px / state->style.width_px; /* wider strokes have longer ends */
     struct traced_block block = {.pen = {(float)(pen_px > 0 ? pen_px : width_px), pen->thin,
                                          (float)frame->request.canvas->side, tanf(pen->turn_rad)},
-                                 .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(pen->taper_px, 1e-3f)},
+                                 .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(taper_px, 1e-3f)},
                                  .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain}};
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
