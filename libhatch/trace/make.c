@@ -12,21 +12,26 @@
 
 static enum hatch_status add_level(struct hatch_tracer *tracer, uint32_t level, struct hatch_err *err)
 {
+    struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     tracer->level = level;
     tracer->gap = ldexp(tracer->options->gap, -(int)level) / tracer->component->scale;
+    tracer->stop_count = 0;
     HATCH_TRY(hatch_trace_sort(tracer, err));
     HATCH_TRY(hatch_trace_gather(tracer, err));
-    tracer->stop_count = 0;
     HATCH_TRY(hatch_trace_add_stops(tracer, 0, err));
     for (uint32_t phase = 0; phase < HATCH_TRACE_PHASES; phase++) {
         uint32_t before = tracer->stroke_count;
         HATCH_TRY(hatch_trace_add_seeds(tracer, phase, err));
+        hatch_arena_rewind(tracer->scratch, mark);
         HATCH_TRY(hatch_trace_grow(tracer, err));
+        hatch_arena_rewind(tracer->scratch, mark);
         HATCH_TRY(hatch_trace_add_stops(tracer, before, err));
         if (phase == 0)
             HATCH_TRY(hatch_trace_gather(tracer, err));
     }
-    return hatch_trace_find_thresholds(tracer, err);
+    HATCH_TRY(hatch_trace_find_thresholds(tracer, err));
+    hatch_arena_rewind(tracer->scratch, mark);
+    return HATCH_OK;
 }
 
 /* A curve's place in the order of a set. */
@@ -87,27 +92,95 @@ static enum hatch_status add_sets(const struct hatch_trace_options *options, uin
     return HATCH_OK;
 }
 
-/* Traces a family on all components. */
-static enum hatch_status trace_family(struct hatch_tracer *tracer, uint32_t family, struct hatch_trace_sink *sink,
-                                      struct hatch_err *err)
+/* The families while they are traced. Each has memory of its own, so that they can be traced side by side. */
+struct tracing {
+    const struct hatch_surface *surface;
+    const struct hatch_mesh *mesh;
+    const struct hatch_frames *frames;
+    const double *direction;
+    const struct hatch_trace_options *options;
+    struct hatch_pool *pool; /* for the inside of a family */
+    bool together;           /* families are traced side by side, each on one thread */
+    struct hatch_arena traced[HATCH_CURVE_FAMILIES_MAX];
+    struct hatch_trace_sink sinks[HATCH_CURVE_FAMILIES_MAX];
+    enum hatch_status statuses[HATCH_CURVE_FAMILIES_MAX];
+    struct hatch_err errs[HATCH_CURVE_FAMILIES_MAX];
+    size_t limit_bytes; /* of each arena */
+};
+
+/* Traces a family on all components.
+ *   tracer  without component */
+static enum hatch_status trace_family(const struct tracing *tracing, const struct hatch_tracer *tracer, uint32_t family,
+                                      struct hatch_trace_sink *sink, struct hatch_err *err)
 {
-    const struct hatch_surface *surface = tracer->ground.surface;
-    const struct hatch_trace_options *options = tracer->options;
-    double steps = (double)options->family_count * surface->component_count * options->levels;
-    tracer->seed = hatch_random_u64(options->seed, STREAM_FAMILY, family);
+    const struct hatch_surface *surface = tracing->surface;
+    const struct hatch_trace_options *options = tracing->options;
+    uint32_t before = tracing->together ? 0 : family, all = tracing->together ? 1 : options->family_count;
+    double steps = (double)all * surface->component_count * options->levels;
     for (uint32_t c = 0; c < surface->component_count; c++) {
-        struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
+        struct hatch_arena_mark mark = hatch_arena_mark(tracer->keep);
         struct hatch_tracer fresh = *tracer;
         fresh.component = &surface->components[c];
         fresh.leg_max = ldexp(options->gap, 1 - (int)options->levels) / fresh.component->scale;
         for (uint32_t level = 0; level < options->levels; level++) {
             HATCH_TRY(add_level(&fresh, level, err));
-            double done = ((double)family * surface->component_count + c) * options->levels + level + 1;
-            hatch_progress_report(options->progress, done / steps);
+            double done = ((double)before * surface->component_count + c) * options->levels + level + 1;
+            if (!tracing->together || family == 0) /* progress is reported on one thread */
+                hatch_progress_report(options->progress, done / steps);
         }
         HATCH_TRY(hatch_trace_collect(&fresh, sink, err));
-        hatch_arena_rewind(tracer->scratch, mark);
+        hatch_arena_rewind(tracer->keep, mark);
     }
+    return HATCH_OK;
+}
+
+static void run_family(void *context, uint32_t family)
+{
+    struct tracing *tracing = context;
+    struct hatch_arena keep, scratch;
+    struct hatch_err *err = &tracing->errs[family];
+    struct hatch_tracer tracer = {.options = tracing->options,
+                                  .seed = hatch_random_u64(tracing->options->seed, STREAM_FAMILY, family),
+                                  .keep = &keep,
+                                  .scratch = &scratch,
+                                  .pool = tracing->together ? NULL : tracing->pool};
+    hatch_arena_init(&keep, tracing->limit_bytes);
+    hatch_arena_init(&scratch, tracing->limit_bytes);
+    hatch_arena_init(&tracing->traced[family], tracing->limit_bytes);
+    tracing->sinks[family] = (struct hatch_trace_sink){.mesh = tracing->mesh, .arena = &tracing->traced[family]};
+    enum hatch_status status = hatch_trace_lay_out(tracing->surface, tracing->frames, tracing->direction,
+                                                   (double)tracing->options->angle_rad[family],
+                                                   tracing->options->hard_rad, &keep, &tracer.ground, err);
+    if (status == HATCH_OK)
+        status = trace_family(tracing, &tracer, family, &tracing->sinks[family], err);
+    tracing->statuses[family] = status;
+    hatch_arena_free(&keep);
+    hatch_arena_free(&scratch);
+}
+
+/* Joins the families in one result. */
+static enum hatch_status join(const struct tracing *tracing, struct hatch_arena *arena, struct hatch_arena *scratch,
+                              struct hatch_curves *curves, struct hatch_err *err)
+{
+    const struct hatch_trace_options *options = tracing->options;
+    struct hatch_curves made = {0};
+    size_t count = 0, point_count = 0;
+    for (uint32_t family = 0; family < options->family_count; family++) {
+        if (tracing->statuses[family] != HATCH_OK) {
+            *err = tracing->errs[family];
+            return err->status;
+        }
+        count += tracing->sinks[family].curves.count;
+        point_count += tracing->sinks[family].curves.point_count;
+    }
+    if (point_count > UINT32_MAX)
+        return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
+    HATCH_TRY(HATCH_ALLOC(arena, &made.sets, (size_t)options->family_count * options->levels, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.curves, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.points, point_count, err));
+    for (uint32_t family = 0; family < options->family_count; family++)
+        HATCH_TRY(add_sets(options, family, &tracing->sinks[family], scratch, &made, err));
+    *curves = made;
     return HATCH_OK;
 }
 
@@ -117,36 +190,22 @@ enum hatch_status hatch_trace_make(const struct hatch_surface *surface, const st
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_curves *curves,
                                    struct hatch_err *err)
 {
-    struct hatch_trace_sink sinks[HATCH_CURVE_FAMILIES_MAX];
-    struct hatch_arena traced; /* what is collected outlives the scratch memory of the tracer */
-    struct hatch_curves made = {0};
-    size_t count = 0, point_count = 0;
-    enum hatch_status status = HATCH_OK;
-    hatch_arena_init(&traced, scratch->limit_bytes);
-    for (uint32_t family = 0; family < options->family_count && status == HATCH_OK; family++) {
-        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        struct hatch_tracer tracer = {.options = options, .scratch = scratch, .pool = pool};
-        sinks[family] = (struct hatch_trace_sink){.mesh = mesh, .arena = &traced};
-        status = hatch_trace_lay_out(surface, frames, direction, (double)options->angle_rad[family], options->hard_rad,
-                                     scratch, &tracer.ground, err);
-        if (status == HATCH_OK)
-            status = trace_family(&tracer, family, &sinks[family], err);
-        hatch_arena_rewind(scratch, mark);
-        count += sinks[family].curves.count;
-        point_count += sinks[family].curves.point_count;
-    }
-    if (status == HATCH_OK && point_count > UINT32_MAX)
-        status = hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
-    if (status == HATCH_OK)
-        status = HATCH_ALLOC(arena, &made.sets, (size_t)options->family_count * options->levels, err);
-    if (status == HATCH_OK)
-        status = HATCH_ALLOC_UNSET(arena, &made.curves, count, err);
-    if (status == HATCH_OK)
-        status = HATCH_ALLOC_UNSET(arena, &made.points, point_count, err);
-    for (uint32_t family = 0; family < options->family_count && status == HATCH_OK; family++)
-        status = add_sets(options, family, &sinks[family], scratch, &made, err);
-    hatch_arena_free(&traced);
-    if (status == HATCH_OK)
-        *curves = made;
+    uint32_t threads = pool ? hatch_pool_threads(pool) : 1;
+    bool together = threads > 1 && threads <= options->family_count;
+    struct tracing tracing = {.surface = surface,
+                              .mesh = mesh,
+                              .frames = frames,
+                              .direction = direction,
+                              .options = options,
+                              .pool = pool,
+                              .together = together,
+                              .limit_bytes = scratch->limit_bytes / options->family_count};
+    if (together)
+        hatch_parallel_for(pool, options->family_count, run_family, &tracing);
+    for (uint32_t family = 0; family < options->family_count && !together; family++)
+        run_family(&tracing, family);
+    enum hatch_status status = join(&tracing, arena, scratch, curves, err);
+    for (uint32_t family = 0; family < options->family_count; family++)
+        hatch_arena_free(&tracing.traced[family]);
     return status;
 }

@@ -77,8 +77,8 @@ enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err
     const struct hatch_component *component = tracer->component;
     struct hatch_trace_cells *cells = &tracer->cells;
     double size = CELL_GAPS * fmax(tracer->gap, tracer->leg_max), sum = 0;
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->first, (size_t)component->face_count + 1, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->across, component->face_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->first, (size_t)component->face_count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->across, component->face_count, err));
     for (uint32_t f = 0; f < component->face_count; f++) {
         double x_low, width, height;
         extent_of(&tracer->ground.faces[component->first_face + f], &x_low, &width, &height);
@@ -89,7 +89,7 @@ enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err
             return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
     }
     cells->first[component->face_count] = (uint32_t)sum;
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &cells->heads, (size_t)sum, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->heads, (size_t)sum, err));
     for (uint32_t i = 0; i < (uint32_t)sum; i++)
         cells->heads[i] = HATCH_TRACE_NONE;
     for (uint32_t i = 0; i < tracer->piece_count; i++)
@@ -105,9 +105,11 @@ static uint32_t renumbered(const uint32_t *number, uint32_t piece)
 
 enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_err *err)
 {
-    struct hatch_trace_piece *gathered;
+    struct hatch_trace_piece *gathered = tracer->spare;
+    struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     uint32_t *number, next = 0, cells = tracer->cells.first[tracer->component->face_count];
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &gathered, tracer->piece_capacity, err));
+    if (tracer->spare_capacity != tracer->piece_capacity)
+        HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &gathered, tracer->piece_capacity, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &number, tracer->piece_count, err));
     for (uint32_t cell = 0; cell < cells; cell++)
         for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell)
@@ -125,14 +127,17 @@ enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_e
             tracer->strokes[s].first[way] = renumbered(number, tracer->strokes[s].first[way]);
             tracer->strokes[s].last[way] = renumbered(number, tracer->strokes[s].last[way]);
         }
+    tracer->spare = tracer->pieces;
+    tracer->spare_capacity = tracer->piece_capacity;
     tracer->pieces = gathered;
+    hatch_arena_rewind(tracer->scratch, mark);
     return HATCH_OK;
 }
 
 enum hatch_status hatch_trace_add_stroke(struct hatch_tracer *tracer, const struct hatch_trace_seed *seed,
                                          struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &tracer->strokes, sizeof *tracer->strokes, tracer->stroke_count,
+    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->strokes, sizeof *tracer->strokes, tracer->stroke_count,
                                   &tracer->stroke_capacity, err));
     struct hatch_trace_stroke *stroke = &tracer->strokes[tracer->stroke_count++];
     *stroke = (struct hatch_trace_stroke){.id = seed->id,
@@ -156,7 +161,7 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
 {
     struct hatch_trace_stroke *stroke = &tracer->strokes[half / 2];
     uint32_t way = half % 2, number = tracer->piece_count;
-    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
+    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
                                   &tracer->piece_capacity, err));
     stroke->length[way] += leg->length;
     tracer->pieces[tracer->piece_count++] =
@@ -199,33 +204,24 @@ static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_tra
            tracer->strokes[stroke].id < tracer->strokes[origin->stroke].id;
 }
 
-/* Returns the share of a way at which a piece crosses it, or HUGE_VALF. */
-static float crossing(const float from[2], const float way[2], const struct hatch_trace_piece *piece)
-{
-    float along[2] = {piece->to[0] - piece->from[0], piece->to[1] - piece->from[1]};
-    float off[2] = {piece->from[0] - from[0], piece->from[1] - from[1]};
-    float area = way[0] * along[1] - way[1] * along[0];
-    float on_way = off[0] * along[1] - off[1] * along[0], on_piece = off[0] * way[1] - off[1] * way[0];
-    if (area < 0) {
-        area = -area;
-        on_way = -on_way;
-        on_piece = -on_piece;
-    }
-    if (!(area > 0 && on_way >= 0 && on_way <= area && on_piece >= -SLACK * area && on_piece <= (1 + SLACK) * area))
-        return HUGE_VALF;
-    return on_way / area;
-}
-
+/* Returns the share of a way at which the first piece of a cell crosses it, or HUGE_VALF. */
 static float first_in_cell(const struct hatch_tracer *tracer, uint32_t cell, const float from[2], const float way[2],
                            const struct hatch_trace_origin *origin)
 {
     float nearest = HUGE_VALF;
     for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell) {
         const struct hatch_trace_piece *piece = &tracer->pieces[n];
-        float share = crossing(from, way, piece);
-        const float at[2] = {from[0] + share * way[0], from[1] + share * way[1]};
-        if (share < nearest && !is_ignored(tracer, piece, at, way, origin))
-            nearest = share;
+        float along[2] = {piece->to[0] - piece->from[0], piece->to[1] - piece->from[1]};
+        float off[2] = {piece->from[0] - from[0], piece->from[1] - from[1]};
+        float area = 1 / (way[0] * along[1] - way[1] * along[0]); /* not finite where they are parallel */
+        float on_way = (off[0] * along[1] - off[1] * along[0]) * area;
+        float on_piece = (off[0] * way[1] - off[1] * way[0]) * area;
+        /* A single branch, which is rarely taken: most pieces of a face are beside the way. */
+        if (!((on_way >= 0) & (on_way <= 1) & (on_way < nearest) & (on_piece >= -SLACK) & (on_piece <= 1 + SLACK)))
+            continue;
+        const float at[2] = {from[0] + on_way * way[0], from[1] + on_way * way[1]};
+        if (!is_ignored(tracer, piece, at, way, origin))
+            nearest = on_way;
     }
     return nearest;
 }

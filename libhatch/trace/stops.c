@@ -6,7 +6,7 @@
 static enum hatch_status add_stop(struct hatch_tracer *tracer, const struct hatch_trace_stop *stop,
                                   struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &tracer->stops, sizeof *tracer->stops, tracer->stop_count,
+    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->stops, sizeof *tracer->stops, tracer->stop_count,
                                   &tracer->stop_capacity, err));
     tracer->stops[tracer->stop_count++] = *stop;
     return HATCH_OK;

@@ -49,19 +49,19 @@ struct hatch_trace_cells {
     uint32_t *heads;  /* per cell: its last piece, or HATCH_TRACE_NONE */
 };
 
-/* The strokes of one family on a component while levels are added. Arrays are in scratch. */
+/* The strokes of one family on a component while levels are added. */
 struct hatch_tracer {
     const struct hatch_trace_options *options;
     uint64_t seed; /* of the family */
     struct hatch_trace_ground ground;
     const struct hatch_component *component;
-    struct hatch_arena *scratch;
+    struct hatch_arena *keep, *scratch; /* for its arrays; for temporary ones, rewound after each step of a level */
     struct hatch_pool *pool;
     uint32_t level, round;
     double gap, leg_max; /* wanted gap of the level, and the greatest length of a piece, in surface units */
     struct hatch_trace_cells cells;
-    struct hatch_trace_piece *pieces;
-    uint32_t piece_count, piece_capacity;
+    struct hatch_trace_piece *pieces, *spare; /* spare: room for gathering them */
+    uint32_t piece_count, piece_capacity, spare_capacity;
     struct hatch_trace_stroke *strokes;
     uint32_t stroke_count, stroke_capacity;
     struct hatch_trace_stop *stops; /* of the level, by stroke, each from its back to its front */
