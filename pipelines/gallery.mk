@@ -26,7 +26,7 @@ draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --si
 
 $(OUT)/engraving.png:
 	mkdir -p $(OUT)
-	meshgen teapot --faces 20000 | strokegen | render-gl - --technique traced --size 1280x720 -o $@
+	meshgen teapot --faces 20000 | dirfield --smooth 1 | strokegen | render-gl - --technique traced --size 1280x720 -o $@
 $(OUT)/teapot.png: SIZE := 1280x720
 $(OUT)/teapot.png: $(call map,ink)
 	$(call draw,teapot,ink)
