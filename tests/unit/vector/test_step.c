@@ -1,0 +1,94 @@
+/* Depths of a picture, and steps in depth across a line. */
+#include "occluders.h"
+#include "vector/step.h"
+#include "views.h"
+
+#define PIXEL (2 / SIDE_PX) /* size of a pixel of view_facing, whose eye is at z = 2 */
+
+/* A rectangle from x = low to high, over the whole height, whose ends have the depths z_low and z_high. */
+static struct hatch_mesh strip(double low, double high, double z_low, double z_high)
+{
+    const float positions[12] = {(float)low,  -0.9f, (float)z_low,  (float)high, -0.9f, (float)z_high,
+                                 (float)high, 0.9f,  (float)z_high, (float)low,  0.9f,  (float)z_low};
+    return mesh_of(positions, 4, (const uint32_t[]){0, 1, 2, 0, 2, 3}, 2);
+}
+
+/* A strip left of x = 0 at z = 0, and one right of it that begins `below` pixels deeper and falls to a slope. */
+static void make_pair(double below, double slope)
+{
+    static const double nowhere[3] = {0, 0, 0};
+    struct hatch_mesh left = strip(-0.8, 0, 0, 0), right = strip(0, 0.8, -below * PIXEL, -below * PIXEL - 0.8 * slope);
+    struct hatch_mesh both = joined(&left, &right, 1, nowhere);
+    hide_behind(&both, &view_facing);
+}
+
+/* Whether there is a step to the right of the middle of the picture, where the left strip ends at depth 2. */
+static bool steps(void)
+{
+    static const double middle[2] = {SIDE_PX / 2, SIDE_PX / 2}, right[2] = {1, 0};
+    return hatch_occluders_step(&hiding, middle, right, 2);
+}
+
+static double depth_at(double x, double y)
+{
+    const double at[2] = {x, y};
+    return hatch_occluders_depth(&hiding, at);
+}
+
+START_TEST(the_depth_is_that_of_the_nearest_face)
+{
+    static const double nowhere[3] = {0, 0, 0};
+    struct hatch_mesh near = strip(-0.2, 0.2, 0.5, 0.5), far = strip(-0.6, 0.6, -0.4, 0.2);
+    struct hatch_mesh both = joined(&near, &far, 1, nowhere);
+    hide_behind(&both, &view_facing);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 7, 200.5), 1.5, 1e-6);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 - 0.4 / PIXEL, 200.5), 2.3, 1e-6);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 0.4 / PIXEL, 200.5), 1.9, 1e-6);
+    ck_assert(isinf(depth_at(SIDE_PX / 2 + 0.7 / PIXEL, 200.5)));
+    ck_assert(isinf(depth_at(-1, 200.5)));
+    ck_assert(isinf(depth_at(200.5, SIDE_PX + 1)));
+}
+END_TEST
+
+START_TEST(a_step_is_deeper_than_four_pixels)
+{
+    make_pair(3.9, 0);
+    ck_assert(!steps());
+    make_pair(4.1, 0);
+    ck_assert(steps());
+    make_pair(-50, 0); /* nearer */
+    ck_assert(!steps());
+}
+END_TEST
+
+START_TEST(a_slope_is_no_step)
+{
+    make_pair(0, 6); /* 7.5 pixels deeper at the first place, 15 at the second */
+    ck_assert(!steps());
+    make_pair(30, 6);
+    ck_assert(steps());
+}
+END_TEST
+
+START_TEST(the_background_is_a_step)
+{
+    struct hatch_mesh left = strip(-0.8, 0, 0, 0);
+    hide_behind(&left, &view_facing);
+    ck_assert(steps());
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("vector step");
+    TCase *tests = tcase_create("step");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, the_depth_is_that_of_the_nearest_face);
+    tcase_add_test(tests, a_step_is_deeper_than_four_pixels);
+    tcase_add_test(tests, a_slope_is_no_step);
+    tcase_add_test(tests, the_background_is_a_step);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
