@@ -35,18 +35,29 @@ static double depth_at(double x, double y)
     return hatch_occluders_depth(&hiding, at);
 }
 
+/* Both strips are slanted; the one that is behind where they overlap comes nearly as near elsewhere. */
 START_TEST(the_depth_is_that_of_the_nearest_face)
 {
     static const double nowhere[3] = {0, 0, 0};
-    struct hatch_mesh near = strip(-0.2, 0.2, 0.5, 0.5), far = strip(-0.6, 0.6, -0.4, 0.2);
-    struct hatch_mesh both = joined(&near, &far, 1, nowhere);
+    struct hatch_mesh front = strip(-0.2, 0.2, 0.2, 0.82), back = strip(-0.6, 0.6, -0.4, 0.8);
+    struct hatch_mesh both = joined(&front, &back, 1, nowhere);
     hide_behind(&both, &view_facing);
-    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 7, 200.5), 1.5, 1e-6);
-    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 - 0.4 / PIXEL, 200.5), 2.3, 1e-6);
-    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 0.4 / PIXEL, 200.5), 1.9, 1e-6);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 0.04 / PIXEL, 200.5), 1.428, 1e-6);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 - 0.4 / PIXEL, 200.5), 2.2, 1e-6);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 + 0.4 / PIXEL, 200.5), 1.4, 1e-6);
     ck_assert(isinf(depth_at(SIDE_PX / 2 + 0.7 / PIXEL, 200.5)));
     ck_assert(isinf(depth_at(-1, 200.5)));
     ck_assert(isinf(depth_at(200.5, SIDE_PX + 1)));
+}
+END_TEST
+
+/* The near plane, at depth 0.1, cuts a strip whose depth falls from 0.5 to -0.5. */
+START_TEST(what_is_before_the_near_plane_does_not_count)
+{
+    struct hatch_mesh through = strip(-0.8, 0.8, 1.5, 2.5);
+    hide_behind(&through, &view_facing);
+    ck_assert_double_eq_tol(depth_at(SIDE_PX / 2 - 0.168 / PIXEL, 200.5), 0.105, 1e-6);
+    ck_assert(isinf(depth_at(SIDE_PX / 2 - 0.152 / PIXEL, 200.5)));
 }
 END_TEST
 
@@ -84,6 +95,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("step");
     tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, the_depth_is_that_of_the_nearest_face);
+    tcase_add_test(tests, what_is_before_the_near_plane_does_not_count);
     tcase_add_test(tests, a_step_is_deeper_than_four_pixels);
     tcase_add_test(tests, a_slope_is_no_step);
     tcase_add_test(tests, the_background_is_a_step);
