@@ -75,8 +75,8 @@ static void report_share(void *context, double share)
 }
 
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
- *   options  its gap is in scene units
- *   scale    scene units per unit of the mesh */
+ *   scale  scene units per unit of the mesh
+ *   how    its gap is in scene units */
 static void trace(struct cmd_args *args, const char *name, const struct hatch_surface *surface, double scale,
                   const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
 {

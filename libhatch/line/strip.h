@@ -88,8 +88,10 @@ enum hatch_status hatch_line_strips_drop_doubles(const struct hatch_line_strips 
                                                  struct hatch_arena *arena, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Joins visible pieces into segments, in the order of the line, and returns the number of segments. Pieces that a halo
- * may cover (touched ones and their neighbours) are put into segments of their own. visible   per piece, from
- * hatch_line_strips_smooth seen      as for hatch_line_strips_smooth segments  out: room for piece_count */
+ * may cover (touched ones and their neighbours) are put into segments of their own.
+ *   visible   per piece, from hatch_line_strips_smooth
+ *   seen      as for hatch_line_strips_smooth
+ *   segments  out: room for piece_count */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
                                    struct hatch_line_segment *segments);
 

@@ -45,9 +45,7 @@ static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *s
     return false;
 }
 
-/* Walks one round from the stroke's end.
- *   legs  out: the first LEGS_KEPT
- * Returns the length of the way; 0 where a stroke blocks it. */
+/* Walks one round from the stroke's end; leg_count is 0 where another stroke blocks the way. */
 static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
 {
     double length = HATCH_TRACE_STEP * tracer->gap, walked = 0;

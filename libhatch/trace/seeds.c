@@ -7,7 +7,8 @@
 #include "base/random.h"
 #include "trace/work.h"
 
-#define CHUNK 64u
+#define CHUNK 64u     /* candidates per task */
+#define BATCH 8192u   /* candidates that are in memory at a time */
 #define GAP_MIN 1.45  /* of the gap: wider ones get a stroke */
 #define CLEAR_MIN 0.7 /* of the gap: least distance of a seed from the strokes beside it */
 
@@ -27,70 +28,16 @@ struct source {
     double side;     /* 1: to the left of the stroke; -1: to the right */
 };
 
+/* A search for seeds, in batches of candidates. */
 struct search {
     const struct hatch_tracer *tracer;
     uint64_t stream;
-    struct hatch_trace_seed *seeds;
-    struct source *sources; /* one per seed */
-    uint32_t count, capacity, source_capacity;
+    struct source *sources;         /* of a batch */
+    struct hatch_trace_seed *batch; /* one per source */
+    uint32_t batch_count;
+    struct hatch_trace_seed *seeds; /* those found */
+    uint32_t count, capacity;
 };
-
-static enum hatch_status add_source(struct search *search, const struct source *source, uint64_t id,
-                                    struct hatch_err *err)
-{
-    struct hatch_arena *scratch = search->tracer->scratch;
-    HATCH_TRY(
-        hatch_trace_reserve(scratch, &search->seeds, sizeof *search->seeds, search->count, &search->capacity, err));
-    HATCH_TRY(hatch_trace_reserve(scratch, &search->sources, sizeof *search->sources, search->count,
-                                  &search->source_capacity, err));
-    search->sources[search->count] = *source;
-    search->seeds[search->count++] = (struct hatch_trace_seed){.id = id};
-    return HATCH_OK;
-}
-
-/* Chooses places beside strokes. */
-static enum hatch_status choose_stops(struct search *search, double share, struct hatch_err *err)
-{
-    const struct hatch_tracer *tracer = search->tracer;
-    for (uint32_t i = 0; i < tracer->stop_count; i++)
-        for (uint32_t side = 0; side < 2; side++) {
-            const struct hatch_trace_stop *stop = &tracer->stops[i];
-            uint64_t item = (uint64_t)(uint32_t)stop->number << 1 | side;
-            uint64_t id = hatch_random_u64(tracer->strokes[stop->stroke].id, search->stream, item);
-            if (!(hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share))
-                continue;
-            const struct source source = {hatch_trace_stop_place(stop), (double)stop->arc, stop->stroke, side ? 1 : -1};
-            HATCH_TRY(add_source(search, &source, id, err));
-        }
-    return HATCH_OK;
-}
-
-/* Chooses places on faces. */
-static enum hatch_status choose_faces(struct search *search, double density, struct hatch_err *err)
-{
-    const struct hatch_tracer *tracer = search->tracer;
-    const struct hatch_component *component = tracer->component;
-    for (uint32_t f = component->first_face; f < component->first_face + component->face_count && density > 0; f++) {
-        const struct hatch_trace_face *face = &tracer->ground.faces[f];
-        double wanted = density * (double)face->x1 * (double)face->y2 / 2;
-        uint64_t id = hatch_random_u64(tracer->seed, search->stream,
-                                       tracer->ground.surface->face_source[tracer->ground.source[f]]);
-        double count = floor(wanted + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
-        for (uint64_t i = 0; (double)i < count; i++) {
-            uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
-            double a = (double)hatch_random_unit(item, STREAM_PLACE, 0);
-            double b = (double)hatch_random_unit(item, STREAM_PLACE, 1);
-            if (a + b > 1) {
-                a = 1 - a;
-                b = 1 - b;
-            }
-            const struct source source = {
-                {f, a * (double)face->x1 + b * (double)face->x2, b * (double)face->y2, {1, 0}}, 0, HATCH_TRACE_NONE, 0};
-            HATCH_TRY(add_source(search, &source, item, err));
-        }
-    }
-    return HATCH_OK;
-}
 
 /* Walks straight aside, to the left of the heading where `way` is positive, and heads along the strokes again. Returns
  * false where the walk meets a stroke or ends early. */
@@ -165,8 +112,75 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
 static void find_places(void *context, uint32_t chunk)
 {
     struct search *search = context;
-    for (uint32_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < search->count; i++)
-        search->seeds[i].valid = find_place(search->tracer, &search->sources[i], &search->seeds[i]);
+    for (uint32_t i = chunk * CHUNK; i < (chunk + 1) * CHUNK && i < search->batch_count; i++)
+        search->batch[i].valid = find_place(search->tracer, &search->sources[i], &search->batch[i]);
+}
+
+/* Looks for the places of a batch's seeds, and keeps the seeds that have one. */
+static enum hatch_status finish_batch(struct search *search, struct hatch_err *err)
+{
+    hatch_parallel_for(search->tracer->pool, (search->batch_count + CHUNK - 1) / CHUNK, find_places, search);
+    for (uint32_t i = 0; i < search->batch_count; i++) {
+        if (!search->batch[i].valid)
+            continue;
+        HATCH_TRY(hatch_trace_reserve(search->tracer->scratch, &search->seeds, sizeof *search->seeds, search->count,
+                                      &search->capacity, err));
+        search->seeds[search->count++] = search->batch[i];
+    }
+    search->batch_count = 0;
+    return HATCH_OK;
+}
+
+static enum hatch_status add_source(struct search *search, const struct source *source, uint64_t id,
+                                    struct hatch_err *err)
+{
+    search->sources[search->batch_count] = *source;
+    search->batch[search->batch_count++] = (struct hatch_trace_seed){.id = id};
+    return search->batch_count < BATCH ? HATCH_OK : finish_batch(search, err);
+}
+
+/* Chooses places beside strokes. */
+static enum hatch_status choose_stops(struct search *search, double share, struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    for (uint32_t i = 0; i < tracer->stop_count; i++)
+        for (uint32_t side = 0; side < 2; side++) {
+            const struct hatch_trace_stop *stop = &tracer->stops[i];
+            uint64_t item = (uint64_t)(uint32_t)stop->number << 1 | side;
+            uint64_t id = hatch_random_u64(tracer->strokes[stop->stroke].id, search->stream, item);
+            if (!(hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share))
+                continue;
+            const struct source source = {hatch_trace_stop_place(stop), (double)stop->arc, stop->stroke, side ? 1 : -1};
+            HATCH_TRY(add_source(search, &source, id, err));
+        }
+    return HATCH_OK;
+}
+
+/* Chooses places on faces. */
+static enum hatch_status choose_faces(struct search *search, double density, struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    const struct hatch_component *component = tracer->component;
+    for (uint32_t f = component->first_face; f < component->first_face + component->face_count && density > 0; f++) {
+        const struct hatch_trace_face *face = &tracer->ground.faces[f];
+        double wanted = density * (double)face->x1 * (double)face->y2 / 2;
+        uint64_t id = hatch_random_u64(tracer->seed, search->stream,
+                                       tracer->ground.surface->face_source[tracer->ground.source[f]]);
+        double count = floor(wanted + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
+        for (uint64_t i = 0; (double)i < count; i++) {
+            uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
+            double a = (double)hatch_random_unit(item, STREAM_PLACE, 0);
+            double b = (double)hatch_random_unit(item, STREAM_PLACE, 1);
+            if (a + b > 1) {
+                a = 1 - a;
+                b = 1 - b;
+            }
+            const struct source source = {
+                {f, a * (double)face->x1 + b * (double)face->x2, b * (double)face->y2, {1, 0}}, 0, HATCH_TRACE_NONE, 0};
+            HATCH_TRY(add_source(search, &source, item, err));
+        }
+    }
+    return HATCH_OK;
 }
 
 static void drop_invalid(struct search *search)
@@ -194,10 +208,11 @@ enum hatch_status hatch_trace_add_seeds(struct hatch_tracer *tracer, uint32_t ph
         .stream = STREAM_PHASES + (uint64_t)tracer->level * HATCH_TRACE_PHASES + phase,
     };
     double density = tracer->level == 0 && phase == 0 ? FIRST_ON_FACES : on_faces[phase];
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &search.sources, BATCH, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &search.batch, BATCH, err));
     HATCH_TRY(choose_stops(&search, beside[phase] * HATCH_TRACE_STEP, err));
     HATCH_TRY(choose_faces(&search, density / (tracer->gap * tracer->gap), err));
-    hatch_parallel_for(tracer->pool, (search.count + CHUNK - 1) / CHUNK, find_places, &search);
-    drop_invalid(&search);
+    HATCH_TRY(finish_batch(&search, err));
     HATCH_TRY(hatch_trace_thin(tracer, search.seeds, search.count, err));
     drop_invalid(&search);
     if (search.count > 0)
