@@ -148,7 +148,7 @@ BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/bench/bench_*.c te
 bench: all $(BENCHES)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
-	sh tests/bench/chart.sh $(B)/bench
+	sh tests/bench/charts/draw.sh $(B)/bench
 # Goals that build on each other run in their order, also with -j.
 $(if $(filter bench,$(MAKECMDGOALS)),$(eval chart: bench))
 $(if $(filter clean,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
