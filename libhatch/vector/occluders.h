@@ -46,6 +46,12 @@ static inline uint32_t hatch_occluders_face(const struct hatch_occluders *occlud
     return occluders->first_face[item] + face;
 }
 
+/* Returns the value of a linear function of an occluder at a place of the picture. */
+static inline double hatch_occluder_value(const double f[3], const double at_px[2])
+{
+    return f[0] * at_px[0] + f[1] * at_px[1] + f[2];
+}
+
 /* Projects a point of the unit scene: x * w, y * w and depth, as in `points`. */
 void hatch_occluders_project(const struct hatch_occluders *occluders, const double point[3], double out[3]);
 

@@ -19,11 +19,6 @@ enum hatch_status hatch_sight_make(const struct hatch_occluders *occluders, stru
     return HATCH_OK;
 }
 
-static double value_at(const double f[3], const double at[2])
-{
-    return f[0] * at[0] + f[1] * at[1] + f[2];
-}
-
 /* Narrows begin .. end to what an occluder hides. Returns false if it hides nothing of it. */
 static bool hides(const struct hatch_occluders *occluders, const struct hatch_occluder *occluder,
                   const struct hatch_sight_line *line, double *begin, double *end)
@@ -31,11 +26,12 @@ static bool hides(const struct hatch_occluders *occluders, const struct hatch_oc
     double near[2];
     for (int c = 0; c < 3; c++) {
         const double *side = occluder->sides[c];
-        if (!hatch_range_keep(value_at(side, line->at[0]) + SIDE_PX, value_at(side, line->at[1]) + SIDE_PX, begin, end))
+        if (!hatch_range_keep(hatch_occluder_value(side, line->at[0]) + SIDE_PX,
+                              hatch_occluder_value(side, line->at[1]) + SIDE_PX, begin, end))
             return false;
     }
     for (int i = 0; i < 2; i++)
-        near[i] = value_at(occluder->nearness, line->at[i]);
+        near[i] = hatch_occluder_value(occluder->nearness, line->at[i]);
     return hatch_range_keep(near[0] - line->limit[0], near[1] - line->limit[1], begin, end) &&
            hatch_range_keep(occluders->nearest - near[0], occluders->nearest - near[1], begin, end) && *begin < *end;
 }

@@ -6,11 +6,6 @@
 #define STEP_PX 4.0   /* least step in depth */
 #define CLIFF 8.0     /* least steps in depth, over REACH_PX, that are another step and no slope */
 
-static double value_at(const double f[3], const double at[2])
-{
-    return f[0] * at[0] + f[1] * at[1] + f[2];
-}
-
 double hatch_occluders_depth(const struct hatch_occluders *occluders, const double at_px[2])
 {
     double nearest = -HUGE_VAL;
@@ -22,10 +17,11 @@ double hatch_occluders_depth(const struct hatch_occluders *occluders, const doub
         const struct hatch_occluder *occluder = &occluders->at[occluders->listed[i]];
         if (occluder->nearest <= nearest)
             break;
-        if (!(value_at(occluder->sides[0], at_px) >= 0 && value_at(occluder->sides[1], at_px) >= 0 &&
-              value_at(occluder->sides[2], at_px) >= 0))
+        if (!(hatch_occluder_value(occluder->sides[0], at_px) >= 0 &&
+              hatch_occluder_value(occluder->sides[1], at_px) >= 0 &&
+              hatch_occluder_value(occluder->sides[2], at_px) >= 0))
             continue;
-        double nearness = value_at(occluder->nearness, at_px);
+        double nearness = hatch_occluder_value(occluder->nearness, at_px);
         if (nearness <= occluders->nearest)
             nearest = fmax(nearest, nearness);
     }

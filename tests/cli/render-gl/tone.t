@@ -18,9 +18,9 @@ draw() {
     render-gl -q -t "$technique" ${asset:+-T $asset} --lines none -o picture.exr "$@" &&
         hatchstat frames picture.exr picture.exr | awk 'NR == 2 {print 1 - $2}'
 }
-# The square fills the picture.
+# The square fills the picture, and strokes, whose ends taper, end outside of it.
 square() {
-    draw plane${strokes:+.strokes}.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov 30 --tone-range "$1:$1"
+    draw plane${strokes:+.strokes}.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov "$([ "$strokes" ] && echo 25 || echo 30)" --tone-range "$1:$1"
 }
 teapot() {
     draw teapot${strokes:+.strokes}.glb --size 640x480 --tone-range "0:$1"
@@ -98,9 +98,9 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         squares .2 0.001 $ends $columns $between
         lit .06 0
         ;;
-    traced) # the response of the style corrects what strokes leave out and cover twice, but not at the square's border
+    traced) # the response of the style corrects what strokes leave out and cover twice
         strokes=yes
-        squares .016 .01 0 .05 $columns $between
+        squares .01 .01 0 .05 $columns $between
         squares .06 0 1
         lit .02 .02
         ;;

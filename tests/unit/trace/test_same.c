@@ -1,4 +1,4 @@
-/* What strokes do not depend on. */
+/* Strokes are the same for any number of threads, place and size of the mesh, and number of finer levels. */
 #include "fail_alloc.h"
 #include "trace_make.h"
 
