@@ -30,6 +30,8 @@ struct hatch_curve_set {
     float angle_rad;       /* from the direction field to the strokes, counter-clockwise seen from outside */
     float gap;             /* mean gap between strokes where this level is complete, in mesh units */
     uint32_t first, count; /* its curves */
+    float length;          /* greatest length of a stroke, in gaps of its level; 0: unknown */
+    float hard_rad;        /* strokes end at edges with a larger angle; 0: unknown */
 };
 
 /* The strokes of a mesh. Zeroed: none. */

@@ -64,7 +64,7 @@ static enum hatch_status reserve(struct hatch_trace_grid *grid, uint32_t item, s
     return HATCH_OK;
 }
 
-enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t item, const float at[3],
+enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t item, const double at[3],
                                        struct hatch_err *err)
 {
     HATCH_TRY(reserve(grid, item, err));
@@ -72,7 +72,7 @@ enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t i
         HATCH_TRY(grow_slots(grid, err));
     int64_t place[3];
     for (int k = 0; k < 3; k++)
-        place[k] = (int64_t)floor((double)at[k] / grid->cell);
+        place[k] = (int64_t)floor(at[k] / grid->cell);
     uint64_t key = key_of(place[0], place[1], place[2]);
     uint32_t slot = slot_of(grid, key);
     if (grid->key[slot] == FREE) {
@@ -85,7 +85,7 @@ enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t i
     return HATCH_OK;
 }
 
-uint32_t hatch_trace_grid_near(const struct hatch_trace_grid *grid, const float at[3], double radius,
+uint32_t hatch_trace_grid_near(const struct hatch_trace_grid *grid, const double at[3], double radius,
                                uint32_t heads[27])
 {
     int64_t low[3], high[3];
@@ -93,8 +93,8 @@ uint32_t hatch_trace_grid_near(const struct hatch_trace_grid *grid, const float 
     if (grid->slots == 0)
         return 0;
     for (int k = 0; k < 3; k++) {
-        low[k] = (int64_t)floor(((double)at[k] - radius) / grid->cell);
-        high[k] = (int64_t)floor(((double)at[k] + radius) / grid->cell);
+        low[k] = (int64_t)floor((at[k] - radius) / grid->cell);
+        high[k] = (int64_t)floor((at[k] + radius) / grid->cell);
     }
     for (int64_t x = low[0]; x <= high[0]; x++)
         for (int64_t y = low[1]; y <= high[1]; y++)

@@ -24,14 +24,14 @@ void hatch_trace_grid_begin(double cell, struct hatch_arena *arena, struct hatch
 void hatch_trace_grid_clear(struct hatch_trace_grid *grid, double cell);
 
 /* Adds an item: a number that was not added before. */
-enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t item, const float at[3],
+enum hatch_status hatch_trace_grid_add(struct hatch_trace_grid *grid, uint32_t item, const double at[3],
                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* Lists the first items of the cells that a cube around a position touches. Follow grid->next from each.
  *   radius  half the side of the cube, at most a cell
  *   heads   out
  * Returns their number. */
-uint32_t hatch_trace_grid_near(const struct hatch_trace_grid *grid, const float at[3], double radius,
+uint32_t hatch_trace_grid_near(const struct hatch_trace_grid *grid, const double at[3], double radius,
                                uint32_t heads[27]);
 
 #endif

@@ -173,7 +173,7 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
     return true;
 }
 
-static void corners_of(const struct hatch_trace_face *face, double corner[3][2])
+void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2])
 {
     corner[0][0] = corner[0][1] = corner[1][1] = 0;
     corner[1][0] = (double)face->x1;
@@ -187,7 +187,7 @@ static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_pla
 {
     double corner[3][2];
     uint32_t reached = 3;
-    corners_of(face, corner);
+    hatch_trace_corners(face, corner);
     for (uint32_t c = 0; c < 3; c++) {
         const double *a = corner[c], *b = corner[(c + 1) % 3];
         double edge[2] = {b[0] - a[0], b[1] - a[1]};
@@ -212,8 +212,8 @@ static void cross_side(const struct hatch_trace_ground *ground, struct hatch_tra
 {
     uint32_t other = ground->faces[place->face].beyond[c];
     double from[3][2], to[3][2];
-    corners_of(&ground->faces[place->face], from);
-    corners_of(&ground->faces[other / 3], to);
+    hatch_trace_corners(&ground->faces[place->face], from);
+    hatch_trace_corners(&ground->faces[other / 3], to);
     const double *a = from[c], *b = from[(c + 1) % 3], *p = to[other % 3], *q = to[(other + 1) % 3];
     double edge[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {q[0] - p[0], q[1] - p[1]};
     double square = edge[0] * edge[0] + edge[1] * edge[1], next_square = next[0] * next[0] + next[1] * next[1];
@@ -265,7 +265,7 @@ double hatch_trace_steepness(const struct hatch_trace_ground *ground, const stru
                              const double heading[2])
 {
     double corner[3][2];
-    corners_of(&ground->faces[leg->face], corner);
+    hatch_trace_corners(&ground->faces[leg->face], corner);
     const double *a = corner[leg->side], *b = corner[(leg->side + 1) % 3];
     double edge[2] = {b[0] - a[0], b[1] - a[1]}, length = sqrt(edge[0] * edge[0] + edge[1] * edge[1]);
     return fabs(edge[0] * heading[1] - edge[1] * heading[0]) / length;
@@ -278,10 +278,10 @@ void hatch_trace_turn(struct hatch_trace_place *place, double sign)
     place->heading[1] = sign * x;
 }
 
-void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, float position[3])
+void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, double position[3])
 {
     for (int k = 0; k < 3; k++)
-        position[k] = (float)((double)pose->at[k] + x * (double)pose->u[k] + y * (double)pose->v[k]);
+        position[k] = (double)pose->at[k] + x * (double)pose->u[k] + y * (double)pose->v[k];
 }
 
 void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[2], float vector[3])

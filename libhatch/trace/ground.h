@@ -75,9 +75,12 @@ double hatch_trace_steepness(const struct hatch_trace_ground *ground, const stru
 /* Turns the heading by a right angle, counter-clockwise where sign is 1, clockwise where it is -1. */
 void hatch_trace_turn(struct hatch_trace_place *place, double sign);
 
-/* Computes the position, and a vector in the plane of the face, in surface units. */
-void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, float position[3]);
+/* Compute the position, and a vector in the plane of the face, in surface units. */
+void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, double position[3]);
 void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[2], float vector[3]);
+
+/* Computes the corners of a face in its plane. */
+void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2]);
 
 /* Computes the barycentric coordinates of a place. */
 void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y, double share[3]);

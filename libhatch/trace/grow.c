@@ -61,7 +61,8 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
         const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, 0);
         stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
                                            HATCH_TRACE_ALONG, &leg);
-        if (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL) {
+        bool left = tracer->region && !hatch_trace_region_has(tracer->region, &stride->to);
+        if (left || (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
             stride->leg_count = 0;
             stride->goes_on = false;
             return;

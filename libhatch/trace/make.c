@@ -10,7 +10,7 @@
 
 #define STREAM_FAMILY 11
 
-static enum hatch_status add_level(struct hatch_tracer *tracer, uint32_t level, struct hatch_err *err)
+enum hatch_status hatch_trace_add_level(struct hatch_tracer *tracer, uint32_t level, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     tracer->level = level;
@@ -77,7 +77,9 @@ static enum hatch_status add_sets(const struct hatch_trace_options *options, uin
                                         .level = level,
                                         .angle_rad = options->angle_rad[family],
                                         .gap = (float)ldexp(options->gap, -(int)level),
-                                        .first = curves->count};
+                                        .first = curves->count,
+                                        .length = (float)options->length,
+                                        .hard_rad = (float)options->hard_rad};
         for (; next < from->count && order[next].level == level; next++) {
             struct hatch_curve *curve = &curves->curves[curves->count++];
             *curve = from->curves[order[next].curve];
@@ -123,7 +125,7 @@ static enum hatch_status trace_family(const struct tracing *tracing, const struc
         fresh.component = &surface->components[c];
         fresh.leg_max = ldexp(options->gap, 1 - (int)options->levels) / fresh.component->scale;
         for (uint32_t level = 0; level < options->levels; level++) {
-            HATCH_TRY(add_level(&fresh, level, err));
+            HATCH_TRY(hatch_trace_add_level(&fresh, level, err));
             double done = ((double)before * surface->component_count + c) * options->levels + level + 1;
             if (!tracing->together || family == 0) /* progress is reported on one thread */
                 hatch_progress_report(options->progress, done / steps);

@@ -5,42 +5,31 @@
 #include "base/random.h"
 #include "trace/work.h"
 
-#define ITEMS_MIN 1024u
-#define CELL_GAPS 3.0    /* side of a cell: smaller ones are all looked into anyway */
-#define CELLS_MAX 1024.0 /* of a face, along each axis */
-#define OWN_GAPS 2.5     /* pieces of the same stroke that are nearer along it do not count */
-#define GAP_LEAST 0.2    /* of the gap: nothing is nearer, but for rounding and strokes that cross */
+#define CELL_GAPS 3.0           /* side of a cell: smaller ones are all looked into anyway */
+#define CELL_GAPS_OF_REGION 1.5 /* where faces are often larger than cells */
+#define CELLS_MAX 1024.0        /* of a face, along each axis */
+#define OWN_GAPS 2.5            /* pieces of the same stroke that are nearer along it do not count */
+#define GAP_LEAST 0.2           /* of the gap: nothing is nearer, but for rounding and strokes that cross */
 #define OBLIQUE 0.7   /* sine of the angle between a border and the way across: below, strokes run into the border, */
 #define PARALLEL 0.95 /* and above, beside it */
 #define OVERLAP_GAPS 0.6 /* length by which strokes that meet may pass one another */
 #define SLACK 1e-4f      /* of a piece's length: pieces that meet at a face's border leave no hole */
 
-enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
-                                      uint32_t *capacity, struct hatch_err *err)
+/* Returns the number of a face in the table of cells; HATCH_NO_SIDE outside of the region. */
+static uint32_t row_of(const struct hatch_tracer *tracer, uint32_t face)
 {
-    void *old, *made;
-    if (count < *capacity)
-        return HATCH_OK;
-    memcpy(&old, array, sizeof old);
-    if (count > UINT32_MAX / 4)
-        return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
-    uint32_t wanted = count > 0 ? 2 * count : ITEMS_MIN;
-    made = hatch_arena_unset(arena, wanted, size, err);
-    if (!made)
-        return HATCH_LIMIT;
-    if (count > 0)
-        memcpy(made, old, count * size);
-    memcpy(array, &made, sizeof made);
-    *capacity = wanted;
-    return HATCH_OK;
+    return tracer->region ? tracer->region->of_face[face] : face - tracer->component->first_face;
 }
 
-/* The rectangle around a face in its plane: its width begins at x_low, its height at 0. */
-static void extent_of(const struct hatch_trace_face *face, double *x_low, double *width, double *height)
+/* The rectangle that the cells of a face cover, from its origin: its width begins at x_low, its height at 0. */
+static void extent_of(const struct hatch_tracer *tracer, uint32_t row, double *x_low, double *width, double *height)
 {
-    *x_low = fmin(0, (double)face->x2);
-    *width = fmax((double)face->x1, (double)face->x2) - *x_low;
-    *height = (double)face->y2;
+    struct hatch_trace_window window =
+        tracer->region ? tracer->region->windows[row]
+                       : hatch_trace_window_of(&tracer->ground, tracer->component->first_face + row);
+    *x_low = tracer->region ? 0 : window.low[0];
+    *width = window.high[0] - window.low[0];
+    *height = window.high[1] - window.low[1];
 }
 
 static uint32_t cells_along(double size, double cell)
@@ -59,11 +48,11 @@ static void put_in_cell(struct hatch_tracer *tracer, uint32_t number)
 {
     struct hatch_trace_piece *piece = &tracer->pieces[number];
     const struct hatch_trace_cells *cells = &tracer->cells;
-    uint32_t f = piece->face - tracer->component->first_face;
+    uint32_t f = row_of(tracer, piece->face);
     uint32_t cell = cells->first[f], across = cells->across[f], count = cells->first[f + 1] - cell;
     if (count > 1) {
         double x_low, width, height;
-        extent_of(&tracer->ground.faces[piece->face], &x_low, &width, &height);
+        extent_of(tracer, f, &x_low, &width, &height);
         double x = 0.5 * (double)(piece->from[0] + piece->to[0]) - x_low;
         cell += cell_at(x, width, across) +
                 across * cell_at(0.5 * (double)(piece->from[1] + piece->to[1]), height, count / across);
@@ -74,21 +63,23 @@ static void put_in_cell(struct hatch_tracer *tracer, uint32_t number)
 
 enum hatch_status hatch_trace_sort(struct hatch_tracer *tracer, struct hatch_err *err)
 {
-    const struct hatch_component *component = tracer->component;
+    uint32_t count = tracer->region ? tracer->region->count : tracer->component->face_count;
     struct hatch_trace_cells *cells = &tracer->cells;
-    double size = CELL_GAPS * fmax(tracer->gap, tracer->leg_max), sum = 0;
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->first, (size_t)component->face_count + 1, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->across, component->face_count, err));
-    for (uint32_t f = 0; f < component->face_count; f++) {
+    double gaps = tracer->region ? CELL_GAPS_OF_REGION : CELL_GAPS;
+    double size = gaps * fmax(tracer->gap, tracer->leg_max), sum = 0;
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->first, (size_t)count + 1, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->across, count, err));
+    for (uint32_t f = 0; f < count; f++) {
         double x_low, width, height;
-        extent_of(&tracer->ground.faces[component->first_face + f], &x_low, &width, &height);
+        extent_of(tracer, f, &x_low, &width, &height);
         cells->first[f] = (uint32_t)sum;
         cells->across[f] = (uint16_t)cells_along(width, size);
         sum += (double)cells->across[f] * cells_along(height, size);
         if (sum >= UINT32_MAX)
             return hatch_fail(err, HATCH_LIMIT, "too many strokes: use a wider gap or fewer levels");
     }
-    cells->first[component->face_count] = (uint32_t)sum;
+    cells->first[count] = (uint32_t)sum;
+    cells->count = (uint32_t)sum;
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &cells->heads, (size_t)sum, err));
     for (uint32_t i = 0; i < (uint32_t)sum; i++)
         cells->heads[i] = HATCH_TRACE_NONE;
@@ -107,7 +98,7 @@ enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_e
 {
     struct hatch_trace_piece *gathered = tracer->spare;
     struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
-    uint32_t *number, next = 0, cells = tracer->cells.first[tracer->component->face_count];
+    uint32_t *number, next = 0, cells = tracer->cells.count;
     if (tracer->spare_capacity != tracer->piece_capacity)
         HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &gathered, tracer->piece_capacity, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &number, tracer->piece_count, err));
@@ -160,18 +151,20 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
                                         struct hatch_err *err)
 {
     struct hatch_trace_stroke *stroke = &tracer->strokes[half / 2];
+    const double *origin = hatch_trace_origin_of(tracer, leg->face);
     uint32_t way = half % 2, number = tracer->piece_count;
     HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
                                   &tracer->piece_capacity, err));
     stroke->length[way] += leg->length;
-    tracer->pieces[tracer->piece_count++] =
-        (struct hatch_trace_piece){.from = {(float)leg->from[0], (float)leg->from[1]},
-                                   .to = {(float)leg->to[0], (float)leg->to[1]},
-                                   .face = leg->face,
-                                   .half = half,
-                                   .arc = (float)stroke->length[way],
-                                   .round = tracer->round,
-                                   .next = HATCH_TRACE_NONE};
+    tracer->pieces[tracer->piece_count++] = (struct hatch_trace_piece){.face = leg->face,
+                                                                       .half = half,
+                                                                       .arc = (float)stroke->length[way],
+                                                                       .round = tracer->round,
+                                                                       .next = HATCH_TRACE_NONE};
+    for (int k = 0; k < 2; k++) {
+        tracer->pieces[number].from[k] = hatch_trace_local(tracer, leg->from[k], origin[k]);
+        tracer->pieces[number].to[k] = hatch_trace_local(tracer, leg->to[k], origin[k]);
+    }
     if (stroke->last[way] == HATCH_TRACE_NONE)
         stroke->first[way] = number;
     else
@@ -230,20 +223,29 @@ double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_tr
                         const struct hatch_trace_origin *origin)
 {
     const struct hatch_trace_cells *cells = &tracer->cells;
-    uint32_t f = leg->face - tracer->component->first_face;
+    uint32_t f = row_of(tracer, leg->face);
+    if (f == HATCH_NO_SIDE)
+        return HUGE_VAL;
+    const double *corner = hatch_trace_origin_of(tracer, leg->face);
     uint32_t first = cells->first[f], across = cells->across[f], count = cells->first[f + 1] - first;
     float nearest = HUGE_VALF;
-    const float from[2] = {(float)leg->from[0], (float)leg->from[1]};
-    const float way[2] = {(float)(leg->to[0] - leg->from[0]), (float)(leg->to[1] - leg->from[1])};
+    float from[2], way[2];
+    for (int k = 0; k < 2; k++) {
+        from[k] = hatch_trace_local(tracer, leg->from[k], corner[k]);
+        way[k] = tracer->region ? hatch_trace_local(tracer, leg->to[k], corner[k]) - from[k]
+                                : (float)(leg->to[k] - leg->from[k]);
+    }
     if (count == 1) {
         nearest = first_in_cell(tracer, first, from, way, origin);
     } else {
         double x_low, width, height, margin = 0.5 * tracer->leg_max;
-        extent_of(&tracer->ground.faces[leg->face], &x_low, &width, &height);
-        uint32_t x0 = cell_at(fmin(leg->from[0], leg->to[0]) - margin - x_low, width, across);
-        uint32_t x1 = cell_at(fmax(leg->from[0], leg->to[0]) + margin - x_low, width, across);
-        uint32_t y0 = cell_at(fmin(leg->from[1], leg->to[1]) - margin, height, count / across);
-        uint32_t y1 = cell_at(fmax(leg->from[1], leg->to[1]) + margin, height, count / across);
+        extent_of(tracer, f, &x_low, &width, &height);
+        double left = (double)from[0] - x_low, low = (double)from[1], right = left + (double)way[0];
+        double high = low + (double)way[1];
+        uint32_t x0 = cell_at(fmin(left, right) - margin, width, across);
+        uint32_t x1 = cell_at(fmax(left, right) + margin, width, across);
+        uint32_t y0 = cell_at(fmin(low, high) - margin, height, count / across);
+        uint32_t y1 = cell_at(fmax(low, high) + margin, height, count / across);
         for (uint32_t y = y0; y <= y1; y++)
             for (uint32_t x = x0; x <= x1; x++) {
                 float share = first_in_cell(tracer, first + x + across * y, from, way, origin);

@@ -10,6 +10,7 @@
 #define CHUNK 64u     /* candidates per task */
 #define BATCH 8192u   /* candidates that are in memory at a time */
 #define GAP_MIN 1.45  /* of the gap: wider ones get a stroke */
+#define CELL_GAPS 8.0 /* side of the cells of a large face, each of which has random numbers of its own */
 #define CLEAR_MIN 0.7 /* of the gap: least distance of a seed from the strokes beside it */
 
 /* Seeds per gap of stroke and side, and per square of a gap of surface, phase by phase. */
@@ -99,6 +100,8 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
     }
     if (!center(tracer, &seed->place))
         return false;
+    if (tracer->region && !hatch_trace_region_has(tracer->region, &seed->place))
+        return false;
     pose = &tracer->ground.poses[seed->place.face];
     hatch_trace_position(pose, seed->place.x, seed->place.y, seed->at);
     hatch_trace_vector(pose, seed->place.heading, seed->heading);
@@ -146,39 +149,77 @@ static enum hatch_status choose_stops(struct search *search, double share, struc
     for (uint32_t i = 0; i < tracer->stop_count; i++)
         for (uint32_t side = 0; side < 2; side++) {
             const struct hatch_trace_stop *stop = &tracer->stops[i];
-            uint64_t item = (uint64_t)(uint32_t)stop->number << 1 | side;
+            int64_t number = tracer->strokes[stop->stroke].first_number + stop->number;
+            uint64_t item = (uint64_t)(uint32_t)number << 1 | side;
             uint64_t id = hatch_random_u64(tracer->strokes[stop->stroke].id, search->stream, item);
             if (!(hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share))
                 continue;
-            const struct source source = {hatch_trace_stop_place(stop), (double)stop->arc, stop->stroke, side ? 1 : -1};
+            const struct source source = {hatch_trace_stop_place(tracer, stop), (double)stop->arc, stop->stroke,
+                                          side ? 1 : -1};
             HATCH_TRY(add_source(search, &source, id, err));
         }
     return HATCH_OK;
 }
 
-/* Chooses places on faces. */
+/* Chooses places in a cell of a face.
+ *   id    of the cell
+ *   cell  part of the rectangle around the face; places outside of the face are dropped */
+static enum hatch_status choose_in_cell(struct search *search, const struct hatch_trace_window *cell, uint64_t id,
+                                        double density, struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    double width = cell->high[0] - cell->low[0], height = cell->high[1] - cell->low[1];
+    double count = floor(density * width * height + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
+    for (uint64_t i = 0; (double)i < count; i++) {
+        uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
+        double x = cell->low[0] + width * (double)hatch_random_unit(item, STREAM_PLACE, 0), share[3];
+        double y = cell->low[1] + height * (double)hatch_random_unit(item, STREAM_PLACE, 1);
+        const struct source source = {{cell->face, x, y, {1, 0}}, 0, HATCH_TRACE_NONE, 0};
+        hatch_trace_shares(&tracer->ground.faces[cell->face], x, y, share);
+        if (share[0] >= 0 && share[1] >= 0 && share[2] >= 0)
+            HATCH_TRY(add_source(search, &source, item, err));
+    }
+    return HATCH_OK;
+}
+
+/* Chooses places on a face, cell by cell, so that a part of a large face has the places that the whole has.
+ *   window  of the face */
+static enum hatch_status choose_on_face(struct search *search, const struct hatch_trace_window *window, double density,
+                                        struct hatch_err *err)
+{
+    const struct hatch_tracer *tracer = search->tracer;
+    const struct hatch_trace_window whole = hatch_trace_window_of(&tracer->ground, window->face);
+    double side = CELL_GAPS * tracer->gap;
+    uint64_t id = hatch_random_u64(tracer->seed, search->stream,
+                                   tracer->ground.surface->face_source[tracer->ground.source[window->face]]);
+    int64_t first[2], last[2];
+    for (int k = 0; k < 2; k++) {
+        first[k] = (int64_t)floor((window->low[k] - whole.low[k]) / side);
+        last[k] = (int64_t)floor((window->high[k] - whole.low[k]) / side);
+    }
+    for (int64_t y = first[1]; y <= last[1]; y++)
+        for (int64_t x = first[0]; x <= last[0]; x++) {
+            double low[2] = {whole.low[0] + (double)x * side, whole.low[1] + (double)y * side};
+            const struct hatch_trace_window cell = {
+                window->face,
+                {low[0], low[1]},
+                {fmin(low[0] + side, whole.high[0]), fmin(low[1] + side, whole.high[1])}};
+            uint64_t number = x == 0 && y == 0 ? id : hatch_random_u64(id, (uint64_t)x, (uint64_t)y);
+            HATCH_TRY(choose_in_cell(search, &cell, number, density, err));
+        }
+    return HATCH_OK;
+}
+
 static enum hatch_status choose_faces(struct search *search, double density, struct hatch_err *err)
 {
     const struct hatch_tracer *tracer = search->tracer;
     const struct hatch_component *component = tracer->component;
-    for (uint32_t f = component->first_face; f < component->first_face + component->face_count && density > 0; f++) {
-        const struct hatch_trace_face *face = &tracer->ground.faces[f];
-        double wanted = density * (double)face->x1 * (double)face->y2 / 2;
-        uint64_t id = hatch_random_u64(tracer->seed, search->stream,
-                                       tracer->ground.surface->face_source[tracer->ground.source[f]]);
-        double count = floor(wanted + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
-        for (uint64_t i = 0; (double)i < count; i++) {
-            uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
-            double a = (double)hatch_random_unit(item, STREAM_PLACE, 0);
-            double b = (double)hatch_random_unit(item, STREAM_PLACE, 1);
-            if (a + b > 1) {
-                a = 1 - a;
-                b = 1 - b;
-            }
-            const struct source source = {
-                {f, a * (double)face->x1 + b * (double)face->x2, b * (double)face->y2, {1, 0}}, 0, HATCH_TRACE_NONE, 0};
-            HATCH_TRY(add_source(search, &source, item, err));
-        }
+    uint32_t count = tracer->region ? tracer->region->count : component->face_count;
+    for (uint32_t i = 0; i < count && density > 0; i++) {
+        const struct hatch_trace_window window =
+            tracer->region ? tracer->region->windows[i]
+                           : hatch_trace_window_of(&tracer->ground, component->first_face + i);
+        HATCH_TRY(choose_on_face(search, &window, density, err));
     }
     return HATCH_OK;
 }

@@ -2,7 +2,10 @@
 #ifndef HATCH_TRACE_WORK_H
 #define HATCH_TRACE_WORK_H
 
-#include "trace/ground.h"
+#include <math.h>
+
+#include "trace/region.h"
+#include "trace/reserve.h"
 #include "trace/trace.h"
 
 #define HATCH_TRACE_NONE UINT32_MAX
@@ -12,7 +15,7 @@
 
 /* A straight part of a stroke on a face. The pieces of each half of a stroke are a list, from the seed to the end. */
 struct hatch_trace_piece {
-    float from[2], to[2]; /* on the face; the end `to` is farther from the seed */
+    float from[2], to[2]; /* from the face's origin (hatch_trace_origin_of); the end `to` is farther from the seed */
     uint32_t face;
     uint32_t half;         /* 2 * stroke, plus 1 for the half behind the seed */
     float arc;             /* length along the stroke from the seed to `to`, at least 0 */
@@ -25,6 +28,9 @@ struct hatch_trace_stroke {
     uint64_t id;
     struct hatch_trace_place seed;
     uint32_t level;
+    bool given;           /* traced before: it has no half behind its seed, and no stop there */
+    int64_t first_number; /* number of the place that lengths are measured from; 0 unless given */
+    double first_arc;     /* length at which it begins; 0 unless given */
     bool growing[2];
     double length[2], length_max[2]; /* of its halves, in surface units */
     struct hatch_trace_place end[2]; /* the heading leads on */
@@ -36,17 +42,18 @@ struct hatch_trace_stroke {
 /* A point of a stroke. Each stroke has one at its seed, and others every HATCH_TRACE_STEP gaps of the level. */
 struct hatch_trace_stop {
     uint32_t face, stroke;
-    float x, y, heading[2]; /* away from the seed; at the seed, forward */
+    float x, y, heading[2]; /* from the face's origin; away from the seed; at the seed, forward */
     float arc;              /* from the seed, negative behind it */
     int32_t number;         /* from the seed, negative behind it */
 };
 
-/* The cells in which pieces are found: each face is cut into cells of a few gaps. A piece is in the cell of its
- * middle. */
+/* The cells in which pieces are found: each face, or its window, is cut into cells of a few gaps. A piece is in the
+ * cell of its middle. */
 struct hatch_trace_cells {
-    uint32_t *first;  /* per face of the component, and the end of the last: its first cell */
-    uint16_t *across; /* per face: cells along x */
+    uint32_t *first;  /* per face of the component or window of the region, and the end of the last: its first cell */
+    uint16_t *across; /* per face or window: cells along x */
     uint32_t *heads;  /* per cell: its last piece, or HATCH_TRACE_NONE */
+    uint32_t count;   /* cells */
 };
 
 /* The strokes of one family on a component while levels are added. */
@@ -55,6 +62,9 @@ struct hatch_tracer {
     uint64_t seed; /* of the family */
     struct hatch_trace_ground ground;
     const struct hatch_component *component;
+    const struct hatch_trace_region *region; /* of the component, where strokes are traced; NULL: everywhere */
+    double quantum; /* of coordinates in a region, and of its windows' corners: a power of two, so that the strokes do
+                       not depend on the windows; 0 without a region */
     struct hatch_arena *keep, *scratch; /* for its arrays; for temporary ones, rewound after each step of a level */
     struct hatch_pool *pool;
     uint32_t level, round;
@@ -73,10 +83,26 @@ struct hatch_tracer {
 /* A place where a stroke may begin. */
 struct hatch_trace_seed {
     struct hatch_trace_place place;
-    float at[3], heading[3], normal[3];
+    double at[3];
+    float heading[3], normal[3];
     uint64_t id;
     bool valid;
 };
+
+/* Returns the place in the plane of a face from which pieces and stops are measured: the corner of its window. */
+static inline const double *hatch_trace_origin_of(const struct hatch_tracer *tracer, uint32_t face)
+{
+    static const double corner[2] = {0, 0};
+    return tracer->region ? tracer->region->windows[tracer->region->of_face[face]].low : corner;
+}
+
+/* Returns a coordinate in the plane of a face as pieces have it.
+ *   origin  of the face */
+static inline float hatch_trace_local(const struct hatch_tracer *tracer, double coordinate, double origin)
+{
+    double quantum = tracer->quantum;
+    return (float)((quantum > 0 ? rint(coordinate / quantum) * quantum : coordinate) - origin);
+}
 
 /* pieces.c */
 
@@ -127,16 +153,16 @@ struct hatch_trace_gaps {
 struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, const struct hatch_trace_place *place,
                                             const struct hatch_trace_origin *origin);
 
-/* Makes room for one more item in an array that doubles. */
-enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
-                                      uint32_t *capacity, struct hatch_err *err) HATCH_MUST_USE;
-
 /* stops.c: adds the stops of strokes from `first` on. */
 enum hatch_status hatch_trace_add_stops(struct hatch_tracer *tracer, uint32_t first,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns the place of a stop, whose heading is forward. */
-struct hatch_trace_place hatch_trace_stop_place(const struct hatch_trace_stop *stop);
+struct hatch_trace_place hatch_trace_stop_place(const struct hatch_tracer *tracer, const struct hatch_trace_stop *stop);
+
+/* make.c: adds the strokes of a level. */
+enum hatch_status hatch_trace_add_level(struct hatch_tracer *tracer, uint32_t level,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* seeds.c: finds places for new strokes and adds those strokes.
  *   phase  0 .. HATCH_TRACE_PHASES - 1 */
@@ -153,6 +179,27 @@ enum hatch_status hatch_trace_grow(struct hatch_tracer *tracer, struct hatch_err
 
 /* thresholds.c: computes those of the strokes of the level. */
 enum hatch_status hatch_trace_find_thresholds(struct hatch_tracer *tracer, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the logarithm of the threshold at a length from a stroke's seed, negative behind it, by interpolation. */
+double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, double arc);
+
+/* A place on a stroke where two pieces meet, or where it begins or ends. */
+struct hatch_trace_joint {
+    uint32_t face;
+    double x, y, at[3]; /* on the face, and in space */
+    double arc;         /* along the stroke */
+    double log_threshold;
+};
+
+/* Drops joints that a straight line passes closely enough; keeps the others in front of the list.
+ *   tolerance  greatest distance of a joint from the line, in the unit of `at`
+ * Returns their number. */
+uint32_t hatch_trace_simplify(struct hatch_trace_joint *joints, uint32_t count, double tolerance);
+
+/* Converts a joint to a point of the mesh, whose faces may list their corners in another order.
+ *   threshold  of the point */
+void hatch_trace_fill_point(const struct hatch_trace_ground *ground, const struct hatch_mesh *mesh,
+                            const struct hatch_trace_joint *joint, double threshold, struct hatch_curve_point *point);
 
 /* collect.c: the strokes that are traced so far, as curves of a mesh. */
 struct hatch_trace_sink {

@@ -21,12 +21,15 @@
 
 static const char *style_name = "engraving";
 static double width_px; /* 0: the style's */
+static int64_t finer_levels = HATCH_FINER_LEVELS_MAX;
 
 static const struct cmd_option options[] = {
     {0, "stroke-style", CMD_TEXT, 0, 0, "STYLE",
      "+traced: drawing style of the strokes, a name or a file (default engraving)", &style_name, NULL, NULL},
     {0, "stroke-width", CMD_REAL, 0.2, 64, "PX", "+traced: width of strokes in pixels (default: the style's)",
      &width_px, NULL, NULL},
+    {0, "finer", CMD_INT, 0, HATCH_FINER_LEVELS_MAX, "LEVELS",
+     "+traced: levels that near views may add to those of the file (default 24)", &finer_levels, NULL, NULL},
     {0},
 };
 static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
@@ -45,6 +48,7 @@ static void read_style(struct technique_context *context, struct technique_insta
     struct traced_state *state = instance->state;
     struct hatch_brush brush;
     cmd_read_style(context->args, style_name, NULL, NULL, &state->style, &brush);
+    state->finer_levels = (uint32_t)finer_levels;
     if (!(width_px > 0))
         width_px = (double)state->style.width_px;
 }
@@ -65,6 +69,7 @@ static enum hatch_status upload(struct technique_context *context, struct traced
     const struct hatch_scene *from = scene->unit.scene;
     struct hatch_arena *keep = &context->args->keep;
     HATCH_TRY(HATCH_ALLOC(keep, &state->strokes, from->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(keep, &state->finer, from->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(keep, &state->items, scene->unit.item_count, err));
     state->mesh_count = from->mesh_count;
     state->item_count = scene->unit.item_count;
@@ -74,8 +79,10 @@ static enum hatch_status upload(struct technique_context *context, struct traced
             if (from->meshes[i].curves.sets[s].family >= state->families)
                 state->families = from->meshes[i].curves.sets[s].family + 1;
     for (uint32_t i = 0; i < from->mesh_count; i++)
-        if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0)
-            HATCH_TRY(traced_upload(&from->meshes[i], keep, &context->args->scratch, &state->strokes[i], err));
+        if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0) {
+            const struct traced_source source = {.mesh = &from->meshes[i].mesh, .curves = &from->meshes[i].curves};
+            HATCH_TRY(traced_upload(&source, keep, &context->args->scratch, &state->strokes[i], err));
+        }
     for (uint32_t i = 0; i < scene->unit.item_count; i++) {
         uint32_t mesh = scene->unit.items[i].mesh;
         const struct traced_strokes *strokes = &state->strokes[mesh];
@@ -83,8 +90,7 @@ static enum hatch_status upload(struct technique_context *context, struct traced
         if (strokes->count == 0)
             continue;
         item->placed = gpu_buffer_make(NULL, 8 * sizeof(float) * from->meshes[mesh].mesh.vertex_count);
-        item->ribbon = gpu_buffer_make(NULL, 8 * sizeof(float) * strokes->end[strokes->count - 1]);
-        item->ribbon_view = gpu_texture_of_buffer(GL_RGBA32F, item->ribbon);
+        traced_make_ribbon(strokes, &item->ribbon);
     }
     return gpu_check_memory(err, "strokes");
 }
@@ -122,6 +128,7 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
                                  .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain}};
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
+    state->block = block;
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
@@ -169,44 +176,56 @@ static void set_lift(const struct frame *frame, const struct hatch_item *item, d
     glProgramUniform4f(program, UNIFORM_LIFT, change[0], change[1], (float)chord, item->mirrored ? -1.0f : 1.0f);
 }
 
+/* Runs a compute pass over the vertices or the points of an item, whose buffers are bound. */
+static void dispatch(const struct frame *frame, uint32_t index, const struct gpu_program *program, const char *name,
+                     uint32_t count, GLbitfield barrier)
+{
+    const struct scene *scene = frame->scene;
+    const struct frame_dispatch pass = {
+        .name = name, .program = program, .groups = {(count + 63) / 64, 1, 1}, .barrier = barrier};
+    frame_use_item(scene, index, frame->style.base_tone ? scene->items[index].base_lightness : 1.0f, program);
+    glUniform1f(UNIFORM_SIDE, scene->unit.items[index].double_sided ? -1.0f : 1.0f);
+    glUniform1ui(UNIFORM_COUNT, count);
+    frame_dispatch(&pass, NULL);
+}
+
+void traced_place_vertices(const struct frame *frame, const struct traced_state *state, uint32_t index)
+{
+    const struct scene *scene = frame->scene;
+    const struct hatch_item *item = &scene->unit.items[index];
+    gpu_storage_bind(STORAGE_VERTICES, item->deformed ? scene->items[index].posed : scene->meshes[item->mesh].vertices);
+    gpu_storage_bind(STORAGE_PLACED, state->items[index].placed);
+    dispatch(frame, index, state->vertices, "vertices", scene->unit.meshes[item->mesh].mesh->vertex_count,
+             GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
 uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t index, int ink)
 {
     const struct scene *scene = frame->scene;
     const struct hatch_item *item = &scene->unit.items[index];
-    const struct traced_strokes *strokes = &state->strokes[item->mesh];
-    uint32_t vertex_count = scene->unit.meshes[item->mesh].mesh->vertex_count;
+    const struct traced_strokes *strokes = traced_strokes_of(frame, state, index);
     uint32_t count = strokes->count ? traced_count_under(strokes, threshold_limit(frame, item)) : 0;
     if (!count)
         return 0;
     bool based = frame->style.base_tone && scene->items[index].base_texture;
-    const struct gpu_program *programs[2] = {state->vertices, state->points[based]};
-    const uint32_t counts[2] = {vertex_count, strokes->end[count - 1]};
+    GLuint program = state->points[based]->name;
+    if (ink == 0)
+        traced_place_vertices(frame, state, index);
     gpu_storage_bind(STORAGE_VERTICES, item->deformed ? scene->items[index].posed : scene->meshes[item->mesh].vertices);
     gpu_storage_bind(STORAGE_PLACED, state->items[index].placed);
     gpu_storage_bind(STORAGE_POINTS, strokes->points);
-    gpu_storage_bind(STORAGE_RIBBON, state->items[index].ribbon);
-    for (int pass = ink ? 1 : 0; pass < 2; pass++) {
-        const struct frame_dispatch dispatch = {.name = pass ? "points" : "vertices",
-                                                .program = programs[pass],
-                                                .groups = {(counts[pass] + 63) / 64, 1, 1},
-                                                .barrier = pass ? GL_TEXTURE_FETCH_BARRIER_BIT
-                                                                : GL_SHADER_STORAGE_BARRIER_BIT};
-        frame_use_item(scene, index, frame->style.base_tone ? scene->items[index].base_lightness : 1.0f,
-                       programs[pass]);
-        glUniform1f(UNIFORM_SIDE, item->double_sided ? -1.0f : 1.0f);
-        glUniform1ui(UNIFORM_COUNT, counts[pass]);
-        glUniform1i(UNIFORM_INK, ink);
-        glUniform1f(UNIFORM_DENSEST, strokes->densest);
-        set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), programs[pass]->name);
-        frame_dispatch(&dispatch, NULL);
-    }
+    gpu_storage_bind(STORAGE_RIBBON, traced_ribbon_of(state, index)->buffer);
+    glProgramUniform1i(program, UNIFORM_INK, ink);
+    glProgramUniform1f(program, UNIFORM_DENSEST, strokes->densest);
+    set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), program);
+    dispatch(frame, index, state->points[based], "points", strokes->end[count - 1], GL_TEXTURE_FETCH_BARRIER_BIT);
     return count;
 }
 
 static void draw_ribbons(const struct frame *frame, const struct traced_state *state, uint32_t index, uint32_t count,
                          int ink)
 {
-    const struct traced_strokes *strokes = &state->strokes[frame->scene->unit.items[index].mesh];
+    const struct traced_strokes *strokes = traced_strokes_of(frame, state, index);
     const struct frame_pass pass = {.name = "strokes",
                                     .target = &frame->request.canvas->samples,
                                     .blend = FRAME_BLEND_OVER_COLOR,
@@ -216,7 +235,7 @@ static void draw_ribbons(const struct frame *frame, const struct traced_state *s
     uint32_t parts = limit < SMOOTH ? 1 : limit < 4 * SMOOTH ? 2 : PARTS_MAX;
     glUseProgram(state->ribbons[parts > 1]->name);
     glUniform1i(UNIFORM_INK, ink);
-    gpu_texture_bind(UNIT_TECHNIQUE, state->items[index].ribbon_view, 0);
+    gpu_texture_bind(UNIT_TECHNIQUE, traced_ribbon_of(state, index)->view, 0);
     glVertexArrayElementBuffer(state->array, strokes->indices);
     glBindVertexArray(state->array);
     if (parts > 1) {
@@ -244,6 +263,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     struct traced_state *state = instance->state;
     HATCH_TRY(draw_paper(context->frame, &instance->technique->shading, state, err));
     traced_set_style(frame, 0, state);
+    HATCH_TRY(traced_refine(context, state, err));
     for (uint32_t i = 0; i < state->item_count; i++)
         for (int ink = 0; ink < (frame->style.inks.two ? 2 : 1); ink++) {
             uint32_t count = traced_place(frame, state, i, ink);
@@ -259,13 +279,13 @@ static void free_state(struct technique_instance *instance)
 {
     struct traced_state *state = instance->state;
     for (uint32_t i = 0; i < state->mesh_count; i++) {
-        const GLuint buffers[] = {state->strokes[i].points, state->strokes[i].indices};
-        glDeleteBuffers(2, buffers);
+        traced_free_strokes(&state->strokes[i]);
+        hatch_finer_free(state->finer[i]);
     }
     for (uint32_t i = 0; i < state->item_count; i++) {
-        const GLuint buffers[] = {state->items[i].placed, state->items[i].ribbon};
-        glDeleteTextures(1, &state->items[i].ribbon_view);
-        glDeleteBuffers(2, buffers);
+        traced_forget(&state->items[i]);
+        traced_free_ribbon(&state->items[i].ribbon);
+        glDeleteBuffers(1, &state->items[i].placed);
     }
     glDeleteVertexArrays(1, &state->array);
     glDeleteBuffers(1, &state->block_buffer);

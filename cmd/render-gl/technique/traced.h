@@ -5,6 +5,7 @@
 #include "curve/width.h"
 #include "placement/style.h"
 #include "render-gl/technique/technique.h"
+#include "trace/finer.h"
 
 /* std140 layout; the same as block Style of shaders/traced/style.glsl. */
 struct traced_block {
@@ -36,28 +37,59 @@ struct traced_strokes {
     uint32_t count;         /* strokes */
     const float *least;     /* least threshold of each stroke */
     const struct traced_stroke *sources;
-    const uint32_t *end;   /* number of points up to the end of each stroke */
-    float finest, densest; /* finest gap, in mesh units; greatest threshold */
+    const struct hatch_curve_point *curve_points; /* that the curves of the sources refer to */
+    const float *thresholds;                      /* of these points, as they are drawn */
+    const uint32_t *end;                          /* number of points up to the end of each stroke */
+    float finest, densest;                        /* finest gap, in mesh units; greatest threshold */
+};
+
+/* The points of an item's strokes in a picture: 8 floats for each. */
+struct traced_ribbon {
+    GLuint buffer, view; /* view: the texture through which they are read */
 };
 
 /* The buffers of an item. */
 struct traced_item {
-    GLuint placed;              /* per vertex: 8 floats */
-    GLuint ribbon, ribbon_view; /* per point: 8 floats; the texture through which they are read */
+    GLuint placed; /* per vertex: 8 floats */
+    struct traced_ribbon ribbon;
+    /* Near views, which need finer strokes than the file has: */
+    bool seen; /* the other members are those of a view */
+    struct hatch_finer_view view;
+    struct hatch_finer_found found; /* in arena */
+    struct hatch_arena arena;
+    struct traced_strokes strokes; /* count 0: those of the file suffice */
+    struct traced_ribbon near;
 };
 
-/* Uploads the strokes of a mesh.
+/* Strokes to upload. */
+struct traced_source {
+    const struct hatch_mesh *mesh;
+    const struct hatch_curves *curves;
+    const struct hatch_finer_part *parts; /* per curve; their points' thresholds are those that are drawn. NULL: curves
+                                             are whole strokes, whose thresholds are made even */
+};
+
+/* Uploads strokes.
  *   arena  holds the arrays */
-enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatch_arena *arena,
+enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, struct traced_strokes *strokes,
                                 struct hatch_err *err) HATCH_MUST_USE;
+void traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon);
+
+/* Release what is on the GPU. */
+void traced_free_strokes(const struct traced_strokes *strokes);
+void traced_free_ribbon(const struct traced_ribbon *ribbon);
 
 struct traced_state {
     struct shaded_state shaded;     /* first: shaded_prepare finds it there */
     struct traced_strokes *strokes; /* per mesh; NULL: not uploaded */
+    struct hatch_finer **finer;     /* per mesh; NULL: no view has needed them */
     struct traced_item *items;      /* per item */
     struct hatch_style style;
     uint32_t mesh_count, item_count, families;
+    uint32_t finer_levels; /* at most so many more than the file has; 0: none */
+    struct traced_block block;
+    float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES]; /* as in struct hatch_finer_view */
     GLuint array, block_buffer;
     const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };
@@ -71,6 +103,9 @@ double traced_scale(const struct scene *scene, const struct hatch_item *item);
  *   ink  0: of the dark ink; 1: of the light one */
 uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t item, int ink);
 
+/* Places and lights the vertices of an item. */
+void traced_place_vertices(const struct frame *frame, const struct traced_state *state, uint32_t item);
+
 /* Writes the block of the style.
  *   pen_px  width of a pen that draws all strokes alike; 0: strokes as the options say */
 void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state);
@@ -79,6 +114,18 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
 enum hatch_status traced_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                 struct hatch_arena *arena, struct technique_curves *curves,
                                 struct hatch_err *err) HATCH_MUST_USE;
+
+/* Traces the finer strokes that the frame needs, for all items. The style must be set. */
+enum hatch_status traced_refine(struct technique_context *context, struct traced_state *state,
+                                struct hatch_err *err) HATCH_MUST_USE;
+
+/* Releases the finer strokes of an item's last view. */
+void traced_forget(struct traced_item *item);
+
+/* Returns the strokes and the ribbon that are drawn on an item. */
+const struct traced_strokes *traced_strokes_of(const struct frame *frame, const struct traced_state *state,
+                                               uint32_t item);
+const struct traced_ribbon *traced_ribbon_of(const struct traced_state *state, uint32_t item);
 
 /* Returns the number of strokes whose least threshold is under a limit. */
 uint32_t traced_count_under(const struct traced_strokes *strokes, double threshold);

@@ -43,10 +43,11 @@ static void position_of(const struct hatch_mesh *mesh, const double *positions, 
 /* Adds a stroke if any of it is drawn.
  *   ribbon  of its first point */
 static enum hatch_status add_stroke(struct gathering *gathering, const struct hatch_scene_mesh *mesh,
-                                    const struct traced_stroke *stroke, const double *positions, uint32_t first_face,
-                                    float slack, const float *ribbon, struct hatch_err *err)
+                                    const struct traced_strokes *strokes, const struct traced_stroke *stroke,
+                                    const double *positions, uint32_t first_face, float slack, const float *ribbon,
+                                    struct hatch_err *err)
 {
-    const struct hatch_curve_point *points = &mesh->curves.points[stroke->curve->first];
+    const struct hatch_curve_point *points = &strokes->curve_points[stroke->curve->first];
     const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof slack),
                                              .count = stroke->curve->count,
                                              .layer = stroke->family,
@@ -80,7 +81,7 @@ static enum hatch_status add_item(struct gathering *gathering, struct technique_
 {
     const struct hatch_unit_scene *unit = &context->frame->scene->unit;
     const struct hatch_item *item = &unit->items[index];
-    const struct traced_strokes *strokes = &state->strokes[item->mesh];
+    const struct traced_strokes *strokes = traced_strokes_of(context->frame, state, index);
     uint32_t count = traced_place(context->frame, state, index, 0);
     if (count == 0)
         return HATCH_OK;
@@ -90,12 +91,12 @@ static enum hatch_status add_item(struct gathering *gathering, struct technique_
     HATCH_TRY(HATCH_ALLOC_UNSET(gathering->arena, &ribbon, floats, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(gathering->arena, &positions,
                                 3 * (size_t)unit->meshes[item->mesh].surface->vertex_count, err));
-    gpu_buffer_read(state->items[index].ribbon, ribbon, sizeof *ribbon * floats);
+    gpu_buffer_read(traced_ribbon_of(state, index)->buffer, ribbon, sizeof *ribbon * floats);
     hatch_item_surface(unit, item, positions, NULL);
     scale = traced_scale(context->frame->scene, item);
     for (uint32_t i = 0; i < count; i++)
-        HATCH_TRY(add_stroke(gathering, &unit->scene->meshes[item->mesh], &strokes->sources[i], positions, first_face,
-                             (float)(SLACK_GAPS * (double)strokes->finest * scale),
+        HATCH_TRY(add_stroke(gathering, &unit->scene->meshes[item->mesh], strokes, &strokes->sources[i], positions,
+                             first_face, (float)(SLACK_GAPS * (double)strokes->finest * scale),
                              &ribbon[TRACED_RIBBON_FLOATS * (size_t)(i > 0 ? strokes->end[i - 1] : 0)], err));
     return HATCH_OK;
 }
@@ -113,6 +114,7 @@ enum hatch_status traced_curves(struct technique_context *context, struct techni
                                   .slack = {.arena = arena}};
     uint32_t first_face = 0;
     traced_set_style(context->frame, pen_px, state);
+    HATCH_TRY(traced_refine(context, state, err));
     for (uint32_t i = 0; i < state->item_count; i++) {
         HATCH_TRY(add_item(&gathering, context, state, i, first_face, err));
         first_face += unit->meshes[unit->items[i].mesh].surface->face_count;

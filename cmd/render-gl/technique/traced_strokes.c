@@ -1,11 +1,13 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/random.h"
 #include "curve/density.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
 #include "render-gl/technique/traced.h"
 
 #define SHEAF 6.0 /* side of the cells whose strokes turn and thin together, in gaps of their level */
@@ -67,12 +69,15 @@ static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_poi
 }
 
 /* Returns a random number, -1 .. 1, that a stroke shares with the neighbours of its set. */
-static float shared_random(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const struct entry *entry,
-                           uint64_t stream)
+static float shared_random(const struct traced_source *source, const struct entry *entry, uint64_t stream)
 {
+    const struct hatch_curves *curves = source->curves;
     float middle[3];
     uint64_t cell = entry->set->family;
-    hatch_curve_position(mesh, &curves->points[entry->curve->first + entry->curve->count / 2], middle);
+    if (source->parts)
+        memcpy(middle, source->parts[entry->curve - curves->curves].middle, sizeof middle);
+    else
+        hatch_curve_position(source->mesh, &curves->points[entry->curve->first + entry->curve->count / 2], middle);
     for (int k = 0; k < 3; k++) {
         double at = floor((double)middle[k] / (SHEAF * (double)entry->set->gap));
         cell = cell * 0x9e3779b97f4a7c15u + (uint64_t)(int64_t)fmin(fmax(at, -0x1p40), 0x1p40);
@@ -82,13 +87,16 @@ static float shared_random(const struct hatch_mesh *mesh, const struct hatch_cur
 
 /* Makes the points of a stroke.
  *   thresholds  of all points of the curves */
-static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves *curves, const float *thresholds,
-                        const struct entry *entry, struct traced_point *points)
+static void make_points(const struct traced_source *source, const float *thresholds, const struct entry *entry,
+                        struct traced_point *points)
 {
+    const struct hatch_mesh *mesh = source->mesh;
     const struct hatch_curve *curve = entry->curve;
-    const struct hatch_curve_point *from = &curves->points[curve->first];
-    float turn = shared_random(mesh, curves, entry, 0), thin = shared_random(mesh, curves, entry, 1);
-    double length = 0;
+    const struct hatch_curve_point *from = &source->curves->points[curve->first];
+    const struct hatch_finer_part whole = {0, 0, {0, 0, 0}};
+    const struct hatch_finer_part *part = source->parts ? &source->parts[curve - source->curves->curves] : &whole;
+    float turn = shared_random(source, entry, 0), thin = shared_random(source, entry, 1);
+    double length = (double)part->before;
     for (uint32_t i = 0; i < curve->count; i++) {
         uint32_t before = i > 0 ? i - 1 : 0, after = i + 1 < curve->count ? i + 1 : i;
         float ends[2][3], here[3];
@@ -112,7 +120,7 @@ static void make_points(const struct hatch_mesh *mesh, const struct hatch_curves
         set_face(mesh, &from[i], along, &points[i]);
     }
     for (uint32_t i = 0; i < curve->count; i++)
-        points[i].to_end = (float)length - points[i].from_start;
+        points[i].to_end = (float)length + part->after - points[i].from_start;
 }
 
 /* Writes the triangles between the points of a stroke; returns the end of them. */
@@ -126,30 +134,40 @@ static uint32_t *make_triangles(uint32_t first, uint32_t count, uint32_t *indice
     return indices;
 }
 
-enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatch_arena *arena,
+/* Computes the thresholds with which the points are drawn. */
+static enum hatch_status find_thresholds(const struct traced_source *source, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, float **thresholds, struct hatch_err *err)
+{
+    const struct hatch_curves *curves = source->curves;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, thresholds, curves->point_count, err));
+    for (uint32_t i = 0; i < curves->point_count; i++)
+        (*thresholds)[i] = curves->points[i].threshold;
+    return source->parts ? HATCH_OK : hatch_curves_even_thresholds(curves, source->mesh, scratch, *thresholds, err);
+}
+
+enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, struct traced_strokes *strokes, struct hatch_err *err)
 {
-    const struct hatch_curves *curves = &mesh->curves;
+    const struct hatch_curves *curves = source->curves;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct entry *entries;
     struct traced_point *points;
     uint32_t *indices, *end, first = 0;
     float *least, *thresholds;
     struct traced_stroke *sources;
-    *strokes = (struct traced_strokes){.count = curves->count};
+    *strokes = (struct traced_strokes){.count = curves->count, .curve_points = curves->points};
     HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &sources, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &end, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &entries, curves->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, 6 * (size_t)curves->point_count, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &thresholds, curves->point_count, err));
-    HATCH_TRY(hatch_curves_even_thresholds(curves, &mesh->mesh, scratch, thresholds, err));
+    HATCH_TRY(find_thresholds(source, arena, scratch, &thresholds, err));
     list_entries(curves, thresholds, entries);
     qsort(entries, curves->count, sizeof *entries, compare);
     uint32_t *next = indices;
     for (uint32_t i = 0; i < curves->count; i++) {
-        make_points(&mesh->mesh, curves, thresholds, &entries[i], points + first);
+        make_points(source, thresholds, &entries[i], points + first);
         next = make_triangles(first, entries[i].curve->count, next);
         first += entries[i].curve->count;
         least[i] = entries[i].least;
@@ -157,6 +175,7 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
         end[i] = first;
     }
     strokes->least = least;
+    strokes->thresholds = thresholds;
     strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;
@@ -168,6 +187,37 @@ enum hatch_status traced_upload(const struct hatch_scene_mesh *mesh, struct hatc
     strokes->indices = gpu_buffer_make(indices, sizeof *indices * (size_t)(next - indices));
     hatch_arena_rewind(scratch, mark);
     return gpu_check_memory(err, "%u strokes", curves->count);
+}
+
+void traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon)
+{
+    ribbon->buffer = gpu_buffer_make(NULL, TRACED_RIBBON_FLOATS * sizeof(float) * strokes->end[strokes->count - 1]);
+    ribbon->view = gpu_texture_of_buffer(GL_RGBA32F, ribbon->buffer);
+}
+
+void traced_free_strokes(const struct traced_strokes *strokes)
+{
+    const GLuint buffers[] = {strokes->points, strokes->indices};
+    glDeleteBuffers(2, buffers);
+}
+
+void traced_free_ribbon(const struct traced_ribbon *ribbon)
+{
+    glDeleteTextures(1, &ribbon->view);
+    glDeleteBuffers(1, &ribbon->buffer);
+}
+
+const struct traced_strokes *traced_strokes_of(const struct frame *frame, const struct traced_state *state,
+                                               uint32_t item)
+{
+    const struct traced_item *own = &state->items[item];
+    return own->strokes.count > 0 ? &own->strokes : &state->strokes[frame->scene->unit.items[item].mesh];
+}
+
+const struct traced_ribbon *traced_ribbon_of(const struct traced_state *state, uint32_t item)
+{
+    const struct traced_item *own = &state->items[item];
+    return own->strokes.count > 0 ? &own->near : &own->ribbon;
 }
 
 uint32_t traced_count_under(const struct traced_strokes *strokes, double threshold)

@@ -156,6 +156,8 @@ static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
         HATCH_TRY(hatch_glb_integer(glb, "level", curves->sets[i].level));
         HATCH_TRY(hatch_glb_number(glb, "angle", curves->sets[i].angle_rad));
         HATCH_TRY(hatch_glb_number(glb, "gap", curves->sets[i].gap));
+        HATCH_TRY(hatch_glb_number(glb, "length", curves->sets[i].length));
+        HATCH_TRY(hatch_glb_number(glb, "hard", curves->sets[i].hard_rad));
         HATCH_TRY(hatch_glb_put(glb, "}}}"));
     }
     return HATCH_OK;

@@ -47,11 +47,14 @@ enum hatch_status read_set(Reader &r, const tinygltf::Primitive &primitive, cons
     if (!(family >= 0 && family < HATCH_CURVE_FAMILIES_MAX && level >= 0 && level < HATCH_CURVE_LEVELS_MAX &&
           std::fabs(angle) < 100 && gap > 0 && gap < 1e38))
         return bad(r, where, "strokes: family, level, angle or gap is missing or out of range");
+    double length = number_of(primitive, "length"), hard = number_of(primitive, "hard");
     *set = {};
     set->family = static_cast<uint32_t>(family);
     set->level = static_cast<uint32_t>(level);
     set->angle_rad = static_cast<float>(angle);
     set->gap = static_cast<float>(gap);
+    set->length = length > 1 && length < 1e6 ? static_cast<float>(length) : 0;
+    set->hard_rad = hard > 0 && hard < 4 ? static_cast<float>(hard) : 0;
     return HATCH_OK;
 }
 

@@ -1,5 +1,6 @@
 // Does the same as ribbon.vert for near views, where lines between points would show corners: they follow Catmull-Rom
-// splines, cut into shorter lines, one per instance. There are six vertices, two triangles, for each point.
+// splines, by lengths in the picture, cut into shorter lines, one per instance. There are six vertices, two triangles,
+// for each point.
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 
@@ -24,8 +25,11 @@ void main()
         gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
         return;
     }
-    vec3 start = 0.5 * (to.xyz - (before.w < 0.0 ? from.xyz : before.xyz));
-    vec3 end = 0.5 * ((after.w < 0.0 ? to.xyz : after.xyz) - from.xyz);
+    before = before.w < 0.0 ? from : before;
+    after = after.w < 0.0 ? to : after;
+    float size_px = max(distance(from.xy, to.xy), 1e-6); // points may be at any distance from one another
+    vec3 start = (to.xyz - before.xyz) * size_px / (size_px + distance(before.xy, from.xy));
+    vec3 end = (after.xyz - from.xyz) * size_px / (size_px + distance(to.xy, after.xy));
     vec3 here = rest * rest * ((1.0 + 2.0 * part) * from.xyz + part * start) +
                 part * part * ((1.0 + 2.0 * rest) * to.xyz - rest * end);
     vec2 way = 6.0 * part * rest * (to.xy - from.xy) + rest * (1.0 - 3.0 * part) * start.xy +

@@ -1,0 +1,260 @@
+/* Strokes that near views add to those of a mesh. */
+#include "curve/density.h"
+#include "fail_alloc.h"
+#include "trace/finer.h"
+#include "trace_make.h"
+
+static float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES];
+
+/* A mesh with strokes and its field as an attribute, and what makes finer ones. */
+struct finer_case {
+    struct field_case field;
+    struct hatch_curves curves;
+    struct hatch_finer_source source;
+};
+
+/* Writes the field to the attribute _HATCH_DIR. */
+static void keep_field(struct field_case *field)
+{
+    float *values;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &field->mesh, "_HATCH_DIR", 4, &values, &err), &err);
+    for (uint32_t c = 0; c < 3 * field->surface.face_count; c++) {
+        float *to = &values[4 * (size_t)field->surface.corner_vertex[c]];
+        hatch_vec_round(&field->direction[3 * (size_t)field->surface.corners[c]], to);
+        to[3] = 1;
+    }
+}
+
+static void make_case(struct finer_case *made, struct field_case field, const struct hatch_trace_options *options)
+{
+    float *thresholds;
+    made->field = field;
+    keep_field(&made->field);
+    made->curves = trace_with(&made->field, options, NULL);
+    HATCH_TEST_OK(HATCH_ALLOC(&keep, &thresholds, made->curves.point_count, &err), &err);
+    HATCH_TEST_OK(hatch_curves_even_thresholds(&made->curves, &made->field.mesh, &scratch, thresholds, &err), &err);
+    made->source = (struct hatch_finer_source){
+        .mesh = &made->field.mesh, .curves = &made->curves, .thresholds = thresholds, .limit_bytes = (size_t)1 << 30};
+}
+
+static void make_plane(struct finer_case *made)
+{
+    struct hatch_trace_options options = with_gap(0.1, 3);
+    make_case(made, trace_plane(128, 0.3f), &options);
+}
+
+static struct hatch_finer *open_finer(const struct finer_case *of)
+{
+    struct hatch_finer *finer;
+    HATCH_TEST_OK(hatch_finer_make(&of->source, &finer, &err), &err);
+    return finer;
+}
+
+/* Looks straight down at a square of the plane z = 0, so that strokes `gap` apart are wanted everywhere, and so much
+ * more finely that none of them fades. */
+static struct hatch_finer_view view_of(double x, double y, double side, double gap)
+{
+    struct hatch_finer_view view = {.width_px = 512, .height_px = 512, .most = most, .levels = 24, .front = true};
+    double m = 2 / side, px = 512 / side;
+    const double matrix[16] = {m, 0, 0, 0, 0, m, 0, 0, 0, 0, 1, 0, -x * m, -y * m, 0, 1};
+    memcpy(view.clip_from_mesh, matrix, sizeof matrix);
+    for (uint32_t f = 0; f < HATCH_CURVE_FAMILIES_MAX; f++)
+        for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++)
+            most[f][i] = (float)(1 / (gap * px));
+    return view;
+}
+
+static struct hatch_finer_found find(struct hatch_finer *finer, const struct hatch_finer_view *view)
+{
+    struct hatch_finer_found found;
+    HATCH_TEST_OK(hatch_finer_find(finer, view, &keep, &found, &err), &err);
+    return found;
+}
+
+static void check_equal(const struct hatch_finer_found *a, const struct hatch_finer_found *b)
+{
+    ck_assert_uint_eq(b->curves.count, a->curves.count);
+    ck_assert_uint_eq(b->curves.point_count, a->curves.point_count);
+    ck_assert_mem_eq(b->curves.curves, a->curves.curves, a->curves.count * sizeof *a->curves.curves);
+    ck_assert_mem_eq(b->curves.points, a->curves.points, a->curves.point_count * sizeof *a->curves.points);
+    ck_assert_mem_eq(b->parts, a->parts, a->curves.count * sizeof *a->parts);
+}
+
+START_TEST(nothing_is_traced_where_the_strokes_suffice)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    struct hatch_finer_view view = view_of(0, 0, 1, 0.01);
+    view.enough = 101;
+    struct hatch_finer_found found = find(finer, &view);
+    ck_assert(!found.finer);
+    ck_assert_uint_eq(found.curves.count, 0);
+    ck_assert_uint_eq(found.traced, 0);
+    view.enough = 50; /* those that fade are 1.8 times as many */
+    found = find(finer, &view);
+    ck_assert(found.finer && found.enough);
+    ck_assert_uint_gt(found.traced, 0);
+    hatch_finer_free(finer);
+}
+END_TEST
+
+/* Returns the length of strokes in a square whose threshold is at most a limit, per area.
+ *   least  out: least distance of a point from the square's middle at which the threshold is over 0 */
+static double drawn_length(const struct hatch_finer_found *found, const struct hatch_mesh *mesh, double x, double y,
+                           double side, double limit)
+{
+    double sum = 0;
+    for (uint32_t c = 0; c < found->curves.count; c++) {
+        const struct hatch_curve *curve = &found->curves.curves[c];
+        for (uint32_t i = curve->first; i + 1 < curve->first + curve->count; i++) {
+            float ends[2][3];
+            double a[3], b[3];
+            for (int e = 0; e < 2; e++)
+                hatch_curve_position(mesh, &found->curves.points[i + (uint32_t)e], ends[e]);
+            hatch_vec_of(ends[0], a);
+            hatch_vec_of(ends[1], b);
+            double t[2] = {log((double)found->curves.points[i].threshold),
+                           log((double)found->curves.points[i + 1].threshold)};
+            for (int part = 0; part < 20; part++) { /* by the middles of short parts */
+                double share = (part + 0.5) / 20, at[2];
+                for (int k = 0; k < 2; k++)
+                    at[k] = a[k] + share * (b[k] - a[k]);
+                if (fabs(at[0] - x) < side / 2 && fabs(at[1] - y) < side / 2 &&
+                    t[0] + share * (t[1] - t[0]) <= log(limit))
+                    sum += hatch_vec_distance(a, b) / 20;
+            }
+        }
+    }
+    return sum / (side * side);
+}
+
+START_TEST(as_many_strokes_are_drawn_as_are_wanted)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    for (int octave = 2; octave <= 12; octave += 5) {
+        double sum = 0, side = ldexp(1, -octave), gap = side / 40;
+        for (int place = 0; place < 4; place++) {
+            double x = 0.6 * (place & 1) - 0.31, y = 0.53 * (place >> 1) - 0.23;
+            struct hatch_finer_view view = view_of(x, y, side, gap);
+            struct hatch_finer_found found = find(finer, &view);
+            for (double share = 0.25; share < 0.45; share *= 1.189)
+                sum += drawn_length(&found, &plane.field.mesh, x, y, side, share / gap) / (share / gap);
+        }
+        ck_assert_msg(fabs(sum / 16 - 1) < 0.06, "octave %d: %g of the strokes wanted", octave, sum / 16);
+    }
+    hatch_finer_free(finer);
+}
+END_TEST
+
+START_TEST(a_view_that_comes_back_has_the_same_strokes)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    struct hatch_finer_view view = view_of(0.3, 0.2, 0.03, 0.001), away = view_of(-0.6, -0.5, 0.03, 0.001);
+    struct hatch_finer_found first = find(finer, &view), again, back;
+    ck_assert_uint_gt(first.traced, 100);
+    again = find(finer, &view);
+    ck_assert_uint_eq(again.traced, 0); /* nothing is dropped that the view needs */
+    check_equal(&first, &again);
+    ck_assert_uint_gt(find(finer, &away).traced, 100); /* keep_bytes is 0: the first view is dropped */
+    back = find(finer, &view);
+    ck_assert_uint_gt(back.traced, 100);
+    check_equal(&first, &back);
+    hatch_finer_free(finer);
+}
+END_TEST
+
+/* Returns whether a curve of a view is found in another one: the same stroke, the same parts. */
+static bool has_curve(const struct hatch_finer_found *found, const struct hatch_curve *curve,
+                      const struct hatch_finer_found *of)
+{
+    for (uint32_t c = 0; c < found->curves.count; c++) {
+        const struct hatch_curve *other = &found->curves.curves[c];
+        if (other->id == curve->id && other->count == curve->count &&
+            memcmp(&found->curves.points[other->first], &of->curves.points[curve->first],
+                   curve->count * sizeof *of->curves.points) == 0)
+            return true;
+    }
+    return false;
+}
+
+START_TEST(the_way_to_a_view_does_not_matter)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer_view wanted = view_of(0.3, 0.2, 0.03, 0.001);
+    struct hatch_finer *direct = open_finer(&plane);
+    struct hatch_finer_found found = find(direct, &wanted);
+    uint32_t finest = 0;
+    plane.source.keep_bytes = (size_t)1 << 30;
+    for (int way = 0; way < 3; way++) {
+        struct hatch_finer *finer = open_finer(&plane);
+        struct hatch_finer_view before =
+            view_of(0.3 + (way == 0 ? 0.02 : 0), 0.2 + (way == 1 ? 0.02 : 0), 0.03, way == 2 ? 0.002 : 0.001);
+        find(finer, &before);
+        wanted = view_of(0.3, 0.2, 0.03, 0.001);
+        struct hatch_finer_found there = find(finer, &wanted);
+        ck_assert_uint_lt(there.traced, found.traced); /* the views overlap */
+        ck_assert_uint_eq(there.curves.count, found.curves.count);
+        for (uint32_t c = 0; c < found.curves.count; c++)
+            ck_assert_msg(has_curve(&there, &found.curves.curves[c], &found), "way %d: curve %u", way, c);
+        hatch_finer_free(finer);
+    }
+    for (uint32_t s = 0; s < found.curves.set_count; s++)
+        finest = found.curves.sets[s].count > 20 ? found.curves.sets[s].level : finest;
+    ck_assert_uint_eq(finest, 7);
+    hatch_finer_free(direct);
+}
+END_TEST
+
+START_TEST(the_number_of_threads_does_not_matter)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer_view view = view_of(0.3, 0.2, 0.1, 0.004);
+    struct hatch_finer *finer = open_finer(&plane);
+    struct hatch_finer_found one = find(finer, &view);
+    ck_assert_uint_gt(one.traced, 100);
+    hatch_finer_free(finer);
+    for (uint32_t threads = 1; threads <= 7; threads += 3) {
+        HATCH_TEST_OK(hatch_pool_make(threads, &keep, &plane.source.pool, &err), &err);
+        finer = open_finer(&plane);
+        struct hatch_finer_found many = find(finer, &view);
+        hatch_finer_free(finer);
+        hatch_pool_free(plane.source.pool);
+        check_equal(&one, &many);
+    }
+}
+END_TEST
+
+START_TEST(a_mesh_without_a_field_is_refused)
+{
+    struct finer_case plane;
+    struct hatch_finer *finer;
+    make_plane(&plane);
+    plane.field.mesh.attribute_count--;
+    ck_assert_int_eq(hatch_finer_make(&plane.source, &finer, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_null(finer);
+    ck_assert_str_eq(err.text, "the mesh has no direction field, _HATCH_DIR");
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("trace finer");
+    TCase *tests = tcase_create("finer");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, nothing_is_traced_where_the_strokes_suffice);
+    tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
+    tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);
+    tcase_add_test(tests, the_way_to_a_view_does_not_matter);
+    tcase_add_test(tests, the_number_of_threads_does_not_matter);
+    tcase_add_test(tests, a_mesh_without_a_field_is_refused);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
