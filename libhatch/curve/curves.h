@@ -12,7 +12,7 @@
 
 #define HATCH_CURVE_FAMILIES_MAX 8u
 #define HATCH_CURVE_LEVELS_MAX 16u
-#define HATCH_CURVE_FACES_MAX 16777216u /* of a mesh whose strokes a file holds: floats are exact up to here */
+#define HATCH_CURVE_ID_MAX 0x3fffffffu
 
 struct hatch_curve_point {
     uint32_t face;   /* of the mesh */
@@ -22,7 +22,8 @@ struct hatch_curve_point {
 
 struct hatch_curve {
     uint32_t first, count; /* its points: at least two */
-    uint32_t id;           /* a hash: the same for the same stroke whenever it is traced */
+    uint32_t id;           /* a hash, at most HATCH_CURVE_ID_MAX: the same for the same stroke whenever it is traced */
+    uint32_t free_ends;    /* bit 0: the first point, bit 1: the last: nothing that bounds the surface ends it there */
 };
 
 struct hatch_curve_set {
@@ -52,32 +53,52 @@ void hatch_curve_position(const struct hatch_mesh *mesh, const struct hatch_curv
 enum hatch_status hatch_curves_check(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Names of the attributes of hatch_curves_as_vertices, besides POSITION, JOINTS_0, WEIGHTS_0 and morph targets. */
-#define HATCH_CURVE_FACE "_HATCH_FACE"           /* 1: the face's number */
-#define HATCH_CURVE_SHARE "_HATCH_SHARE"         /* 2: share */
-#define HATCH_CURVE_STROKE "_HATCH_STROKE"       /* 2: the stroke's id: low and high 16 bits */
-#define HATCH_CURVE_THRESHOLD "_HATCH_THRESHOLD" /* 1: threshold */
+/* Finds the place on a face that is nearest to a position.
+ *   face      of the mesh
+ *   position  in mesh units
+ *   share     out: barycentric coordinates of corners 1 and 2
+ * Returns false if the position is farther from the face than rounding can place it. */
+bool hatch_curve_find_share(const struct hatch_mesh *mesh, uint32_t face, const float position[3], float share[2]);
+
+/* Names of the attributes of hatch_curves_as_vertices, besides POSITION, JOINTS_0, WEIGHTS_0 and morph targets. Their
+ * values are whole numbers of 16 bits. */
+#define HATCH_CURVE_FACE "_HATCH_FACE"     /* 2: the face's number: its low and its high 16 bits */
+#define HATCH_CURVE_STROKE "_HATCH_STROKE" /* 2: the threshold's code; at a stroke's ends, half of its id */
+
+#define HATCH_CURVE_CODE_STEPS 4096.0   /* codes of thresholds in an octave */
+#define HATCH_CURVE_CODE_MIDDLE 32768.0 /* that of one stroke per gap of the set */
+#define HATCH_CURVE_HALF_BITS 15u       /* bits of half an id; the one above them is set where the end is free */
+
+#define HATCH_CURVE_PART_MAX 65535u /* vertices that indices of 16 bits name; the largest index is reserved */
+
+/* Returns the part of a set that begins with its curve `first`, a number among all curves: as many curves as have
+ * HATCH_CURVE_PART_MAX points together, and at least one. */
+struct hatch_curve_set hatch_curve_set_part(const struct hatch_curves *curves, const struct hatch_curve_set *set,
+                                            uint32_t first);
 
 /* Makes the points of a set the vertices of a mesh without faces, whose indices are pairs: the ends of each line from a
  * point to the next of the same stroke. Where the surface has joints or morph targets, so have its points: of the
- * joints of a face's corners, the four that weigh most.
+ * joints of a face's corners, the four that weigh most. Thresholds are rounded to 1/HATCH_CURVE_CODE_STEPS of an octave
+ * and limited to 8 octaves around one stroke per gap.
+ *   set         or a part of one
  *   vertices    out: in arena; face_count is 0
- *   line_count  out: pairs in vertices->indices
- * HATCH_LIMIT also for a mesh of more than HATCH_CURVE_FACES_MAX faces. */
+ *   line_count  out: pairs in vertices->indices */
 enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, const struct hatch_curve_set *set,
                                            const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                            struct hatch_mesh *vertices, uint32_t *line_count,
                                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes the curves of a set from such vertices: the opposite of hatch_curves_as_vertices.
- *   vertices    has the four attributes above
+/* Makes the curves of a set from such vertices: the opposite of hatch_curves_as_vertices, but for rounding.
+ *   vertices    has the two attributes above
  *   indices     2 * line_count vertices
+ *   gap         of the set
+ *   mesh        that the strokes lie on
  *   curves      in, out: the set's curves and points are appended; its arrays have room for line_count curves and
  *               vertices->vertex_count points more
- * HATCH_BAD_INPUT where an attribute is missing, a face or stroke is no whole number in range, or a line does not join
- * a vertex to the next. */
+ * HATCH_BAD_INPUT where an attribute is missing or has a number that is not one of 16 bits, a face does not exist, a
+ * position is not on its face, or a line does not join a vertex to the next. */
 enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, const uint32_t *indices,
-                                             uint32_t line_count, struct hatch_curves *curves,
-                                             struct hatch_err *err) HATCH_MUST_USE;
+                                             uint32_t line_count, float gap, const struct hatch_mesh *mesh,
+                                             struct hatch_curves *curves, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

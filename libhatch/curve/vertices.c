@@ -95,28 +95,58 @@ static enum hatch_status add_targets(const struct hatch_curve_point *points, uin
     return HATCH_OK;
 }
 
+static float code_of(float threshold, float gap)
+{
+    double code = HATCH_CURVE_CODE_MIDDLE + HATCH_CURVE_CODE_STEPS * log2((double)threshold * (double)gap);
+    return (float)floor(fmin(fmax(code, 0), UINT16_MAX) + 0.5);
+}
+
+static float threshold_of(float code, float gap)
+{
+    return (float)(exp2(((double)code - HATCH_CURVE_CODE_MIDDLE) / HATCH_CURVE_CODE_STEPS) / (double)gap);
+}
+
+/* Returns what the first or the last vertex of a stroke says about it.
+ *   end  0: the first, 1: the last */
+static float half_of(const struct hatch_curve *curve, uint32_t end)
+{
+    uint32_t mask = (1u << HATCH_CURVE_HALF_BITS) - 1, is_free = curve->free_ends >> end & 1;
+    return (float)((curve->id >> end * HATCH_CURVE_HALF_BITS & mask) | is_free << HATCH_CURVE_HALF_BITS);
+}
+
 /* Adds the attributes that are the point's own. */
 static enum hatch_status add_places(const struct hatch_curves *curves, const struct hatch_curve_set *set,
                                     uint32_t first_point, struct hatch_arena *arena, struct hatch_mesh *vertices,
                                     struct hatch_err *err)
 {
-    float *face, *share, *id, *threshold;
-    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_FACE, 1, &face, err));
-    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_SHARE, 2, &share, err));
-    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_STROKE, 2, &id, err));
-    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_THRESHOLD, 1, &threshold, err));
+    float *face, *stroke;
+    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_FACE, 2, &face, err));
+    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_STROKE, 2, &stroke, err));
     for (uint32_t s = set->first; s < set->first + set->count; s++) {
         const struct hatch_curve *curve = &curves->curves[s];
         for (uint32_t i = curve->first; i < curve->first + curve->count; i++) {
             size_t to = i - first_point;
-            face[to] = (float)curves->points[i].face;
-            memcpy(&share[2 * to], curves->points[i].share, 2 * sizeof *share);
-            id[2 * to] = (float)(curve->id & 0xffff);
-            id[2 * to + 1] = (float)(curve->id >> 16);
-            threshold[to] = curves->points[i].threshold;
+            face[2 * to] = (float)(curves->points[i].face & 0xffff);
+            face[2 * to + 1] = (float)(curves->points[i].face >> 16);
+            stroke[2 * to] = code_of(curves->points[i].threshold, set->gap);
         }
+        stroke[2 * (size_t)(curve->first - first_point) + 1] = half_of(curve, 0);
+        stroke[2 * (size_t)(curve->first + curve->count - 1 - first_point) + 1] = half_of(curve, 1);
     }
     return HATCH_OK;
+}
+
+struct hatch_curve_set hatch_curve_set_part(const struct hatch_curves *curves, const struct hatch_curve_set *set,
+                                            uint32_t first)
+{
+    struct hatch_curve_set part = *set;
+    uint32_t end = set->first + set->count, begin = curves->curves[first].first;
+    part.first = first;
+    part.count = 1;
+    for (uint32_t c = first + 1; c < end; c++, part.count++)
+        if (curves->curves[c].first + curves->curves[c].count - begin > HATCH_CURVE_PART_MAX)
+            break;
+    return part;
 }
 
 enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, const struct hatch_curve_set *set,
@@ -126,9 +156,6 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
     const struct hatch_curve *first = &curves->curves[set->first], *last = first + set->count - 1;
     uint32_t count = set->count > 0 ? last->first + last->count - first->first : 0, lines = 0;
     const struct hatch_curve_point *points = &curves->points[set->count > 0 ? first->first : 0];
-    if (mesh->face_count > HATCH_CURVE_FACES_MAX)
-        return hatch_fail(err, HATCH_LIMIT, "strokes on a mesh of %u faces; a file holds those of at most %u",
-                          mesh->face_count, HATCH_CURVE_FACES_MAX);
     HATCH_TRY(hatch_mesh_make(arena, count, 0, vertices, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &vertices->indices, 2 * (size_t)count, err));
     for (size_t i = 0; i < count; i++)
@@ -145,44 +172,81 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
     return add_targets(points, count, mesh, arena, vertices, err);
 }
 
-/* Returns whether a number is whole and less than a limit. */
-static bool is_below(float number, uint32_t limit)
+/* Vertices that become points. */
+struct source {
+    const struct hatch_mesh *vertices, *mesh;
+    const float *face, *stroke; /* the attributes */
+    float gap;
+};
+
+/* Checks that an attribute has whole numbers of 16 bits. */
+static enum hatch_status check_numbers(const struct hatch_mesh *vertices, const char *name, const float *numbers,
+                                       struct hatch_err *err)
 {
-    return number >= 0 && number < (float)limit && number == floorf(number);
+    for (size_t i = 0; i < 2 * (size_t)vertices->vertex_count; i++)
+        if (!(numbers[i] >= 0 && numbers[i] <= UINT16_MAX && numbers[i] == floorf(numbers[i])))
+            return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %zu: %s is no whole number of 16 bits", i / 2,
+                              name);
+    return HATCH_OK;
+}
+
+/* Makes a vertex a point. */
+static enum hatch_status fill_point(const struct source *source, uint32_t v, struct hatch_curve_point *point,
+                                    struct hatch_err *err)
+{
+    const float *face = &source->face[2 * (size_t)v];
+    uint32_t number = (uint32_t)face[0] | (uint32_t)face[1] << 16;
+    *point = (struct hatch_curve_point){.face = number,
+                                        .threshold = threshold_of(source->stroke[2 * (size_t)v], source->gap)};
+    if (number >= source->mesh->face_count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: face %u does not exist, there are %u", v, number,
+                          source->mesh->face_count);
+    if (!hatch_curve_find_share(source->mesh, number, &source->vertices->attributes[0].data[3 * (size_t)v],
+                                point->share))
+        return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u is not on its face %u", v, number);
+    return HATCH_OK;
+}
+
+/* Reads what the first and the last vertex of a stroke say about it; those between them say nothing. */
+static enum hatch_status read_ends(const struct source *source, uint32_t first, struct hatch_curve *curve,
+                                   struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < curve->count; i++) {
+        uint32_t half = (uint32_t)source->stroke[2 * (size_t)(first + i) + 1], end = i > 0;
+        if (half != 0 && i > 0 && i + 1 < curve->count)
+            return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u has half an identifier, but ends no stroke",
+                              first + i);
+        curve->id |= (half & ((1u << HATCH_CURVE_HALF_BITS) - 1)) << end * HATCH_CURVE_HALF_BITS;
+        curve->free_ends |= half >> HATCH_CURVE_HALF_BITS << end;
+    }
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, const uint32_t *indices,
-                                             uint32_t line_count, struct hatch_curves *curves, struct hatch_err *err)
+                                             uint32_t line_count, float gap, const struct hatch_mesh *mesh,
+                                             struct hatch_curves *curves, struct hatch_err *err)
 {
-    const float *face = hatch_mesh_find(vertices, HATCH_CURVE_FACE, 1),
-                *share = hatch_mesh_find(vertices, HATCH_CURVE_SHARE, 2),
-                *id = hatch_mesh_find(vertices, HATCH_CURVE_STROKE, 2),
-                *threshold = hatch_mesh_find(vertices, HATCH_CURVE_THRESHOLD, 1);
-    if (!face || !share || !id || !threshold)
-        return hatch_fail(err, HATCH_BAD_INPUT, "strokes: %s, %s, %s or %s is missing", HATCH_CURVE_FACE,
-                          HATCH_CURVE_SHARE, HATCH_CURVE_STROKE, HATCH_CURVE_THRESHOLD);
-    uint32_t next = 0; /* first vertex that is in no stroke yet */
-    for (uint32_t line = 0; line < line_count; line++) {
-        uint32_t from = indices[2 * (size_t)line], to = indices[2 * (size_t)line + 1];
-        bool begins = from == next;
-        if (to >= vertices->vertex_count || to != from + 1 || !(begins || (line > 0 && to == next)))
-            return hatch_fail(err, HATCH_BAD_INPUT, "strokes: line %u does not join a vertex to the next", line);
-        if (begins)
-            curves->curves[curves->count++] = (struct hatch_curve){.first = curves->point_count};
-        struct hatch_curve *curve = &curves->curves[curves->count - 1];
-        for (uint32_t v = begins ? from : to; v <= to; v++) {
-            if (!is_below(face[v], HATCH_CURVE_FACES_MAX) || !is_below(id[2 * (size_t)v], 0x10000) ||
-                !is_below(id[2 * (size_t)v + 1], 0x10000))
-                return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: %s or %s is no whole number in range", v,
-                                  HATCH_CURVE_FACE, HATCH_CURVE_STROKE);
-            curves->points[curves->point_count++] =
-                (struct hatch_curve_point){.face = (uint32_t)face[v],
-                                           .share = {share[2 * (size_t)v], share[2 * (size_t)v + 1]},
-                                           .threshold = threshold[v]};
-            curve->id = (uint32_t)id[2 * (size_t)v] | (uint32_t)id[2 * (size_t)v + 1] << 16;
-            curve->count++;
+    const struct source source = {vertices, mesh, hatch_mesh_find(vertices, HATCH_CURVE_FACE, 2),
+                                  hatch_mesh_find(vertices, HATCH_CURVE_STROKE, 2), gap};
+    if (!source.face || !source.stroke)
+        return hatch_fail(err, HATCH_BAD_INPUT, "strokes: %s or %s is missing", HATCH_CURVE_FACE, HATCH_CURVE_STROKE);
+    HATCH_TRY(check_numbers(vertices, HATCH_CURVE_FACE, source.face, err));
+    HATCH_TRY(check_numbers(vertices, HATCH_CURVE_STROKE, source.stroke, err));
+    for (uint32_t line = 0, next = 0; line < line_count;) {
+        struct hatch_curve *curve = &curves->curves[curves->count];
+        *curve = (struct hatch_curve){.first = curves->point_count, .count = 1};
+        for (; line < line_count && (curve->count == 1 || indices[2 * (size_t)line] != next + curve->count);
+             line++, curve->count++) {
+            uint32_t from = next + curve->count - 1;
+            if (indices[2 * (size_t)line] != from || indices[2 * (size_t)line + 1] != from + 1 ||
+                from + 1 >= vertices->vertex_count)
+                return hatch_fail(err, HATCH_BAD_INPUT, "strokes: line %u does not join a vertex to the next", line);
         }
-        next = to + 1;
+        for (uint32_t v = next; v < next + curve->count; v++)
+            HATCH_TRY(fill_point(&source, v, &curves->points[curves->point_count++], err));
+        HATCH_TRY(read_ends(&source, next, curve, err));
+        curves->count++;
+        next += curve->count;
     }
     return HATCH_OK;
 }

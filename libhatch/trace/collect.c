@@ -57,7 +57,10 @@ static enum hatch_status add_curve(const struct hatch_tracer *tracer, const stru
         hatch_trace_reserve(sink->arena, &sink->levels, sizeof *sink->levels, to->count, &sink->level_capacity, err));
     sink->levels[to->count] = (uint8_t)stroke->level;
     to->curves[to->count++] =
-        (struct hatch_curve){.first = to->point_count, .count = count, .id = (uint32_t)(stroke->id >> 32)};
+        (struct hatch_curve){.first = to->point_count,
+                             .count = count,
+                             .id = (uint32_t)(stroke->id >> 32) & HATCH_CURVE_ID_MAX,
+                             .free_ends = (stroke->bound[1] ? 0u : 1u) | (stroke->bound[0] ? 0u : 2u)};
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_trace_reserve(sink->arena, &to->points, sizeof *to->points, to->point_count,
                                       &sink->point_capacity, err));

@@ -13,7 +13,7 @@
 struct stride {
     uint32_t half; /* 2 * stroke, plus 1 for the half behind the seed */
     uint32_t leg_count;
-    bool goes_on;
+    bool goes_on, bound; /* bound: a border or a hard edge ends it */
     struct hatch_trace_place to;
     struct hatch_trace_leg legs[LEGS_KEPT]; /* the first of leg_count */
 };
@@ -45,6 +45,13 @@ static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *s
     return false;
 }
 
+/* Ends a stroke before a stride. */
+static void give_up(struct stride *stride)
+{
+    stride->leg_count = 0;
+    stride->goes_on = stride->bound = false;
+}
+
 /* Walks one round from the stroke's end; leg_count is 0 where another stroke blocks the way. */
 static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
 {
@@ -52,6 +59,7 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
     stride->to = tracer->strokes[stride->half / 2].end[stride->half % 2];
     stride->leg_count = 0;
     stride->goes_on = true;
+    stride->bound = false;
     for (uint32_t n = 0; stride->goes_on && length - walked > 1e-6 * length; n++) {
         struct hatch_trace_leg leg;
         if (n == HATCH_TRACE_LEGS_MAX) { /* directions that lead back to the same edge from both of its sides */
@@ -61,10 +69,10 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
         const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, 0);
         stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
                                            HATCH_TRACE_ALONG, &leg);
+        stride->bound = !stride->goes_on && leg.side < 3;
         bool left = tracer->region && !hatch_trace_region_has(tracer->region, &stride->to);
         if (left || (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
-            stride->leg_count = 0;
-            stride->goes_on = false;
+            give_up(stride);
             return;
         }
         walked += leg.length;
@@ -72,10 +80,8 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
             stride->legs[stride->leg_count] = leg;
         stride->leg_count += leg.length > 0;
     }
-    if (stride->leg_count > 0 && is_blocked(tracer, stride, walked)) {
-        stride->leg_count = 0;
-        stride->goes_on = false;
-    }
+    if (stride->leg_count > 0 && is_blocked(tracer, stride, walked))
+        give_up(stride);
 }
 
 static void advance_chunk(void *context, uint32_t chunk)
@@ -105,6 +111,7 @@ static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride
             HATCH_TRY(hatch_trace_add_piece(tracer, stride->half, &leg, err));
     }
     stroke->end[way] = stride->to;
+    stroke->bound[way] = stride->bound;
     stroke->growing[way] = stride->goes_on && stroke->length[way] < stroke->length_max[way];
     return HATCH_OK;
 }

@@ -18,9 +18,10 @@ struct hatch_glb_view {
     size_t offset, size; /* bytes in the buffer */
 };
 
-/* A set of strokes, written as a primitive of lines. */
+/* A set of strokes or a part of one, written as a primitive of lines. */
 struct hatch_glb_lines {
-    struct hatch_mesh vertices; /* in scratch; without vertices it is not written */
+    struct hatch_curve_set part;
+    struct hatch_mesh vertices; /* in scratch */
     uint32_t first;             /* index of the accessor of its POSITION */
 };
 
@@ -38,7 +39,8 @@ struct hatch_glb {
     uint32_t *group_size; /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
     uint32_t *group;      /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
     uint32_t *mesh_first; /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
-    struct hatch_glb_lines **lines; /* per scene mesh: one per set of its strokes */
+    struct hatch_glb_lines **lines; /* per scene mesh: its strokes */
+    uint32_t *line_count;           /* per scene mesh: number of them */
     uint32_t *skin;                 /* per skin: index in the file; HATCH_NONE without joints */
     uint32_t skin_first;            /* index of the accessor of the first skin's matrices */
     uint32_t channel_first;         /* index of the accessor of the first animation channel's times */

@@ -140,24 +140,21 @@ static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hat
     return print_targets(glb, mesh, first + count + 1);
 }
 
-/* Prints the strokes of a mesh: a primitive of mode LINES for each set. */
+/* Prints the strokes of a mesh: primitives of mode LINES. */
 static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
 {
-    const struct hatch_curves *curves = &glb->scene->meshes[index].curves;
-    for (uint32_t i = 0; i < curves->set_count; i++) {
+    for (uint32_t i = 0; i < glb->line_count[index]; i++) {
         const struct hatch_glb_lines *lines = &glb->lines[index][i];
-        if (lines->vertices.vertex_count == 0)
-            continue;
         HATCH_TRY(open_item(glb));
         HATCH_TRY(print_accessors(glb, &lines->vertices, lines->first));
         HATCH_TRY(hatch_glb_integer(glb, "mode", 1));
         HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
-        HATCH_TRY(hatch_glb_integer(glb, "family", curves->sets[i].family));
-        HATCH_TRY(hatch_glb_integer(glb, "level", curves->sets[i].level));
-        HATCH_TRY(hatch_glb_number(glb, "angle", curves->sets[i].angle_rad));
-        HATCH_TRY(hatch_glb_number(glb, "gap", curves->sets[i].gap));
-        HATCH_TRY(hatch_glb_number(glb, "length", curves->sets[i].length));
-        HATCH_TRY(hatch_glb_number(glb, "hard", curves->sets[i].hard_rad));
+        HATCH_TRY(hatch_glb_integer(glb, "family", lines->part.family));
+        HATCH_TRY(hatch_glb_integer(glb, "level", lines->part.level));
+        HATCH_TRY(hatch_glb_number(glb, "angle", lines->part.angle_rad));
+        HATCH_TRY(hatch_glb_number(glb, "gap", lines->part.gap));
+        HATCH_TRY(hatch_glb_number(glb, "length", lines->part.length));
+        HATCH_TRY(hatch_glb_number(glb, "hard", lines->part.hard_rad));
         HATCH_TRY(hatch_glb_put(glb, "}}}"));
     }
     return HATCH_OK;

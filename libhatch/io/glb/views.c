@@ -64,7 +64,8 @@ static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch
     uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
-        bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_STROKE) == 0;
+        bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
+                        strcmp(a->name, HATCH_CURVE_STROKE) == 0;
         add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
                                               .target = HATCH_GLB_VERTICES,
                                               .data = a->data,
@@ -87,20 +88,38 @@ static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch
     return HATCH_OK;
 }
 
+/* Lists the primitives that hold the strokes of a mesh: the parts of its sets.
+ *   lines  out: NULL: they are only counted
+ * Returns their number. */
+static uint32_t list_lines(const struct hatch_curves *curves, struct hatch_glb_lines *lines)
+{
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < curves->set_count; s++) {
+        const struct hatch_curve_set *set = &curves->sets[s];
+        for (uint32_t first = set->first; first < set->first + set->count; count++) {
+            struct hatch_curve_set part = hatch_curve_set_part(curves, set, first);
+            if (lines)
+                lines[count].part = part;
+            first += part.count;
+        }
+    }
+    return count;
+}
+
 static enum hatch_status add_mesh(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
     struct hatch_glb_lines *lines;
     HATCH_TRY(add_primitive(glb, &from->mesh, 3 * (size_t)from->mesh.face_count));
-    HATCH_TRY(HATCH_ALLOC(glb->scratch, &lines, from->curves.set_count, glb->err));
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &lines, glb->line_count[index], glb->err));
     glb->lines[index] = lines;
-    for (uint32_t i = 0; i < from->curves.set_count; i++) {
+    list_lines(&from->curves, lines);
+    for (uint32_t i = 0; i < glb->line_count[index]; i++) {
         uint32_t count;
-        HATCH_TRY(hatch_curves_as_vertices(&from->curves, &from->curves.sets[i], &from->mesh, glb->scratch,
-                                           &lines[i].vertices, &count, glb->err));
+        HATCH_TRY(hatch_curves_as_vertices(&from->curves, &lines[i].part, &from->mesh, glb->scratch, &lines[i].vertices,
+                                           &count, glb->err));
         lines[i].first = glb->view_count;
-        if (count > 0)
-            HATCH_TRY(add_primitive(glb, &lines[i].vertices, 2 * (size_t)count));
+        HATCH_TRY(add_primitive(glb, &lines[i].vertices, 2 * (size_t)count));
     }
     return HATCH_OK;
 }
@@ -203,11 +222,12 @@ static void plan_images(struct hatch_glb *glb)
     }
 }
 
-static size_t count_views(const struct hatch_scene *scene)
+static size_t count_views(const struct hatch_glb *glb)
 {
+    const struct hatch_scene *scene = glb->scene;
     size_t count = (size_t)scene->skin_count + scene->texture_count;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
-        count += (scene->meshes[m].curves.set_count + (size_t)1) *
+        count += (glb->line_count[m] + (size_t)1) *
                  (HATCH_MESH_ATTRIBUTES_MAX + 1 + 2 * (size_t)hatch_mesh_target_count(&scene->meshes[m].mesh));
     for (uint32_t a = 0; a < scene->animation_count; a++)
         count += 2 * (size_t)scene->animations[a].channel_count;
@@ -217,14 +237,22 @@ static size_t count_views(const struct hatch_scene *scene)
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
-    uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->skin, &glb->image, &glb->texture};
-    const size_t sizes[] = {scene->mesh_count, scene->mesh_count,    scene->mesh_count,
-                            scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
+    uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->line_count,
+                          &glb->skin,       &glb->image, &glb->texture};
+    const size_t sizes[] = {scene->mesh_count,
+                            scene->mesh_count,
+                            scene->mesh_count,
+                            scene->mesh_count,
+                            scene->skin_count,
+                            scene->texture_count,
+                            HATCH_GLB_WRAPS * (size_t)scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         HATCH_TRY(HATCH_ALLOC(glb->scratch, lists[i], sizes[i], glb->err));
     }
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->lines, scene->mesh_count, glb->err));
-    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->views, count_views(scene), glb->err));
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        glb->line_count[m] = list_lines(&scene->meshes[m].curves, NULL);
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->views, count_views(glb), glb->err));
     HATCH_TRY(plan_meshes(glb));
     plan_motion(glb);
     glb->accessor_count = glb->view_count;

@@ -119,7 +119,7 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
     HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "POSITION", where, mesh));
     HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "NORMAL", where, mesh));
     if (!has_other_weights(r, index, most)) {
-        r.notes->morphs_ignored += targets > 0;
+        r.notes->morphs_ignored += targets > 0 && primitive.mode >= TINYGLTF_MODE_TRIANGLES;
         return HATCH_OK;
     }
     if (targets != most)

@@ -27,10 +27,14 @@ double number_of(const tinygltf::Primitive &primitive, const char *key)
     return extras.Has(key) && extras.Get(key).IsNumber() ? extras.Get(key).GetNumberAsDouble() : NAN;
 }
 
-enum hatch_status read_lines(Reader &r, const tinygltf::Primitive &primitive, const std::string &where, Lines *lines)
+/* Reads the vertices and the lines; the vertices are at rest, as the surface is.
+ *   mesh  index of the glTF mesh */
+enum hatch_status read_lines(Reader &r, const tinygltf::Primitive &primitive, size_t mesh, const std::string &where,
+                             Lines *lines)
 {
     *lines = {};
     HATCH_TRY(read_attributes(r, primitive, where, &lines->vertices));
+    HATCH_TRY(read_morph(r, primitive, mesh, where, &lines->vertices));
     if (primitive.indices == -1)
         return bad(r, where, "strokes without indices");
     HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &lines->indices, &lines->count));
@@ -58,41 +62,57 @@ enum hatch_status read_set(Reader &r, const tinygltf::Primitive &primitive, cons
     return HATCH_OK;
 }
 
+/* Adds the strokes of a primitive: to the last set, if they are of the same family and level, else to a new one. */
+enum hatch_status add_strokes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
+                              const Lines &lines, const struct hatch_mesh &surface, struct hatch_curves *curves)
+{
+    struct hatch_curve_set set, *last = curves->set_count > 0 ? &curves->sets[curves->set_count - 1] : nullptr;
+    HATCH_TRY(read_set(r, primitive, where, &set));
+    bool continues = last && set.family == last->family && set.level == last->level;
+    if (continues && (set.angle_rad != last->angle_rad || set.gap != last->gap))
+        return bad(r, where, "strokes: angle or gap differs from the primitive before, of the same family and level");
+    if (!continues) {
+        last = &curves->sets[curves->set_count++];
+        *last = set;
+        last->first = curves->count;
+    }
+    if (hatch_curves_from_vertices(&lines.vertices, lines.indices, lines.count / 2, set.gap, &surface, curves, r.err) !=
+        HATCH_OK)
+        return hatch_fail_at(r.err, "%s: ", where.c_str());
+    last->count = curves->count - last->first;
+    return HATCH_OK;
+}
+
 } // namespace
 
 enum hatch_status read_strokes(Reader &r, const std::vector<tinygltf::Primitive> &list, size_t mesh, size_t first,
                                struct hatch_scene_mesh *surface)
 {
-    size_t sets = 0, points = 0, lines = 0;
+    size_t count = 0, points = 0, lines = 0;
     struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
-    while (first + sets < list.size() && is_strokes(list[first + sets]))
-        sets++;
-    if (sets == 0)
+    while (first + count < list.size() && is_strokes(list[first + count]))
+        count++;
+    if (count == 0)
         return HATCH_OK;
-    Lines *parts = HATCH_NEW(r.scratch, Lines, sets, r.err);
+    Reader passing = r; /* vertices are needed until they are points */
+    passing.arena = r.scratch;
+    Lines *parts = HATCH_NEW(r.scratch, Lines, count, r.err);
     if (!parts)
         return HATCH_LIMIT;
-    for (size_t i = 0; i < sets; i++) {
-        HATCH_TRY(read_lines(r, list[first + i], place("mesh", mesh, "primitive", first + i), &parts[i]));
+    for (size_t i = 0; i < count; i++) {
+        HATCH_TRY(read_lines(passing, list[first + i], mesh, place("mesh", mesh, "primitive", first + i), &parts[i]));
         points += parts[i].vertices.vertex_count;
         lines += parts[i].count / 2;
     }
     struct hatch_curves curves = {};
-    curves.sets = HATCH_NEW(r.arena, struct hatch_curve_set, sets, r.err);
+    curves.sets = HATCH_NEW(r.arena, struct hatch_curve_set, count, r.err);
     curves.curves = HATCH_NEW(r.arena, struct hatch_curve, lines, r.err);
     curves.points = HATCH_NEW(r.arena, struct hatch_curve_point, points, r.err);
     if (!curves.sets || !curves.curves || !curves.points)
         return HATCH_LIMIT;
-    for (size_t i = 0; i < sets; i++) {
-        struct hatch_curve_set *set = &curves.sets[curves.set_count++];
-        const std::string where = place("mesh", mesh, "primitive", first + i);
-        HATCH_TRY(read_set(r, list[first + i], where, set));
-        set->first = curves.count;
-        if (hatch_curves_from_vertices(&parts[i].vertices, parts[i].indices, parts[i].count / 2, &curves, r.err) !=
-            HATCH_OK)
-            return hatch_fail_at(r.err, "%s: ", where.c_str());
-        set->count = curves.count - set->first;
-    }
+    for (size_t i = 0; i < count; i++)
+        HATCH_TRY(add_strokes(r, list[first + i], place("mesh", mesh, "primitive", first + i), parts[i], surface->mesh,
+                              &curves));
     if (hatch_curves_check(&curves, &surface->mesh, r.err) != HATCH_OK)
         return hatch_fail_at(r.err, "%s: ", place("mesh", mesh, "primitive", first - 1).c_str());
     hatch_arena_rewind(r.scratch, mark);

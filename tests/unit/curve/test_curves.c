@@ -1,5 +1,6 @@
 /* Strokes as points of faces, and as the vertices that files hold. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "curve/curves.h"
@@ -21,10 +22,10 @@ static void begin_curves(void)
     mesh = mesh_of(positions, 4, indices, 2);
     for (uint32_t i = 0; i < 7; i++)
         points[i] =
-            (struct hatch_curve_point){i % 2, {0.125f * (float)i, 0.25f - 0.03125f * (float)i}, 1.5f + (float)i};
-    curves_of[0] = (struct hatch_curve){0, 2, 0xffffffff};
-    curves_of[1] = (struct hatch_curve){2, 3, 0x12345678};
-    curves_of[2] = (struct hatch_curve){5, 2, 7};
+            (struct hatch_curve_point){i % 2, {0.125f * (float)i, 0.25f - 0.03125f * (float)i}, ldexpf(1, (int)i - 3)};
+    curves_of[0] = (struct hatch_curve){0, 2, HATCH_CURVE_ID_MAX, 3};
+    curves_of[1] = (struct hatch_curve){2, 3, 0x12345678, 1};
+    curves_of[2] = (struct hatch_curve){5, 2, 7, 2};
     sets[0] = (struct hatch_curve_set){0, 0, 0.5f, 1, 0, 2};
     sets[1] = (struct hatch_curve_set){0, 3, 0.5f, 0.125f, 2, 0};
     sets[2] = (struct hatch_curve_set){2, 1, -1, 0.5f, 2, 1};
@@ -131,7 +132,7 @@ START_TEST(points_become_vertices)
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
     ck_assert_uint_eq(vertices.vertex_count, 5);
     ck_assert_uint_eq(vertices.face_count, 0);
-    ck_assert_uint_eq(vertices.attribute_count, 5);
+    ck_assert_uint_eq(vertices.attribute_count, 3);
     ck_assert_uint_eq(lines, 3);
     ck_assert_mem_eq(vertices.indices, ends, sizeof ends);
     for (uint32_t v = 0; v < 5; v++) {
@@ -139,15 +140,47 @@ START_TEST(points_become_vertices)
         hatch_curve_position(&mesh, &points[v], at);
         ck_assert_mem_eq(&vertices.attributes[0].data[3 * v], at, sizeof at);
     }
-    const float *id = hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2);
-    ck_assert(id[0] == 65535 && id[1] == 65535 && id[4] == 0x5678 && id[5] == 0x1234);
-    ck_assert_float_eq(hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 1)[3], 1);
-    ck_assert_float_eq(hatch_mesh_find(&vertices, HATCH_CURVE_THRESHOLD, 1)[4], 5.5f);
+    /* Codes of thresholds, and halves of the ids at ends; 32768 more where an end is free. */
+    static const float stroke[] = {20480, 65535, 24576, 65535, 28672, 0xd678, 32768, 0, 36864, 0x2468};
+    ck_assert_mem_eq(hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2), stroke, sizeof stroke);
+    ck_assert_float_eq(hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 2)[6], 1);
     vertices = vertices_of(&sets[1], &lines);
     ck_assert_uint_eq(vertices.vertex_count + lines, 0);
-    vertices = vertices_of(&sets[2], &lines);
-    ck_assert_float_eq(hatch_mesh_find(&vertices, HATCH_CURVE_SHARE, 2)[2], points[6].share[0]);
+    vertices = vertices_of(&sets[2], &lines); /* with half the gap */
+    static const float last[] = {36864, 7, 40960, 32768};
+    ck_assert_mem_eq(hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2), last, sizeof last);
     ck_assert_uint_eq(lines, 1);
+}
+END_TEST
+
+START_TEST(thresholds_are_limited_to_eight_octaves)
+{
+    static const float thresholds[] = {1e-30f, 0.0039f, 255.99f, 1e30f, 1}, codes[] = {0, 0, 65535, 65535, 32768};
+    uint32_t lines;
+    for (uint32_t i = 0; i < 5; i++)
+        points[i].threshold = thresholds[i];
+    struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
+    for (uint32_t i = 0; i < 5; i++)
+        ck_assert_float_eq(hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2)[2 * i], codes[i]);
+}
+END_TEST
+
+START_TEST(parts_of_sets_have_indices_of_16_bits)
+{
+    static const uint32_t counts[] = {65534, 2, 65533, 2, 65536, 65535, 2}, parts[] = {1, 2, 1, 1, 1, 1};
+    struct hatch_curve list[7];
+    const struct hatch_curve_set set = {.family = 1, .gap = 0.5f, .first = 1, .count = 6};
+    const struct hatch_curves all = {.curves = list};
+    uint32_t first = 1, i = 0;
+    for (uint32_t c = 0, point = 0; c < 7; point += counts[c], c++)
+        list[c] = (struct hatch_curve){.first = point, .count = counts[c]};
+    for (; first < 7; i++) {
+        struct hatch_curve_set part = hatch_curve_set_part(&all, &set, first);
+        ck_assert(part.family == 1 && part.gap == 0.5f && part.first == first);
+        ck_assert_uint_eq(part.count, parts[i + 1]);
+        first += part.count;
+    }
+    ck_assert_uint_eq(i, 5);
 }
 END_TEST
 
@@ -157,7 +190,7 @@ static enum hatch_status read_lines(const struct hatch_mesh *vertices, const uin
 {
     read_back.curves = HATCH_NEW(&keep, struct hatch_curve, 10, &err);
     read_back.points = HATCH_NEW(&keep, struct hatch_curve_point, 10, &err);
-    return hatch_curves_from_vertices(vertices, indices, lines, &read_back, &err);
+    return hatch_curves_from_vertices(vertices, indices, lines, 1, &mesh, &read_back, &err);
 }
 
 START_TEST(vertices_become_the_same_points)
@@ -167,11 +200,16 @@ START_TEST(vertices_become_the_same_points)
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
     HATCH_TEST_OK(read_lines(&vertices, vertices.indices, lines), &err);
     vertices = vertices_of(&sets[2], &lines);
-    HATCH_TEST_OK(hatch_curves_from_vertices(&vertices, vertices.indices, lines, &read_back, &err), &err);
+    HATCH_TEST_OK(hatch_curves_from_vertices(&vertices, vertices.indices, lines, 0.5f, &mesh, &read_back, &err), &err);
     ck_assert_uint_eq(read_back.count, 3);
     ck_assert_uint_eq(read_back.point_count, 7);
     ck_assert_mem_eq(read_back.curves, curves_of, sizeof curves_of);
-    ck_assert_mem_eq(read_back.points, points, sizeof points);
+    for (uint32_t i = 0; i < 7; i++) {
+        ck_assert_uint_eq(read_back.points[i].face, points[i].face);
+        ck_assert_float_eq(read_back.points[i].threshold, points[i].threshold);
+        for (int k = 0; k < 2; k++)
+            ck_assert_float_eq_tol(read_back.points[i].share[k], points[i].share[k], 1e-6f);
+    }
 }
 END_TEST
 
@@ -198,7 +236,7 @@ END_TEST
 
 START_TEST(a_missing_attribute_is_named)
 {
-    for (uint32_t i = 1; i < 5; i++) {
+    for (uint32_t i = 1; i < 3; i++) {
         uint32_t lines;
         struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
         char name[HATCH_MESH_NAME_MAX];
@@ -214,24 +252,106 @@ END_TEST
 
 START_TEST(numbers_out_of_range_are_refused)
 {
-    static const float faces[] = {-1, NAN, 0.5f, 16777216.0f}, ids[] = {-1, 65536, 0.5f, NAN};
+    static const char *const names[] = {HATCH_CURVE_FACE, HATCH_CURVE_STROKE};
+    static const float bad[] = {-1, 65536, 0.5f, NAN};
     uint32_t lines;
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
-    float *face = hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 1);
-    float *id = hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2);
-    for (size_t i = 0; i < 4; i++) {
-        face[3] = faces[i];
-        check_unread(&vertices, vertices.indices, lines,
-                     "vertex 3: _HATCH_FACE or _HATCH_STROKE is no whole number in range");
-        face[3] = 1;
-        for (uint32_t k = 0; k < 2; k++) {
-            float was = id[8 + k];
-            id[8 + k] = ids[i];
-            check_unread(&vertices, vertices.indices, lines,
-                         "vertex 4: _HATCH_FACE or _HATCH_STROKE is no whole number in range");
-            id[8 + k] = was;
-        }
+    for (uint32_t i = 0; i < 16; i++) {
+        float *number = &hatch_mesh_find(&vertices, names[i / 8], 2)[6 + i / 4 % 2], was = *number;
+        char text[100];
+        snprintf(text, sizeof text, "strokes: vertex 3: %s is no whole number of 16 bits", names[i / 8]);
+        *number = bad[i % 4];
+        check_unread(&vertices, vertices.indices, lines, text);
+        *number = was;
     }
+}
+END_TEST
+
+START_TEST(vertices_that_are_no_points_are_refused)
+{
+    uint32_t lines;
+    struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
+    float *face = &hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 2)[6];
+    float *inner = &hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2)[7];
+    face[0] = 2;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3: face 2 does not exist, there are 2");
+    face[0] = face[1] = 65535;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3: face 4294967295 does not exist");
+    face[0] = face[1] = 0;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3 is not on its face 0");
+    face[0] = *inner = 1;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3 has half an identifier, but ends no stroke");
+}
+END_TEST
+
+/* Many copies of the first face, of which the strokes lie on the last. */
+START_TEST(numbers_of_faces_have_32_bits)
+{
+    enum { FACES = 70000 };
+    uint32_t lines, *copies = HATCH_NEW(&keep, uint32_t, 3 * (size_t)FACES, &err);
+    for (size_t i = 0; i < 3 * (size_t)FACES; i++)
+        copies[i] = mesh.indices[i % 3];
+    mesh.indices = copies;
+    mesh.face_count = FACES;
+    for (uint32_t i = 0; i < 7; i++)
+        points[i].face = FACES - 1;
+    struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
+    read_back = (struct hatch_curves){0};
+    HATCH_TEST_OK(read_lines(&vertices, vertices.indices, lines), &err);
+    for (uint32_t i = 0; i < 5; i++)
+        ck_assert_uint_eq(read_back.points[i].face, FACES - 1);
+}
+END_TEST
+
+/* Finds the shares of a place on a face, moved by a distance aside. */
+static bool find_again(const float corners[9], const float share[2], float moved, float found[2])
+{
+    static const uint32_t corner[3] = {0, 1, 2};
+    struct hatch_mesh one = mesh_of(corners, 3, corner, 1);
+    const struct hatch_curve_point point = {0, {share[0], share[1]}, 1};
+    float at[3];
+    hatch_curve_position(&one, &point, at);
+    at[2] += moved;
+    return hatch_curve_find_share(&one, 0, at, found);
+}
+
+START_TEST(shares_follow_from_positions)
+{
+    static const float shares[][2] = {{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.5f}, {0.3f, 0.7f}, {0, 0.6f}};
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
+        for (int octave = -90; octave <= 90; octave += 30) {
+            float size = ldexpf(1, octave), found[2];
+            const float corners[9] = {size, 0, 0, 2 * size, size, 0, -size, 3 * size, 0};
+            ck_assert(find_again(corners, shares[i], 0, found));
+            ck_assert_float_eq_tol(found[0], shares[i][0], 1e-6f);
+            ck_assert_float_eq_tol(found[1], shares[i][1], 1e-6f);
+            ck_assert(find_again(corners, shares[i], 1e-3f * size, found));
+            ck_assert(!find_again(corners, shares[i], 1e-2f * size, found));
+        }
+}
+END_TEST
+
+/* Faces that are nearly lines or points have places, too, as exact as positions are. */
+START_TEST(thin_faces_have_places)
+{
+    static const float thin[][9] = {{0, 0, 0, 1, 0, 0, 0.3f, 1e-7f, 0},
+                                    {0, 0, 0, 1, 0, 0, 0.3f, 0, 0},
+                                    {0.5f, 0, 0, 0, 1, 0, 1, -1, 0},
+                                    {1, 2, 3, 1, 2, 3, 1, 2, 3},
+                                    {1000, 1000, 0, 1000.001f, 1000, 0, 1000, 1000.001f, 0}};
+    static const uint32_t corner[3] = {0, 1, 2};
+    for (size_t i = 0; i < sizeof thin / sizeof *thin; i++)
+        for (int part = 0; part < 5; part++) {
+            struct hatch_mesh one = mesh_of(thin[i], 3, corner, 1);
+            const float share[2] = {0.25f * (float)part, 0.2f - 0.05f * (float)part};
+            struct hatch_curve_point point = {0, {share[0], share[1]}, 1};
+            float wanted[3], at[3];
+            hatch_curve_position(&one, &point, wanted);
+            ck_assert(find_again(thin[i], share, 0, point.share));
+            hatch_curve_position(&one, &point, at);
+            for (int k = 0; k < 3; k++)
+                ck_assert_float_eq_tol(at[k], wanted[k], 1e-6f + 1e-6f * fabsf(wanted[k]));
+        }
 }
 END_TEST
 
@@ -313,17 +433,6 @@ START_TEST(morph_targets_are_interpolated)
 }
 END_TEST
 
-/* Larger numbers of faces would be rounded. */
-START_TEST(faces_that_no_file_can_name_are_refused)
-{
-    struct hatch_mesh vertices;
-    uint32_t lines;
-    mesh.face_count = HATCH_CURVE_FACES_MAX + 1;
-    ck_assert_int_eq(hatch_curves_as_vertices(&curves, &sets[0], &mesh, &keep, &vertices, &lines, &err), HATCH_LIMIT);
-    ck_assert_str_eq(err.text, "strokes on a mesh of 16777217 faces; a file holds those of at most 16777216");
-}
-END_TEST
-
 static enum hatch_status make_vertices(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
                                        struct hatch_err *error)
 {
@@ -352,14 +461,19 @@ static Suite *suite(void)
     tcase_add_test(tests, a_bad_point_is_named);
     tcase_add_test(tests, a_bad_set_is_named);
     tcase_add_test(tests, points_become_vertices);
+    tcase_add_test(tests, thresholds_are_limited_to_eight_octaves);
+    tcase_add_test(tests, parts_of_sets_have_indices_of_16_bits);
     tcase_add_test(tests, vertices_become_the_same_points);
     tcase_add_test(tests, lines_that_are_no_strokes_are_refused);
     tcase_add_test(tests, a_missing_attribute_is_named);
     tcase_add_test(tests, numbers_out_of_range_are_refused);
+    tcase_add_test(tests, vertices_that_are_no_points_are_refused);
+    tcase_add_test(tests, numbers_of_faces_have_32_bits);
+    tcase_add_test(tests, shares_follow_from_positions);
+    tcase_add_test(tests, thin_faces_have_places);
     tcase_add_test(tests, the_heaviest_joints_are_kept);
     tcase_add_test(tests, joints_without_weight_are_left_out);
     tcase_add_test(tests, morph_targets_are_interpolated);
-    tcase_add_test(tests, faces_that_no_file_can_name_are_refused);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;

@@ -24,7 +24,7 @@ static void make_strokes(void)
     for (int i = 0; i < 3; i++)
         mesh.indices[i] = faces[i];
     for (uint32_t s = 0; s < STROKES; s++) {
-        curves[s] = (struct hatch_curve){2 * s, 2, s};
+        curves[s] = (struct hatch_curve){.first = 2 * s, .count = 2, .id = s};
         for (uint32_t i = 0; i < 2; i++)
             points[2 * s + i] = (struct hatch_curve_point){.share = {0.25f * (float)i, 0.5f}, .threshold = 1};
     }

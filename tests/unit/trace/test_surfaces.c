@@ -20,7 +20,7 @@ static double length_below(const struct hatch_curves *curves, const struct hatch
     double total = 0;
     for (uint32_t c = 0; c < curves->count; c++)
         for (uint32_t i = 1; i < curves->curves[c].count; i++) {
-            const struct hatch_curve part = {curves->curves[c].first + i - 1, 2, 0};
+            const struct hatch_curve part = {.first = curves->curves[c].first + i - 1, .count = 2};
             const struct hatch_curve_point *ends = &curves->points[part.first];
             double a = (double)ends[0].threshold, b = (double)ends[1].threshold, low = fmin(a, b), high = fmax(a, b);
             double share = density >= high ? 1 : density <= low ? 0 : log(density / low) / log(high / low);
@@ -97,6 +97,25 @@ START_TEST(strokes_on_a_sphere_keep_their_angle)
 }
 END_TEST
 
+/* Checks that the ends of a stroke on a cube are free where they are not on an edge, which two sides share. Returns the
+ * number of free ones. */
+static uint32_t check_ends(const struct hatch_curves *curves, const struct hatch_curve *curve,
+                           const struct hatch_mesh *cube)
+{
+    uint32_t free = 0;
+    for (uint32_t end = 0; end < 2; end++) {
+        float at[3];
+        uint32_t sides = 0;
+        hatch_curve_position(cube, &curves->points[curve->first + (end > 0 ? curve->count - 1 : 0)], at);
+        for (int k = 0; k < 3; k++)
+            sides += fabsf(at[k]) > 0.99999f;
+        ck_assert_msg((curve->free_ends >> end & 1) == (sides < 2), "stroke %u: end %u at %g %g %g", curve->id, end,
+                      (double)at[0], (double)at[1], (double)at[2]);
+        free += sides < 2;
+    }
+    return free;
+}
+
 /* Strokes end at hard edges and stay on their side of a box. */
 START_TEST(strokes_end_at_hard_edges)
 {
@@ -104,14 +123,17 @@ START_TEST(strokes_end_at_hard_edges)
     struct hatch_trace_options options = with_gap(0.3, 3);
     set_direction(&box, 0.3, 1, 0.2);
     struct hatch_curves curves = trace_with(&box, &options, NULL);
-    uint32_t seen = 0;
+    uint32_t seen = 0, free = 0;
     for (uint32_t c = 0; c < curves.count; c++) {
         uint32_t side = curves.points[curves.curves[c].first].face / 2; /* two faces per side */
         seen |= 1u << side;
+        free += check_ends(&curves, &curves.curves[c], &box.mesh);
         for (uint32_t i = 1; i < curves.curves[c].count; i++)
             ck_assert_uint_eq(curves.points[curves.curves[c].first + i].face / 2, side);
     }
     ck_assert_uint_eq(seen, 63);
+    ck_assert_uint_gt(free, curves.count / 10);
+    ck_assert_uint_lt(free, curves.count);
     /* Without hard edges some run on around it. */
     options.hard_rad = PI;
     curves = trace_with(&box, &options, NULL);
@@ -229,7 +251,7 @@ static uint32_t list_parts(const struct field_case *ring, const struct hatch_cur
     for (uint32_t c = set->first; c < set->first + set->count; c++) {
         double length = 0, whole = curve_length(curves, &curves->curves[c], &ring->mesh), last[2];
         for (uint32_t i = 0; i < curves->curves[c].count; i++) {
-            const struct hatch_curve before = {curves->curves[c].first + i - 1, 2, 0};
+            const struct hatch_curve before = {.first = curves->curves[c].first + i - 1, .count = 2};
             float at[3];
             hatch_curve_position(&ring->mesh, &curves->points[curves->curves[c].first + i], at);
             const double place[2] = {atan2((double)at[2], (double)at[0]),
