@@ -21,7 +21,7 @@ struct traced_point {
     float share[2], way[2];   /* of corners 1 and 2; their change per mesh unit along the stroke */
     float threshold, area;    /* strokes per mesh unit; doubled area of the face, in mesh units squared */
     float from_start, to_end; /* arc lengths, in mesh units */
-    float family, ends;       /* ends: 1: first, 2: last of its stroke */
+    float family, ends;       /* ends: bits 1: first, 2: last of its stroke; 4, 8: its start, its end is not free */
     float turn, thin;         /* of the stroke and its neighbours together, random, -1 .. 1 */
 };
 

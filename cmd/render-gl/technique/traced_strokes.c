@@ -97,6 +97,7 @@ static void make_points(const struct traced_source *source, const float *thresho
     const struct hatch_finer_part *part = source->parts ? &source->parts[curve - source->curves->curves] : &whole;
     float turn = shared_random(source, entry, 0), thin = shared_random(source, entry, 1);
     double length = (double)part->before;
+    const int bound = (int)(~curve->free_ends & 3);
     for (uint32_t i = 0; i < curve->count; i++) {
         uint32_t before = i > 0 ? i - 1 : 0, after = i + 1 < curve->count ? i + 1 : i;
         float ends[2][3], here[3];
@@ -116,7 +117,7 @@ static void make_points(const struct traced_source *source, const float *thresho
                                           .family = (float)entry->set->family,
                                           .turn = turn,
                                           .thin = thin,
-                                          .ends = (i == 0 ? 1.0f : 0.0f) + (i + 1 == curve->count ? 2.0f : 0.0f)};
+                                          .ends = (float)((i == 0) | (i + 1 == curve->count) << 1 | bound << 2)};
         set_face(mesh, &from[i], along, &points[i]);
     }
     for (uint32_t i = 0; i < curve->count; i++)

@@ -38,6 +38,9 @@ for pen in etching woodcut; do
 done
 draw plane.glb --stroke-width 3 --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
 near "a plane of wide strokes" "$(ink)" .4 .02
+# Strokes do not taper where a border ends them: a strip along it, about as wide as tapered ends are long, is not light.
+draw plane.glb --size 20x200 --camera -0.9,0,3.7320508:-0.9,0,0 --fov 30 --tone-range .4:.4
+near "the border of a plane" "$(ink)" .42 .03
 
 # Two inks: the lit parts have the light one, and no part has both.
 draw plane.glb --size 64x64 --camera 0,0,3:0,0,0 --paper grey --ink black,white --tone-range 0:1 --light 0:0

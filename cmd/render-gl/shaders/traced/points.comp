@@ -15,11 +15,12 @@ struct Point { // struct traced_point of technique/traced.h
     uvec4 corners; // three vertices; hash of the stroke
     vec4 at;       // shares of corners 1 and 2; change of these shares per mesh unit along the stroke
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
-    vec4 rest;     // family; 1: first, 2: last of its stroke; turn and thinning with its neighbours, -1 .. 1
+    vec4 rest;     // family; bits 1: first, 2: last of its stroke, 4, 8: its start, its end is not free;
+                   // turn and thinning with its neighbours, -1 .. 1
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
-    vec4 ribbon[]; // x, y, depth, half width; ink, ends (as in Point), pixels to both ends
+    vec4 ribbon[]; // x, y, depth, half width; ink, bits (as in Point), pixels to both ends, between which it tapers
 };
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
@@ -86,6 +87,13 @@ vec3 slope_along(vec4 edge, vec4 at)
     return (edge.xyz - at.xyz / at.w * edge.w) / at.w * vec3(viewport.xy, 1.0);
 }
 
+// Returns the lengths to both ends as if the stroke went on by its own length beyond an end that is not free: strokes
+// taper towards free ends alone.
+vec2 tapering(int bits, vec2 ends)
+{
+    return ends + (ends.x + ends.y) * vec2((bits & 4) != 0, (bits & 8) != 0);
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -132,5 +140,5 @@ void main()
     float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
     float pressure = matter.x * (1.0 - hand.y * lightening);
     ribbon[2u * i] = vec4(place, 0.5 * width);
-    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, ends);
+    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, tapering(int(point.rest.y), ends));
 }
