@@ -4,8 +4,8 @@
 
 #include "trace/work.h"
 
-#define TOLERANCE 0.15 /* of the finest gap: how far a line may pass from the stroke */
-#define LENGTH_MIN 1.0 /* of the gap of its level: shorter strokes are left out, unless an edge ends them */
+#define TOLERANCE 0.15      /* of the finest gap: how far a line may pass beside the stroke, */
+#define LENGTH_MIN 1.0      /* of the gap of its level: shorter strokes are left out */
 
 double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, double arc)
 {
@@ -17,34 +17,52 @@ double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct 
     return a + (at - before) * (b - a);
 }
 
-static void set_joint(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, uint32_t face,
-                      const float place[2], double arc, struct hatch_trace_joint *joint)
+/* The joints of a stroke, from its back to its front. */
+struct joints {
+    struct hatch_trace_joint *list;
+    uint32_t count, capacity;
+};
+
+static enum hatch_status add_joint(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
+                                   uint32_t face, const float place[2], double arc, struct joints *joints,
+                                   struct hatch_err *err)
 {
+    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &joints->list, sizeof *joints->list, joints->count,
+                                  &joints->capacity, err));
+    struct hatch_trace_joint *joint = &joints->list[joints->count++];
+    const struct hatch_trace_pose *pose = &tracer->ground.poses[face];
     *joint = (struct hatch_trace_joint){.face = face, .x = (double)place[0], .y = (double)place[1], .arc = arc};
-    hatch_trace_position(&tracer->ground.poses[face], joint->x, joint->y, joint->at);
+    hatch_trace_position(pose, joint->x, joint->y, joint->at);
+    hatch_trace_normal(pose, joint->normal);
     joint->log_threshold = hatch_trace_threshold_at(tracer, stroke, arc);
+    return HATCH_OK;
 }
 
-/* Lists the joints of a stroke from its back to its front.
- *   joints  out: room for one per piece, and one */
-static uint32_t list_joints(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
-                            struct hatch_trace_joint *joints)
+/* Adds the joints of half a stroke, without its seed, in the order from the seed. */
+static enum hatch_status add_half(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
+                                  uint32_t way, struct joints *joints, struct hatch_err *err)
 {
-    uint32_t count = 0;
-    const float seed[2] = {(float)stroke->seed.x, (float)stroke->seed.y};
-    for (uint32_t n = stroke->first[1]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next)
-        set_joint(tracer, stroke, tracer->pieces[n].face, tracer->pieces[n].to, -(double)tracer->pieces[n].arc,
-                  &joints[count++]);
-    for (uint32_t i = 0; i < count / 2; i++) {
-        struct hatch_trace_joint swapped = joints[i];
-        joints[i] = joints[count - 1 - i];
-        joints[count - 1 - i] = swapped;
+    for (uint32_t n = stroke->first[way]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next) {
+        const struct hatch_trace_piece *piece = &tracer->pieces[n];
+        double arc = way ? -(double)piece->arc : (double)piece->arc;
+        HATCH_TRY(add_joint(tracer, stroke, piece->face, piece->to, arc, joints, err));
     }
-    set_joint(tracer, stroke, stroke->seed.face, seed, 0, &joints[count++]);
-    for (uint32_t n = stroke->first[0]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next)
-        set_joint(tracer, stroke, tracer->pieces[n].face, tracer->pieces[n].to, (double)tracer->pieces[n].arc,
-                  &joints[count++]);
-    return count;
+    return HATCH_OK;
+}
+
+static enum hatch_status list_joints(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
+                                     struct joints *joints, struct hatch_err *err)
+{
+    const float seed[2] = {(float)stroke->seed.x, (float)stroke->seed.y};
+    joints->count = 0;
+    HATCH_TRY(add_half(tracer, stroke, 1, joints, err));
+    for (uint32_t i = 0; i < joints->count / 2; i++) {
+        struct hatch_trace_joint swapped = joints->list[i];
+        joints->list[i] = joints->list[joints->count - 1 - i];
+        joints->list[joints->count - 1 - i] = swapped;
+    }
+    HATCH_TRY(add_joint(tracer, stroke, stroke->seed.face, seed, 0, joints, err));
+    return add_half(tracer, stroke, 0, joints, err);
 }
 
 static enum hatch_status add_curve(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
@@ -74,16 +92,16 @@ enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct 
                                       struct hatch_err *err)
 {
     double tolerance = TOLERANCE * tracer->gap;
-    struct hatch_trace_joint *joints;
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &joints, (size_t)tracer->piece_count + 1, err));
+    struct joints joints = {0};
     for (uint32_t s = 0; s < tracer->stroke_count; s++) {
         const struct hatch_trace_stroke *stroke = &tracer->strokes[s];
         double gap = ldexp(tracer->gap, (int)(tracer->level - stroke->level));
         if (stroke->length[0] + stroke->length[1] < LENGTH_MIN * gap)
             continue;
-        uint32_t count = hatch_trace_simplify(joints, list_joints(tracer, stroke, joints), tolerance);
+        HATCH_TRY(list_joints(tracer, stroke, &joints, err));
+        uint32_t count = hatch_trace_simplify(joints.list, joints.count, tolerance);
         if (count > 1)
-            HATCH_TRY(add_curve(tracer, stroke, joints, count, sink, err));
+            HATCH_TRY(add_curve(tracer, stroke, joints.list, count, sink, err));
     }
     return HATCH_OK;
 }

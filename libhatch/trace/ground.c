@@ -289,3 +289,9 @@ void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[
     for (int k = 0; k < 3; k++)
         vector[k] = (float)(plane[0] * (double)pose->u[k] + plane[1] * (double)pose->v[k]);
 }
+
+void hatch_trace_normal(const struct hatch_trace_pose *pose, float normal[3])
+{
+    for (int k = 0; k < 3; k++)
+        normal[k] = pose->u[(k + 1) % 3] * pose->v[(k + 2) % 3] - pose->u[(k + 2) % 3] * pose->v[(k + 1) % 3];
+}

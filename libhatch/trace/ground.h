@@ -79,6 +79,9 @@ void hatch_trace_turn(struct hatch_trace_place *place, double sign);
 void hatch_trace_position(const struct hatch_trace_pose *pose, double x, double y, double position[3]);
 void hatch_trace_vector(const struct hatch_trace_pose *pose, const double plane[2], float vector[3]);
 
+/* Computes the normal of a face. */
+void hatch_trace_normal(const struct hatch_trace_pose *pose, float normal[3]);
+
 /* Computes the corners of a face in its plane. */
 void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2]);
 

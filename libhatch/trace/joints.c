@@ -4,6 +4,7 @@
 #include "math/vector.h"
 #include "trace/work.h"
 
+#define DEPTH 2.0           /* a line may pass so many times as far above or under a joint as beside it */
 #define SPAN_MAX 64u        /* pieces that a line may replace */
 #define THRESHOLD_RATIO 0.1 /* logarithm of the ratio by which a line's threshold may differ */
 
@@ -14,10 +15,13 @@ static bool is_straight(const struct hatch_trace_joint *joints, uint32_t from, u
     double line[3], length = joints[to].arc - joints[from].arc;
     hatch_vec_sub(joints[to].at, a, line);
     for (uint32_t i = from + 1; i < to; i++) {
-        double share = length > 0 ? (joints[i].arc - joints[from].arc) / length : 0, on_line[3];
+        double share = length > 0 ? (joints[i].arc - joints[from].arc) / length : 0, off[3], normal[3];
         double wanted = joints[from].log_threshold + share * (joints[to].log_threshold - joints[from].log_threshold);
-        hatch_vec_add_scaled(a, share, line, on_line);
-        if (!(hatch_vec_distance(joints[i].at, on_line) <= tolerance) ||
+        hatch_vec_sub(joints[i].at, a, off);
+        hatch_vec_add_scaled(off, -share, line, off);
+        hatch_vec_of(joints[i].normal, normal);
+        double depth = hatch_vec_dot(off, normal), square = hatch_vec_dot(off, off);
+        if (!(square - (1 - 1 / (DEPTH * DEPTH)) * depth * depth <= tolerance * tolerance) ||
             !(fabs(joints[i].log_threshold - wanted) <= THRESHOLD_RATIO))
             return false;
     }

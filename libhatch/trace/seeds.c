@@ -83,7 +83,6 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
 {
     const struct hatch_trace_pose *pose;
     double heading[2];
-    float normal[3], left[3];
     seed->place = source->place;
     if (source->stroke == HATCH_TRACE_NONE) {
         if (!hatch_trace_direction(&tracer->ground, &seed->place, heading))
@@ -105,10 +104,7 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
     pose = &tracer->ground.poses[seed->place.face];
     hatch_trace_position(pose, seed->place.x, seed->place.y, seed->at);
     hatch_trace_vector(pose, seed->place.heading, seed->heading);
-    memcpy(normal, pose->u, sizeof normal);
-    memcpy(left, pose->v, sizeof left);
-    for (int k = 0; k < 3; k++)
-        seed->normal[k] = normal[(k + 1) % 3] * left[(k + 2) % 3] - normal[(k + 2) % 3] * left[(k + 1) % 3];
+    hatch_trace_normal(pose, seed->normal);
     return true;
 }
 

@@ -187,12 +187,14 @@ double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct 
 struct hatch_trace_joint {
     uint32_t face;
     double x, y, at[3]; /* on the face, and in space */
+    float normal[3];    /* of the face */
     double arc;         /* along the stroke */
     double log_threshold;
 };
 
 /* Drops joints that a straight line passes closely enough; keeps the others in front of the list.
- *   tolerance  greatest distance of a joint from the line, in the unit of `at`
+ *   tolerance  greatest distance of a joint from the line beside it, in the unit of `at`; above or under it, where it is
+ *              hardly seen, the distance may be twice as large
  * Returns their number. */
 uint32_t hatch_trace_simplify(struct hatch_trace_joint *joints, uint32_t count, double tolerance);
 

@@ -22,6 +22,7 @@ static void add_joint(struct passing *passing, uint32_t face, const double at[2]
     *joint =
         (struct hatch_trace_joint){.face = face, .x = at[0], .y = at[1], .arc = arc, .log_threshold = log_threshold};
     hatch_trace_position(&passing->store->ground.poses[face], at[0], at[1], joint->at);
+    hatch_trace_normal(&passing->store->ground.poses[face], joint->normal);
 }
 
 /* Makes a curve of the joints. */
@@ -48,7 +49,7 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
                                       .after = (float)(fmax(passing->line->length - end, 0) * scale)};
     memcpy(part->middle, passing->line->middle, sizeof part->middle);
     curves->curves[curves->count++] =
-        (struct hatch_curve){.first = curves->point_count, .count = count, .id = (uint32_t)(passing->line->id >> 32)};
+        (struct hatch_curve){.first = curves->point_count, .count = count, .id = (uint32_t)(passing->line->id >> 32) & HATCH_CURVE_ID_MAX, .free_ends = passing->line->free_ends};
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
                                       &sink->point_capacity, err));

@@ -186,6 +186,7 @@ static enum hatch_status keep_stroke(struct keeping *keeping, struct hatch_err *
         return HATCH_OK;
     struct hatch_store_line line = {
         .level = stroke->level,
+        .free_ends = (stroke->bound[1] ? 0u : 1u) | (stroke->bound[0] ? 0u : 2u),
         .id = stroke->id,
         .length = stroke->length[0] + stroke->length[1],
         .log_threshold =

@@ -18,6 +18,7 @@ struct hatch_store_piece {
 struct hatch_store_line {
     uint32_t first, count; /* pieces */
     uint32_t level;
+    uint32_t free_ends;  /* as in struct hatch_curve */
     float log_threshold; /* at its start */
     uint64_t id;
     double length; /* in surface units */
