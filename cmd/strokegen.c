@@ -81,7 +81,7 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
                   const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
 {
     struct hatch_err err;
-    struct hatch_surface cut;
+    struct hatch_surface cut = *surface;
     struct hatch_surface_notes notes;
     struct hatch_frames frames;
     struct hatch_trace_options local = *how;
@@ -89,9 +89,10 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     local.gap /= scale;
     if (!(local.gap > 0 && isfinite(local.gap)))
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "the size of a mesh in the scene is zero or infinite"), name, &err);
-    if (!hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
-        cmd_add_field(args, name, surface, mesh);
-    cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
+    if (!hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4)) {
+        cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
+        cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
+    }
     cmd_check(hatch_frames_make(&cut, &args->keep, &args->scratch, &frames, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);

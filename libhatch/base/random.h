@@ -16,12 +16,21 @@ static inline uint64_t hatch_random_mix(uint64_t x)
     return x ^ x >> 31;
 }
 
+/* The two halves of hatch_random_u64, for many numbers of one stream: the key of the stream, and a number of it. */
+static inline uint64_t hatch_random_key(uint64_t seed, uint64_t stream)
+{
+    return hatch_random_mix(hatch_random_mix(seed + 0x9e3779b97f4a7c15u) ^ (stream + 0xd1b54a32d192ed03u));
+}
+
+static inline uint64_t hatch_random_at(uint64_t key, uint64_t index)
+{
+    return hatch_random_mix(key + (index + 1) * 0x9e3779b97f4a7c15u);
+}
+
 /* Returns 64 uniform bits. */
 static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t index)
 {
-    uint64_t key = hatch_random_mix(seed + 0x9e3779b97f4a7c15u);
-    key = hatch_random_mix(key ^ (stream + 0xd1b54a32d192ed03u));
-    return hatch_random_mix(key + (index + 1) * 0x9e3779b97f4a7c15u);
+    return hatch_random_at(hatch_random_key(seed, stream), index);
 }
 
 /* Returns a uniform number in [0, 1) that is a multiple of 2^-24, so that a float holds it exactly. */

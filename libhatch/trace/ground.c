@@ -46,6 +46,32 @@ static double bend_of(const struct hatch_trace_pose *a, const struct hatch_trace
     return contrary ? -bend : bend; /* across a contrary edge the faces have opposite outsides */
 }
 
+void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2])
+{
+    corner[0][0] = corner[0][1] = corner[1][1] = 0;
+    corner[1][0] = (double)face->x1;
+    corner[2][0] = (double)face->x2;
+    corner[2][1] = (double)face->y2;
+}
+
+/* Sets how headings turn that cross a side, so that they keep their angle to the edge. */
+static void set_turn(struct hatch_trace_ground *ground, uint32_t side)
+{
+    struct hatch_trace_face *face = &ground->faces[side / 3];
+    uint32_t c = side % 3, other = face->beyond[c];
+    double from[3][2], to[3][2];
+    hatch_trace_corners(face, from);
+    hatch_trace_corners(&ground->faces[other / 3], to);
+    const double *a = from[c], *b = from[(c + 1) % 3], *p = to[other % 3], *q = to[(other + 1) % 3];
+    double edge[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {q[0] - p[0], q[1] - p[1]};
+    double square = edge[0] * edge[0] + edge[1] * edge[1], next_square = next[0] * next[0] + next[1] * next[1];
+    double mirror = face->contrary >> c & 1 ? -1 : 1, size = -mirror * sqrt(square * next_square);
+    edge[1] *= mirror;
+    face->turn[c][0] = (float)((edge[0] * next[0] + edge[1] * next[1]) / size);
+    face->turn[c][1] = (float)((edge[0] * next[1] - edge[1] * next[0]) / size);
+    face->inverse_square[c] = (float)(1 / square);
+}
+
 /* Joins the faces at the edges that strokes cross.
  *   number  per face of the surface: its number on the ground */
 static void join_sides(const struct hatch_surface *surface, const uint32_t *number, double hard_rad,
@@ -62,6 +88,8 @@ static void join_sides(const struct hatch_surface *surface, const uint32_t *numb
             other != HATCH_NO_SIDE && bend_of(&ground->poses[side / 3], &ground->poses[other / 3], contrary) >= cosine;
         face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
         face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
+        if (open)
+            set_turn(ground, side);
     }
 }
 
@@ -116,6 +144,17 @@ static enum hatch_status order_faces(const struct hatch_surface *surface, struct
     return HATCH_OK;
 }
 
+/* Sets the directions of a face from those at its corners. */
+static void set_changes(const struct hatch_trace_face *face, double z[3][2], struct hatch_trace_pose *pose)
+{
+    for (int k = 0; k < 2; k++) {
+        double along_x = (z[1][k] - z[0][k]) / (double)face->x1;
+        pose->z[0][k] = (float)z[0][k];
+        pose->z[1][k] = (float)along_x;
+        pose->z[2][k] = (float)((z[2][k] - z[0][k] - along_x * (double)face->x2) / (double)face->y2);
+    }
+}
+
 enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                       const double *direction, double angle_rad, double hard_rad,
                                       struct hatch_arena *arena, struct hatch_trace_ground *ground,
@@ -134,9 +173,11 @@ enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const
         lay_out_face(surface, made.source[f], &made.faces[f], &made.poses[f]);
         hatch_field_corner_directions(surface, frames, direction, made.source[f], z);
         for (int c = 0; c < 3; c++) {
-            made.poses[f].z[c][0] = (float)(z[c][0] * cosine - z[c][1] * sine);
-            made.poses[f].z[c][1] = (float)(z[c][0] * sine + z[c][1] * cosine);
+            double x = z[c][0];
+            z[c][0] = x * cosine - z[c][1] * sine;
+            z[c][1] = x * sine + z[c][1] * cosine;
         }
+        set_changes(&made.faces[f], z, &made.poses[f]);
     }
     join_sides(surface, number, hard_rad, &made);
     *ground = made;
@@ -153,12 +194,10 @@ void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y,
 bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place,
                            double direction[2])
 {
-    const struct hatch_trace_face *face = &ground->faces[place->face];
-    double share[3], z[2] = {0, 0};
-    hatch_trace_shares(face, place->x, place->y, share);
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < 2; k++)
-            z[k] += share[c] * (double)ground->poses[place->face].z[c][k];
+    const struct hatch_trace_pose *pose = &ground->poses[place->face];
+    double z[2];
+    for (int k = 0; k < 2; k++)
+        z[k] = (double)pose->z[0][k] + place->x * (double)pose->z[1][k] + place->y * (double)pose->z[2][k];
     double length = sqrt(z[0] * z[0] + z[1] * z[1]);
     if (!(length >= CALM_MIN))
         return false;
@@ -173,14 +212,6 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
     return true;
 }
 
-void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2])
-{
-    corner[0][0] = corner[0][1] = corner[1][1] = 0;
-    corner[1][0] = (double)face->x1;
-    corner[2][0] = (double)face->x2;
-    corner[2][1] = (double)face->y2;
-}
-
 /* Moves straight on in the face, by `length` at most. Returns the side that was reached, 3 if none.
  *   moved  out: the way */
 static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_place *place, double length, double *moved)
@@ -191,13 +222,10 @@ static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_pla
     for (uint32_t c = 0; c < 3; c++) {
         const double *a = corner[c], *b = corner[(c + 1) % 3];
         double edge[2] = {b[0] - a[0], b[1] - a[1]};
-        double rate = edge[0] * place->heading[1] - edge[1] * place->heading[0]; /* towards the inside */
+        double rate = edge[1] * place->heading[0] - edge[0] * place->heading[1]; /* towards the outside */
         double inside = edge[0] * (place->y - a[1]) - edge[1] * (place->x - a[0]);
-        if (!(rate < 0))
-            continue;
-        double way = inside / -rate;
-        if (way < length) {
-            length = way > 0 ? way : 0;
+        if (rate > 0 && inside < length * rate) {
+            length = inside > 0 ? inside / rate : 0;
             reached = c;
         }
     }
@@ -210,26 +238,25 @@ static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_pla
 /* Crosses a side to the next face. The heading keeps its angle to the edge; across a contrary edge it is mirrored. */
 static void cross_side(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, uint32_t c)
 {
-    uint32_t other = ground->faces[place->face].beyond[c];
+    const struct hatch_trace_face *face = &ground->faces[place->face];
+    uint32_t other = face->beyond[c];
     double from[3][2], to[3][2];
-    hatch_trace_corners(&ground->faces[place->face], from);
+    hatch_trace_corners(face, from);
     hatch_trace_corners(&ground->faces[other / 3], to);
     const double *a = from[c], *b = from[(c + 1) % 3], *p = to[other % 3], *q = to[(other + 1) % 3];
-    double edge[2] = {b[0] - a[0], b[1] - a[1]}, next[2] = {q[0] - p[0], q[1] - p[1]};
-    double square = edge[0] * edge[0] + edge[1] * edge[1], next_square = next[0] * next[0] + next[1] * next[1];
-    double share = fmin(1, fmax(0, ((place->x - a[0]) * edge[0] + (place->y - a[1]) * edge[1]) / square));
-    double along = place->heading[0] * edge[0] + place->heading[1] * edge[1];
-    double out = place->heading[0] * edge[1] - place->heading[1] * edge[0];
-    if (!(ground->faces[place->face].contrary >> c & 1)) {
+    double edge[2] = {b[0] - a[0], b[1] - a[1]};
+    double along = (place->x - a[0]) * edge[0] + (place->y - a[1]) * edge[1];
+    double share = fmin(1, fmax(0, along / (edge[0] * edge[0] + edge[1] * edge[1])));
+    double x = place->heading[0], y = place->heading[1];
+    if (face->contrary >> c & 1)
+        y = -y;
+    else
         share = 1 - share;
-        along = -along;
-    }
-    double size = sqrt(square * next_square);
     place->face = other / 3;
-    place->x = p[0] + share * next[0];
-    place->y = p[1] + share * next[1];
-    place->heading[0] = (along * next[0] - out * next[1]) / size;
-    place->heading[1] = (along * next[1] + out * next[0]) / size;
+    place->x = p[0] + share * (q[0] - p[0]);
+    place->y = p[1] + share * (q[1] - p[1]);
+    place->heading[0] = x * (double)face->turn[c][0] - y * (double)face->turn[c][1];
+    place->heading[1] = x * (double)face->turn[c][1] + y * (double)face->turn[c][0];
 }
 
 /* Turns the heading to the direction of the field half a step ahead, within the face. */

@@ -11,13 +11,17 @@
 struct hatch_trace_face {
     float x1, x2, y2;
     uint32_t
-        beyond[3];    /* per side: the side of the next face that is the same edge; HATCH_NO_SIDE: strokes end there */
-    uint8_t contrary; /* bit c: that side runs in the same direction */
+        beyond[3]; /* per side: the side of the next face that is the same edge; HATCH_NO_SIDE: strokes end there */
+    float turn[3]
+              [2]; /* per side: cosine and sine of the angle that headings turn by there; contrary: after mirroring */
+    float inverse_square[3]; /* per side: of its length */
+    uint8_t contrary;        /* bit c: that side runs in the same direction */
 };
 
 /* Where a face is in space, and its strokes. */
 struct hatch_trace_pose {
-    float z[3][2];           /* per corner: cosine and sine of twice the stroke's angle from the x axis */
+    float z[3][2];           /* cosine and sine of twice the stroke's angle from the x axis: at corner 0, and their
+                                change along x and along y */
     float u[3], v[3], at[3]; /* axes x and y, and corner 0 */
 };
 

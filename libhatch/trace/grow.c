@@ -8,6 +8,8 @@
 #define CHUNK 64u       /* ends per task */
 #define ACROSS_MIN 0.45 /* of the gap: nearer strokes block one another */
 #define LEGS_KEPT 6u    /* legs of a round that are kept; longer rounds are walked again */
+#define LEG_MIN 1e-6    /* of the gap: shorter legs lead nowhere, and are no pieces */
+#define IDLE_MAX 8u     /* legs that lead nowhere after which a stroke ends */
 
 /* A round of an end. */
 struct stride {
@@ -55,14 +57,15 @@ static void give_up(struct stride *stride)
 /* Walks one round from the stroke's end; leg_count is 0 where another stroke blocks the way. */
 static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
 {
-    double length = HATCH_TRACE_STEP * tracer->gap, walked = 0;
+    double length = HATCH_TRACE_STEP * tracer->gap, walked = 0, least = LEG_MIN * tracer->gap;
+    uint32_t idle = 0;
     stride->to = tracer->strokes[stride->half / 2].end[stride->half % 2];
     stride->leg_count = 0;
     stride->goes_on = true;
     stride->bound = false;
-    for (uint32_t n = 0; stride->goes_on && length - walked > 1e-6 * length; n++) {
+    for (uint32_t n = 0; stride->goes_on && length - walked > least; n++) {
         struct hatch_trace_leg leg;
-        if (n == HATCH_TRACE_LEGS_MAX) { /* directions that lead back to the same edge from both of its sides */
+        if (n == HATCH_TRACE_LEGS_MAX || idle == IDLE_MAX) { /* as where directions lead to an edge from both sides */
             stride->goes_on = false;
             return;
         }
@@ -71,14 +74,15 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
                                            HATCH_TRACE_ALONG, &leg);
         stride->bound = !stride->goes_on && leg.side < 3;
         bool left = tracer->region && !hatch_trace_region_has(tracer->region, &stride->to);
-        if (left || (leg.length > 0 && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
+        if (left || (leg.length > least && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
             give_up(stride);
             return;
         }
         walked += leg.length;
-        if (leg.length > 0 && stride->leg_count < LEGS_KEPT)
+        if (leg.length > least && stride->leg_count < LEGS_KEPT)
             stride->legs[stride->leg_count] = leg;
-        stride->leg_count += leg.length > 0;
+        stride->leg_count += leg.length > least;
+        idle = leg.length > least ? 0 : idle + 1;
     }
     if (stride->leg_count > 0 && is_blocked(tracer, stride, walked))
         give_up(stride);
@@ -99,15 +103,16 @@ static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride
     uint32_t way = stride->half % 2;
     struct hatch_trace_place place = stroke->end[way];
     double length = HATCH_TRACE_STEP * tracer->gap, walked = 0; /* as in walk_stride, to the last bit */
+    double least = LEG_MIN * tracer->gap;
     for (uint32_t i = 0; i < stride->leg_count;) {
         struct hatch_trace_leg leg;
         if (stride->leg_count <= LEGS_KEPT)
             leg = stride->legs[i];
         else
             hatch_trace_walk(&tracer->ground, &place, fmin(length - walked, tracer->leg_max), HATCH_TRACE_ALONG, &leg);
-        i += leg.length > 0;
+        i += leg.length > least;
         walked += leg.length;
-        if (leg.length > 0)
+        if (leg.length > least)
             HATCH_TRY(hatch_trace_add_piece(tracer, stride->half, &leg, err));
     }
     stroke->end[way] = stride->to;

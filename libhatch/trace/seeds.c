@@ -17,9 +17,10 @@
 static const double beside[HATCH_TRACE_PHASES] = {1 / 12.0, 1 / 12.0, 1 / 6.0, 1 / 3.0, 1 / 2.0};
 static const double on_faces[HATCH_TRACE_PHASES] = {0, 0, 0, 0.1, 0.25};
 #define FIRST_ON_FACES 0.02 /* in the first phase of all */
+#define CHOICE_BITS 24u     /* low bits of a seed's id by which places beside strokes are chosen */
 
 /* Streams of random numbers. */
-enum { STREAM_CHOICE = 1, STREAM_COUNT, STREAM_PLACE, STREAM_ITEM, STREAM_PHASES };
+enum { STREAM_COUNT = 2, STREAM_PLACE, STREAM_ITEM, STREAM_PHASES };
 
 /* The place that a seed comes from. */
 struct source {
@@ -142,13 +143,17 @@ static enum hatch_status add_source(struct search *search, const struct source *
 static enum hatch_status choose_stops(struct search *search, double share, struct hatch_err *err)
 {
     const struct hatch_tracer *tracer = search->tracer;
+    const uint32_t chosen = (uint32_t)(share * (1u << CHOICE_BITS));
+    uint32_t stroke = HATCH_TRACE_NONE;
+    uint64_t key = 0;
     for (uint32_t i = 0; i < tracer->stop_count; i++)
         for (uint32_t side = 0; side < 2; side++) {
             const struct hatch_trace_stop *stop = &tracer->stops[i];
-            int64_t number = tracer->strokes[stop->stroke].first_number + stop->number;
-            uint64_t item = (uint64_t)(uint32_t)number << 1 | side;
-            uint64_t id = hatch_random_u64(tracer->strokes[stop->stroke].id, search->stream, item);
-            if (!(hatch_random_unit(tracer->seed, STREAM_CHOICE, id) < (float)share))
+            if (stop->stroke != stroke)
+                key = hatch_random_key(tracer->strokes[stroke = stop->stroke].id, search->stream);
+            int64_t number = tracer->strokes[stroke].first_number + stop->number;
+            uint64_t id = hatch_random_at(key, (uint64_t)(uint32_t)number << 1 | side);
+            if ((id & ((1u << CHOICE_BITS) - 1)) >= chosen)
                 continue;
             const struct source source = {hatch_trace_stop_place(tracer, stop), (double)stop->arc, stop->stroke,
                                           side ? 1 : -1};
