@@ -132,6 +132,8 @@ static enum hatch_status trace_family(const struct tracing *tracing, const struc
         }
         HATCH_TRY(hatch_trace_collect(&fresh, sink, err));
         hatch_arena_rewind(tracer->keep, mark);
+        hatch_trace_room_free(tracer->piece_room);
+        hatch_trace_room_free(tracer->stop_room);
     }
     return HATCH_OK;
 }
@@ -140,14 +142,19 @@ static void run_family(void *context, uint32_t family)
 {
     struct tracing *tracing = context;
     struct hatch_arena keep, scratch;
+    struct hatch_trace_room pieces, stops;
     struct hatch_err *err = &tracing->errs[family];
     struct hatch_tracer tracer = {.options = tracing->options,
                                   .seed = hatch_random_u64(tracing->options->seed, STREAM_FAMILY, family),
                                   .keep = &keep,
                                   .scratch = &scratch,
+                                  .piece_room = &pieces,
+                                  .stop_room = &stops,
                                   .pool = tracing->together ? NULL : tracing->pool};
     hatch_arena_init(&keep, tracing->limit_bytes);
     hatch_arena_init(&scratch, tracing->limit_bytes);
+    hatch_trace_room_init(&pieces, tracing->limit_bytes);
+    hatch_trace_room_init(&stops, tracing->limit_bytes);
     hatch_arena_init(&tracing->traced[family], tracing->limit_bytes);
     tracing->sinks[family] = (struct hatch_trace_sink){.mesh = tracing->mesh, .arena = &tracing->traced[family]};
     enum hatch_status status = hatch_trace_lay_out(tracing->surface, tracing->frames, tracing->direction,
@@ -156,6 +163,8 @@ static void run_family(void *context, uint32_t family)
     if (status == HATCH_OK)
         status = trace_family(tracing, &tracer, family, &tracing->sinks[family], err);
     tracing->statuses[family] = status;
+    hatch_trace_room_free(&pieces);
+    hatch_trace_room_free(&stops);
     hatch_arena_free(&keep);
     hatch_arena_free(&scratch);
 }

@@ -96,12 +96,14 @@ static uint32_t renumbered(const uint32_t *number, uint32_t piece)
 
 enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_err *err)
 {
-    struct hatch_trace_piece *gathered = tracer->spare;
+    struct hatch_trace_piece *gathered;
     struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     uint32_t *number, next = 0, cells = tracer->cells.count;
-    if (tracer->spare_capacity != tracer->piece_capacity)
-        HATCH_TRY(HATCH_ALLOC_UNSET(tracer->keep, &gathered, tracer->piece_capacity, err));
+    void *array;
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &number, tracer->piece_count, err));
+    HATCH_TRY(hatch_trace_room_swap(tracer->piece_room, tracer->pieces, sizeof *gathered, tracer->piece_capacity,
+                                    &array, err));
+    gathered = array;
     for (uint32_t cell = 0; cell < cells; cell++)
         for (uint32_t n = tracer->cells.heads[cell]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next_in_cell)
             number[n] = next++;
@@ -118,8 +120,6 @@ enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_e
             tracer->strokes[s].first[way] = renumbered(number, tracer->strokes[s].first[way]);
             tracer->strokes[s].last[way] = renumbered(number, tracer->strokes[s].last[way]);
         }
-    tracer->spare = tracer->pieces;
-    tracer->spare_capacity = tracer->piece_capacity;
     tracer->pieces = gathered;
     hatch_arena_rewind(tracer->scratch, mark);
     return HATCH_OK;
@@ -153,8 +153,8 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
     struct hatch_trace_stroke *stroke = &tracer->strokes[half / 2];
     const double *origin = hatch_trace_origin_of(tracer, leg->face);
     uint32_t way = half % 2, number = tracer->piece_count;
-    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
-                                  &tracer->piece_capacity, err));
+    HATCH_TRY(hatch_trace_room_reserve(tracer->piece_room, &tracer->pieces, sizeof *tracer->pieces, tracer->piece_count,
+                                       &tracer->piece_capacity, err));
     stroke->length[way] += leg->length;
     tracer->pieces[tracer->piece_count++] = (struct hatch_trace_piece){.face = leg->face,
                                                                        .half = half,

@@ -6,8 +6,8 @@
 static enum hatch_status add_stop(struct hatch_tracer *tracer, const struct hatch_trace_stop *stop,
                                   struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->stops, sizeof *tracer->stops, tracer->stop_count,
-                                  &tracer->stop_capacity, err));
+    HATCH_TRY(hatch_trace_room_reserve(tracer->stop_room, &tracer->stops, sizeof *tracer->stops, tracer->stop_count,
+                                       &tracer->stop_capacity, err));
     tracer->stops[tracer->stop_count++] = *stop;
     return HATCH_OK;
 }

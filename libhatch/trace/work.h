@@ -56,6 +56,14 @@ struct hatch_trace_cells {
     uint32_t count;   /* cells */
 };
 
+/* The memory of an array that grows: it moves from one arena to the other, so that its old memory can be given back. */
+struct hatch_trace_room {
+    struct hatch_arena arenas[2];
+    uint32_t used; /* the arena that holds the array */
+    void *spare;   /* an array in the other one */
+    uint32_t spare_capacity;
+};
+
 /* The strokes of one family on a component while levels are added. */
 struct hatch_tracer {
     const struct hatch_trace_options *options;
@@ -70,8 +78,9 @@ struct hatch_tracer {
     uint32_t level, round;
     double gap, leg_max; /* wanted gap of the level, and the greatest length of a piece, in surface units */
     struct hatch_trace_cells cells;
-    struct hatch_trace_piece *pieces, *spare; /* spare: room for gathering them */
-    uint32_t piece_count, piece_capacity, spare_capacity;
+    struct hatch_trace_room *piece_room, *stop_room;
+    struct hatch_trace_piece *pieces;
+    uint32_t piece_count, piece_capacity;
     struct hatch_trace_stroke *strokes;
     uint32_t stroke_count, stroke_capacity;
     struct hatch_trace_stop *stops; /* of the level, by stroke, each from its back to its front */
@@ -152,6 +161,25 @@ struct hatch_trace_gaps {
 /* Measures the gaps beside a place, whose heading is along the strokes. */
 struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, const struct hatch_trace_place *place,
                                             const struct hatch_trace_origin *origin);
+
+/* room.c */
+
+/* Makes a room that is empty; limit_bytes holds for each of its arenas. */
+void hatch_trace_room_init(struct hatch_trace_room *room, size_t limit_bytes);
+
+/* Gives all memory back; the room is empty and usable again. */
+void hatch_trace_room_free(struct hatch_trace_room *room);
+
+/* Does the same as hatch_trace_reserve for an array that is alone in a room. */
+enum hatch_status hatch_trace_room_reserve(struct hatch_trace_room *room, void *array, size_t size, uint32_t count,
+                                           uint32_t *capacity, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Makes a second array in a room, of the same capacity, which becomes that of the room; the first keeps its contents
+ * until the next call.
+ *   now    the first
+ *   array  out: the second, unset */
+enum hatch_status hatch_trace_room_swap(struct hatch_trace_room *room, void *now, size_t size, uint32_t capacity,
+                                        void **array, struct hatch_err *err) HATCH_MUST_USE;
 
 /* stops.c: adds the stops of strokes from `first` on. */
 enum hatch_status hatch_trace_add_stops(struct hatch_tracer *tracer, uint32_t first,

@@ -230,6 +230,7 @@ enum hatch_status hatch_store_trace_region(struct hatch_store *store, const stru
                                            struct hatch_err *err)
 {
     struct hatch_arena keep;
+    struct hatch_trace_room pieces, stops;
     struct hatch_tracer tracer = {.options = &store->options,
                                   .seed = store->options.seed,
                                   .ground = store->ground,
@@ -237,9 +238,15 @@ enum hatch_status hatch_store_trace_region(struct hatch_store *store, const stru
                                   .region = region,
                                   .keep = &keep,
                                   .scratch = &store->scratch,
+                                  .piece_room = &pieces,
+                                  .stop_room = &stops,
                                   .pool = store->pool};
     hatch_arena_init(&keep, store->scratch.limit_bytes);
+    hatch_trace_room_init(&pieces, store->scratch.limit_bytes);
+    hatch_trace_room_init(&stops, store->scratch.limit_bytes);
     enum hatch_status status = trace(store, batch, &tracer, err);
+    hatch_trace_room_free(&pieces);
+    hatch_trace_room_free(&stops);
     hatch_arena_free(&keep);
     return status;
 }
