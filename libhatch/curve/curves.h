@@ -23,7 +23,7 @@ struct hatch_curve_point {
 struct hatch_curve {
     uint32_t first, count; /* its points: at least two */
     uint32_t id;           /* a hash, at most HATCH_CURVE_ID_MAX: the same for the same stroke whenever it is traced */
-    uint32_t free_ends;    /* bit 0: the first point, bit 1: the last: nothing that bounds the surface ends it there */
+    uint32_t free_ends;    /* bit 0: the first point, bit 1: the last: the surface and its direction go on there */
 };
 
 struct hatch_curve_set {

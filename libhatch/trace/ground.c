@@ -69,7 +69,6 @@ static void set_turn(struct hatch_trace_ground *ground, uint32_t side)
     edge[1] *= mirror;
     face->turn[c][0] = (float)((edge[0] * next[0] + edge[1] * next[1]) / size);
     face->turn[c][1] = (float)((edge[0] * next[1] - edge[1] * next[0]) / size);
-    face->inverse_square[c] = (float)(1 / square);
 }
 
 /* Joins the faces at the edges that strokes cross.

@@ -15,7 +15,7 @@
 struct stride {
     uint32_t half; /* 2 * stroke, plus 1 for the half behind the seed */
     uint32_t leg_count;
-    bool goes_on, bound; /* bound: a border or a hard edge ends it */
+    bool goes_on, bound; /* bound: the ground or its direction ends there */
     struct hatch_trace_place to;
     struct hatch_trace_leg legs[LEGS_KEPT]; /* the first of leg_count */
 };
@@ -47,7 +47,7 @@ static bool is_blocked(const struct hatch_tracer *tracer, const struct stride *s
     return false;
 }
 
-/* Ends a stroke before a stride. */
+/* Ends a stroke before a stride, where another one is in the way. */
 static void give_up(struct stride *stride)
 {
     stride->leg_count = 0;
@@ -67,12 +67,13 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
         struct hatch_trace_leg leg;
         if (n == HATCH_TRACE_LEGS_MAX || idle == IDLE_MAX) { /* as where directions lead to an edge from both sides */
             stride->goes_on = false;
+            stride->bound = true;
             return;
         }
         const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, 0);
         stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
                                            HATCH_TRACE_ALONG, &leg);
-        stride->bound = !stride->goes_on && leg.side < 3;
+        stride->bound = !stride->goes_on;
         bool left = tracer->region && !hatch_trace_region_has(tracer->region, &stride->to);
         if (left || (leg.length > least && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
             give_up(stride);

@@ -31,7 +31,7 @@ struct hatch_trace_stroke {
     bool given;           /* traced before: it has no half behind its seed, and no stop there */
     int64_t first_number; /* number of the place that lengths are measured from; 0 unless given */
     double first_arc;     /* length at which it begins; 0 unless given */
-    bool growing[2], bound[2];       /* bound: that half ends at a border or a hard edge */
+    bool growing[2], bound[2];       /* bound: that half ends where the ground or its direction does */
     double length[2], length_max[2]; /* of its halves, in surface units */
     struct hatch_trace_place end[2]; /* the heading leads on */
     uint32_t first[2], last[2];      /* pieces of its halves, or HATCH_TRACE_NONE */
