@@ -11,7 +11,7 @@ static void open_outputs(struct job *job)
     bool report = options->timed_frames || options->probe;
     struct hatch_err err;
     if (!report)
-        cmd_check_ending(job->args.output, "png exr svg");
+        cmd_check_ending(job->args.output, "png exr svg tsv");
     if (options->window)
         return;
     uint32_t count = report ? 1 : options->frames;
@@ -21,7 +21,7 @@ static void open_outputs(struct job *job)
         char name[4096];
         parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
         job->outputs[frame] =
-            report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr svg", !options->vectors);
+            report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr svg tsv", !options->vectors);
     }
 }
 

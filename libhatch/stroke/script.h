@@ -8,6 +8,8 @@
 #include "base/bytes.h"
 #include "stroke/stroke.h"
 
+#define HATCH_SCRIPT_WIDTH_MAX 4.0 /* tiles */
+
 /* Appends strokes as a script to text.
  *   size_px  width and height of the finest level, to convert width_px to a fraction
  *   comment  one line; NULL: none */

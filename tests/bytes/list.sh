@@ -110,6 +110,7 @@ lines-fine sh -c 'meshgen saddle --faces 9000 | render-gl -t rptam --size 320x24
 lines-loose draw loose.gltf --tam map.exr
 drawing render-gl teapot.glb --size 320x240 -o drawing.svg
 drawing-dashed render-gl nodes.gltf --size 320x240 --page a5 --pen 0.2 --hidden dash --sort nearest -o drawing.svg
+drawing-script render-gl teapot.strokes.glb -t traced --size 320x240 -o drawing.tsv
 lines-loose-rptam draw loose.gltf -t rptam --pixel-light
 lines-orthographic draw cameras.gltf -t rptam --camera 1 --lines silhouettes,boundaries
 haloes-teapot draw teapot.glb --tam map.exr --haloes 5 --size 240x180

@@ -50,9 +50,9 @@ says "a parameter with a typing error" 2 2 "; perhaps stroke" \
     render-gl mesh.glb -t rptam --frames 2 -o f%d.png --animate storke=1..2
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check
 says "--max-difference with a subject that has none" 2 2 "mesh: --max-difference is for" hatchstat mesh mesh.glb -m 1
-says "a picture that should be a film" 2 2 "film.mp4: the ending is that of another format: want .png, .exr or .svg" \
+says "a picture that should be a film" 2 2 "film.mp4: the ending is that of another format: want .png, .exr, .svg or .tsv" \
     render-gl mesh.glb --technique gouraud -o film.mp4
-says "frames in a format that is not written" 2 2 "f%d.jpg: the ending is that of another format: want .png, .exr or .svg" \
+says "frames in a format that is not written" 2 2 "f%d.jpg: the ending is that of another format: want .png, .exr, .svg or .tsv" \
     render-gl mesh.glb --technique gouraud --frames 2 -o f%d.jpg
 says "figures in a picture's file" 2 2 "t.png: the ending is that of another format: want .tsv or .txt" \
     render-gl mesh.glb --technique gouraud --time 1 -o t.png

@@ -6,7 +6,7 @@
 #include "render-gl/mode/job.h"
 
 void pictures_write(struct job *job);
-void vectors_write(struct job *job); /* -o NAME.svg; without the GPU, unless the technique has curves */
+void vectors_write(struct job *job); /* -o NAME.svg or NAME.tsv; without the GPU, unless the technique has curves */
 void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
 

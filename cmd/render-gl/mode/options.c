@@ -181,9 +181,13 @@ static bool reads_six_columns(const struct technique *drawn)
     return drawn->asset == &asset_six_columns;
 }
 
+#define PICTURE_OPTIONS "tam samples hatch-turn hatch-scale show haloes uv-scale anisotropy window"
+#define TONE_OPTIONS                                                                                                   \
+    "tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir"
+
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
- * them, and --show draws without one. */
-static char strokes[256], assets[256], six_columns[256], lined[320], inked[320];
+ * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
+static char strokes[256], assets[256], six_columns[256], lined[320], timed[320], inked[320], scripted[320];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},
@@ -196,6 +200,7 @@ static const struct cmd_rule rules[] = {
     {"line-width line-color crease", "lines!=none", NULL},
     {"line-width line-color crease", "lines|!show|window", "whose pictures have no lines"},
     {"line-width line-color crease", lined, NULL},
+    {"line-width line-color crease", timed, NULL},
     {"exposure", "!light", "which replaces the scene's lights"},
     {"modulate", "!texture-tone", "give one of them"},
     {"turntable", "frames", NULL},
@@ -203,11 +208,11 @@ static const struct cmd_rule rules[] = {
     {"json", "time|probe", NULL},
     {"time", "!probe !window", NULL},
     {"probe", "!window", NULL},
-    {"page margin pen hidden sort", "output=*.svg", "it shapes a drawing"},
-    {"tam samples hatch-turn hatch-scale show haloes uv-scale anisotropy time probe window", "output!=*.svg",
-     "a drawing consists of lines"},
-    {"tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir", inked,
-     "a drawing without traced strokes has no tone"},
+    {"page margin pen hidden sort", "output=*.svg,*.tsv !time !probe", "it shapes a drawing"},
+    {"time probe " PICTURE_OPTIONS, "output!=*.svg", "a drawing consists of lines"},
+    {PICTURE_OPTIONS, "output!=*.tsv|time|probe", "a drawing consists of lines"},
+    {TONE_OPTIONS, inked, "a drawing without traced strokes has no tone"},
+    {"paper " TONE_OPTIONS, scripted, "a stroke script of lines alone has neither paper nor tone"},
     {"margin", "page", "the page without it is as large as the picture"},
     {"pen", "!line-width", "give one of them"},
     {NULL, NULL, NULL},
@@ -271,8 +276,10 @@ static void make_rules(void)
     make_condition(draws_strokes, "|window", strokes, sizeof strokes);
     make_condition(reads_asset, "|window", assets, sizeof assets);
     make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
-    make_condition(has_lines, "|lines|window|output=*.svg", lined, sizeof lined);
+    make_condition(has_lines, "|lines|window|output=*.svg,*.tsv", lined, sizeof lined);
+    make_condition(has_lines, "|lines|window|!time", timed, sizeof timed);
     make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
+    make_condition(has_curves, "|output!=*.tsv|time|probe", scripted, sizeof scripted);
 }
 
 /* Joins the rows of the command and of all techniques into one table. */
@@ -358,7 +365,8 @@ static void check_owners(void)
     for (size_t i = 0; techniques[i] && !chosen.window; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
             if (options_is_given(row->name) && chosen.vectors && !chosen.technique->curves)
-                cmd_usage("--%s cannot be combined with --output *.svg: a drawing has lines alone", row->name);
+                cmd_usage("--%s cannot be combined with --output *.%s: a drawing has lines alone", row->name,
+                          chosen.script ? "tsv" : "svg");
             else if (options_is_given(row->name) && !has_option(chosen.technique, row))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
                           chosen.technique->name);
@@ -441,7 +449,8 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     cmd_begin(&program, argc, argv, args);
     chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();
-    chosen.vectors = parse_has_ending(args->output, "svg");
+    chosen.script = parse_has_ending(args->output, "tsv") && !timed_frames && !chosen.probe;
+    chosen.vectors = chosen.script || parse_has_ending(args->output, "svg");
     read_page();
     check_technique();
     check_frames(args);

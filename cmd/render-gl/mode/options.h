@@ -83,7 +83,8 @@ struct options {
     bool animation_given;
     uint32_t timed_frames; /* --time; 0: not given */
     bool probe, window;
-    bool vectors;           /* the output is an SVG drawing */
+    bool vectors;           /* the output is a drawing: an SVG file or a stroke script */
+    bool script;            /* the output is a stroke script */
     struct hatch_page page; /* of the drawing; its size is 0 without --page */
     double pen_mm;          /* 0: as wide on the page as line_px in the picture */
     enum option_hidden hidden;

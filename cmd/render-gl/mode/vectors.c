@@ -1,7 +1,8 @@
-/* Writes drawings for pens: the feature lines of frames as SVG files. The visible parts of lines are computed on the
- * processor, so that no context is needed. */
+/* Writes drawings for pens: the feature lines of frames, and their traced strokes, as SVG files or stroke scripts. The
+ * visible parts of lines are computed on the processor, so that lines alone need no context. */
 #include <string.h>
 
+#include "io/script/write.h"
 #include "io/svg/write.h"
 #include "math/angle.h"
 #include "render-gl/mode/modes.h"
@@ -121,7 +122,7 @@ static void note_ways(const struct hatch_vector_paths *paths)
     cmd_note("%u paths, %.0f mm drawn, %.0f mm lifted", paths->count, drawn_mm, lifted_mm);
 }
 
-/* Draws the posed scene as an SVG file.
+/* Draws the posed scene as a file.
  *   empty  in, out: number of drawings without paths */
 static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *view, struct hatch_buffer *file,
                               uint32_t *empty, struct hatch_err *err)
@@ -150,7 +151,7 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
                                                                : LAYER_HIDDEN;
     note_ways(&made.paths);
     *empty += !made.paths.count;
-    return hatch_svg_write(&made, &drawing->job->args.scratch, file, err);
+    return (options->script ? hatch_script_write : hatch_svg_write)(&made, &drawing->job->args.scratch, file, err);
 }
 
 void vectors_write(struct job *job)

@@ -80,7 +80,7 @@ refuses "margins that leave nothing" "--margin 105mm leaves nothing of a page of
 refuses "a margin that is no length" "--margin 5cm: want a length" --page a4 --margin 5cm -o a.svg
 refuses "a margin without a page" "--margin needs --page" --margin 5 -o a.svg
 refuses "a pen without width" "--pen 0: want a length from 0.01 to 100 mm" --pen 0 -o a.svg
-refuses "a page for a picture" "--page needs --output *.svg: it shapes a drawing" -t gouraud --page a4 -o a.png
+refuses "a page for a picture" "--page needs --output *.svg or *.tsv: it shapes a drawing" -t gouraud --page a4 -o a.png
 refuses "shadows in a drawing" \
     "--shadows cannot be combined with --output *.svg without --technique traced: a drawing without traced strokes" \
     --shadows 0.1 -o a.svg
