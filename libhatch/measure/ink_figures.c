@@ -7,7 +7,7 @@
 #include "image/color.h"
 
 /* Classes of pixels by darkness: inked above INKED; edge between INKED and EDGE_MAX; grey between GREY_MIN and INK_MIN;
- * ink from INK_MIN on. */
+ * ink from INK_MIN on; black above EDGE_MAX. */
 #define INKED 0.1f
 #define EDGE_MAX 0.9f
 #define GREY_MIN 0.25f
@@ -40,18 +40,20 @@ static bool has_ink_next_to(const float *dark, uint32_t width, uint32_t height, 
 
 static void count_greys(const float *dark, uint32_t width, uint32_t height, struct hatch_ink_figures *figures)
 {
-    uint64_t inked = 0, grey = 0, strokes = 0;
+    uint64_t inked = 0, grey = 0, strokes = 0, black = 0;
     for (uint32_t y = 0; y < height; y++)
         for (uint32_t x = 0; x < width; x++) {
             float here = dark[(size_t)y * width + x];
             bool is_grey = here > GREY_MIN && here < INK_MIN;
             inked += here > INKED;
             grey += is_grey;
+            black += here > EDGE_MAX;
             strokes += is_grey && !has_ink_next_to(dark, width, height, x, y);
         }
     figures->inked = (double)inked / ((double)width * height);
     figures->grey = inked ? (double)grey / (double)inked : 0;
     figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
+    figures->black = inked ? (double)black / (double)inked : 0;
 }
 
 /* Returns a summed-area table: sums[y * (width + 1) + x] is the sum of the values above row y and left of column x. */
@@ -70,31 +72,64 @@ static double *sum_areas(const float *dark, uint32_t width, uint32_t height, str
     return sums;
 }
 
+/* The darkness of a picture and of its reference, as summed-area tables. */
+struct tables {
+    uint32_t width, height;
+    const double *got, *want;
+};
+
+/* Differences of mean darkness over windows. */
+struct differences {
+    double mean, magnitude, worst, squares; /* mean, mean and largest magnitude, mean square; 0 without windows */
+};
+
+/* Returns the sum over a rectangle of a summed-area table. */
+static double sum_over(const double *sums, size_t pitch, size_t top, uint32_t across, uint32_t down)
+{
+    const size_t bottom = top + down * pitch;
+    return sums[bottom + across] - sums[bottom] - sums[top + across] + sums[top];
+}
+
+/* Compares all windows of a side, or of that of the picture if it is smaller, that the reference darkens. */
+static struct differences compare_windows(const struct tables *tables, uint32_t side_px)
+{
+    const uint32_t across = side_px < tables->width ? side_px : tables->width;
+    const uint32_t down = side_px < tables->height ? side_px : tables->height;
+    const size_t pitch = (size_t)tables->width + 1;
+    const double area = (double)across * down;
+    struct differences sum = {.mean = 0};
+    uint64_t windows = 0;
+    for (uint32_t y = 0; y + down <= tables->height; y++)
+        for (uint32_t x = 0; x + across <= tables->width; x++) {
+            double want = sum_over(tables->want, pitch, y * pitch + x, across, down) / area;
+            double difference = sum_over(tables->got, pitch, y * pitch + x, across, down) / area - want;
+            if (want <= WINDOW_MIN)
+                continue;
+            windows++;
+            sum.mean += difference;
+            sum.magnitude += fabs(difference);
+            sum.worst = fmax(sum.worst, fabs(difference));
+            sum.squares += difference * difference;
+        }
+    const double count = windows ? (double)windows : 1;
+    return (struct differences){sum.mean / count, sum.magnitude / count, sum.worst, sum.squares / count};
+}
+
 static enum hatch_status compare_tones(const float *dark, const float *reference, uint32_t width, uint32_t height,
                                        struct hatch_arena *scratch, struct hatch_ink_figures *figures,
                                        struct hatch_err *err)
 {
-    uint32_t across = HATCH_INK_WINDOW_PX < width ? HATCH_INK_WINDOW_PX : width;
-    uint32_t down = HATCH_INK_WINDOW_PX < height ? HATCH_INK_WINDOW_PX : height;
-    const double *sums = sum_areas(dark, width, height, scratch, err);
-    const double *wanted = sums ? sum_areas(reference, width, height, scratch, err) : NULL;
-    if (!wanted)
+    const double *got = sum_areas(dark, width, height, scratch, err);
+    const double *want = got ? sum_areas(reference, width, height, scratch, err) : NULL;
+    const struct tables tables = {width, height, got, want};
+    if (!want)
         return HATCH_LIMIT;
-    double sum = 0, worst = 0, area = (double)across * down;
-    uint64_t windows = 0;
-    for (uint32_t y = 0; y + down <= height; y++)
-        for (uint32_t x = 0; x + across <= width; x++) {
-            size_t top = y * ((size_t)width + 1) + x, bottom = top + down * ((size_t)width + 1);
-            double want = (wanted[bottom + across] - wanted[bottom] - wanted[top + across] + wanted[top]) / area;
-            double got = (sums[bottom + across] - sums[bottom] - sums[top + across] + sums[top]) / area;
-            if (want <= WINDOW_MIN)
-                continue;
-            windows++;
-            sum += fabs(got - want);
-            worst = fmax(worst, fabs(got - want));
-        }
-    figures->tone_error = windows ? sum / (double)windows : 0;
-    figures->tone_worst = worst;
+    const struct differences tone = compare_windows(&tables, HATCH_INK_WINDOW_PX);
+    const struct differences even = compare_windows(&tables, HATCH_INK_EVEN_PX);
+    figures->tone_error = tone.magnitude;
+    figures->tone_worst = tone.worst;
+    figures->tone_rms = sqrt(tone.squares);
+    figures->uneven24 = sqrt(fmax(even.squares - even.mean * even.mean, 0));
     return HATCH_OK;
 }
 
@@ -118,7 +153,8 @@ enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const str
 {
     assert(!reference || (reference->width == picture->width && reference->height == picture->height));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_ink_figures found = {.tone_error = NAN, .tone_worst = NAN, .edge_error = NAN};
+    struct hatch_ink_figures found = {
+        .tone_error = NAN, .tone_worst = NAN, .edge_error = NAN, .tone_rms = NAN, .uneven24 = NAN};
     uint32_t width = picture->width, height = picture->height;
     const float *dark = darkness_of(picture, scratch, err), *want = NULL;
     enum hatch_status status = dark ? HATCH_OK : HATCH_LIMIT;

@@ -5,16 +5,20 @@
 
 #include "image/image.h"
 
-#define HATCH_INK_WINDOW_PX 32u
+#define HATCH_INK_WINDOW_PX 32u /* side of the windows of tones */
+#define HATCH_INK_EVEN_PX 24u   /* side of the windows of unevenness */
 
 struct hatch_ink_figures {
     double inked;        /* share of the pixels that are not paper */
     double grey;         /* share of the inked pixels that are grey */
     double grey_strokes; /* share of the inked pixels that are grey and, unlike edges, have no ink next to them */
+    double black;        /* share of the inked pixels that are nearly all ink */
     /* Errors against the reference; NaN without one. */
     double tone_error; /* mean of |difference of mean darkness| over the windows that the reference darkens */
     double tone_worst; /* largest of these differences */
     double edge_error; /* root mean square difference of darkness over the reference's edge pixels */
+    double tone_rms;   /* root mean square of the differences of tone_error */
+    double uneven24;   /* standard deviation of such differences, over windows of HATCH_INK_EVEN_PX */
 };
 
 /* Measures a picture in linear light, 0 (ink) to 1 (paper): grey, or colours in the first three channels.

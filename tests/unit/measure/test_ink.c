@@ -1,4 +1,5 @@
 #include <math.h>
+#include <stdlib.h>
 
 #include "arenas.h"
 #include "fail_alloc.h"
@@ -34,7 +35,9 @@ START_TEST(edges_of_ink_do_not_count_as_grey_strokes)
     ck_assert_double_eq_tol(figures.inked, 0.5, 1e-12);
     ck_assert_double_eq_tol(figures.grey, 0.25, 1e-12);
     ck_assert_double_eq_tol(figures.grey_strokes, 0, 1e-12);
+    ck_assert_double_eq_tol(figures.black, 0.75, 1e-12);
     ck_assert(isnan(figures.tone_error) && isnan(figures.tone_worst) && isnan(figures.edge_error));
+    ck_assert(isnan(figures.tone_rms) && isnan(figures.uneven24));
 }
 END_TEST
 
@@ -44,6 +47,10 @@ START_TEST(grey_strokes_are_measured)
     measure(&image, NULL);
     ck_assert_double_eq_tol(figures.grey, 1, 1e-12);
     ck_assert_double_eq_tol(figures.grey_strokes, 1, 1e-12);
+    ck_assert_double_eq(figures.black, 0);
+    image = stripes("Y", 0.85f, 0.95f);
+    measure(&image, NULL);
+    ck_assert_double_eq_tol(figures.black, 0.25, 1e-12);
     image = stripes("Y", 0.2f, 0.2f);
     measure(&image, NULL);
     ck_assert_double_eq_tol(figures.inked, 0.5, 1e-12);
@@ -72,6 +79,49 @@ START_TEST(tone_is_compared_by_windows)
     measure(&image, &even);
     ck_assert_double_eq_tol(figures.tone_error, 0.4375 - 0.4, 1e-6);
     ck_assert_double_eq_tol(figures.tone_worst, 0.4375 - 0.4, 1e-6);
+    ck_assert_double_eq_tol(figures.tone_rms, 0.4375 - 0.4, 1e-6);
+}
+END_TEST
+
+/* Stripes of 24 pixels, of ink and of paper in turn. The darkness of a window of 24 pixels is |24 - x mod 48| / 24,
+ * where x is its left border. */
+START_TEST(unevenness_is_the_deviation_between_windows)
+{
+    enum { SHIFTS = SIDE - 24 + 1 };
+    struct hatch_image image = stripes("Y", 0, 0), flat = stripes("Y", 0, 0);
+    double sum = 0, squares = 0, rms = 0;
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        image.pixels[i] = i % SIDE % 48 < 24 ? 0 : 1;
+        flat.pixels[i] = 0.75f;
+    }
+    measure(&image, &flat);
+    for (int shift = 0; shift < SHIFTS; shift++) {
+        double dark = abs(24 - shift % 48) / 24.0;
+        sum += dark / SHIFTS;
+        squares += dark * dark / SHIFTS;
+    }
+    ck_assert_double_eq_tol(figures.uneven24, sqrt(squares - sum * sum), 1e-6);
+    for (int shift = 0; shift <= SIDE - 32; shift++) {
+        int ink = 0;
+        for (int x = shift; x < shift + 32; x++)
+            ink += x % 48 < 24;
+        rms += pow(ink / 32.0 - 0.25, 2) / (SIDE - 32 + 1);
+    }
+    ck_assert_double_eq_tol(figures.tone_rms, sqrt(rms), 1e-6);
+}
+END_TEST
+
+/* The same error everywhere is an error of tone, but even. */
+START_TEST(a_constant_error_is_even)
+{
+    struct hatch_image image = stripes("Y", 0, 0), flat = stripes("Y", 0, 0);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        image.pixels[i] = 0.25f;
+        flat.pixels[i] = 0.75f;
+    }
+    measure(&image, &flat);
+    ck_assert_double_eq_tol(figures.uneven24, 0, 1e-6);
+    ck_assert_double_eq_tol(figures.tone_rms, 0.5, 1e-6);
 }
 END_TEST
 
@@ -108,6 +158,8 @@ static Suite *suite(void)
     tcase_add_test(tests, grey_strokes_are_measured);
     tcase_add_test(tests, paper_has_no_strokes);
     tcase_add_test(tests, tone_is_compared_by_windows);
+    tcase_add_test(tests, unevenness_is_the_deviation_between_windows);
+    tcase_add_test(tests, a_constant_error_is_even);
     tcase_add_test(tests, edges_are_compared_where_the_reference_has_them);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(made, tests);
