@@ -51,6 +51,8 @@ void frame_block_set_view(struct frame_block *block, const struct hatch_view *vi
     hatch_view_matrix(view, tile, block->clip_from_unit);
     block->viewport[0] = (float)(tile->width / 2);
     block->viewport[1] = (float)(tile->height / 2);
+    block->viewport[2] = (float)tile->x;
+    block->viewport[3] = (float)tile->y;
     for (int k = 0; k < 3; k++)
         block->eye[k] = (float)(view->orthographic ? view->back[k] : view->eye[k]);
     block->eye[3] = view->orthographic ? 0.0f : 1.0f;

@@ -30,7 +30,7 @@ struct frame_block {
     float paper[4], ink[4], light_ink[4];
     float curve[4];                         /* low, high, gamma; samples per pixel */
     float shade[4];                         /* unused, ambient, specular, shininess */
-    float viewport[4];                      /* half the tile's width and height in pixels */
+    float viewport[4];                      /* half the tile's width and height, and its lower left corner, in pixels */
     float hatch[4];                         /* cosine and sine of the pattern's rotation, both divided by its scale */
     int32_t counts[4];                      /* numbers of lights and of tones; enum frame_ink_mode; reaches_ink */
     float ramp_low[2][4], ramp_scale[2][4]; /* for the first six tones: the preceding tone, 1 / difference from it */

@@ -94,6 +94,14 @@ vec2 tapering(int bits, vec2 ends)
     return ends + (ends.x + ends.y) * vec2((bits & 4) != 0, (bits & 8) != 0);
 }
 
+// Returns the change of clip x per unit to the right. The matrix of a tile adds a multiple of its last row to the first.
+float right_length()
+{
+    vec3 first = vec3(clip_from_unit[0].x, clip_from_unit[1].x, clip_from_unit[2].x);
+    vec3 last = vec3(clip_from_unit[0].w, clip_from_unit[1].w, clip_from_unit[2].w);
+    return length(first - dot(first, last) * last);
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -129,7 +137,7 @@ void main()
     float wobble = hand.z * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
                    clamp(pen.w * point.rest.z * 0.5 * (ends.x - ends.y), -TURNED_MOST_PX, TURNED_MOST_PX);
     float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
-    float unit_px = length(vec3(clip_from_unit[0].x, clip_from_unit[1].x, clip_from_unit[2].x)) * viewport.x / at.w;
+    float unit_px = right_length() * viewport.x / at.w;
     float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
     float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + 1.0);
     if (behind)

@@ -25,6 +25,6 @@ void main()
     float covered = min(half_width, v_across.x + 0.5) - max(-half_width, v_across.x - 0.5);
     float opacity = clamp(covered, 0.0, 1.0) * v_across.z;
     if (matter.y > 0.0)
-        opacity *= 1.0 - matter.y * paper_grain(gl_FragCoord.xy / pen.z);
+        opacity *= 1.0 - matter.y * paper_grain(gl_FragCoord.xy / pen.z + viewport.zw);
     o_color = vec4(ink_index == 0 ? ink.rgb : light_ink.rgb, opacity);
 }
