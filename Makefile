@@ -144,9 +144,9 @@ demo: all
 	@rm -rf $(B)/demo
 	PATH="$(abspath $(B))/bin:$$PATH" $(MAKE) -f pipelines/teapot.mk OUT=$(B)/demo
 
-BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/bench/bench_*.c tests/bench/peers.c))
+BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(filter-out %/measure.c,$(wildcard tests/bench/programs/*.c)))
 bench: all $(BENCHES)
-	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench:$$PATH sh tests/bench/run.sh $(B)/bench
+	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench/programs:$$PATH sh tests/bench/run.sh $(B)/bench
 chart:
 	sh tests/bench/charts/draw.sh $(B)/bench
 # Goals that build on each other run in their order, also with -j.
@@ -171,7 +171,7 @@ TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
 include tests/steps.mk tests/memory/library.mk
-$(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom stability/test_rptam_limits bench/%): GL := $(libs_gl)
+$(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom stability/test_rptam_limits bench/programs/%): GL := $(libs_gl)
 $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \

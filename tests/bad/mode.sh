@@ -1,7 +1,7 @@
 #!/bin/sh
 # mode.sh FOLDER FILE COMMAND ...: runs a command on FOLDER/FILE, where the word IN stands for the input and OUT for an
 # output file, and prints a line: processor seconds, peak MiB, exit status (over 128: a signal), command, file and the
-# first line of its messages, separated by tabs. $MEASURE is the program made of tests/bench/measure.c.
+# first line of its messages, separated by tabs. $MEASURE is the program made of tests/bench/programs/measure.c.
 set -u
 folder=$1 file=$2
 shift 2

@@ -9,7 +9,7 @@ seconds=4
 [ -z "$LONG" ] || seconds=2
 MEASURE=$PWD/measure
 export MEASURE
-ok "measure is built" ${CC:-cc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -o "$MEASURE" "$TOP/tests/bench/measure.c"
+ok "measure is built" ${CC:-cc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -o "$MEASURE" "$TOP/tests/bench/programs/measure.c"
 ok "inputs are generated" perl "$TOP/tests/bad/make.pl" own
 ok "a map is made" tamgen --size 64 --tones 3 -o map.exr
 meshgen plane --faces 2 -o plane.glb

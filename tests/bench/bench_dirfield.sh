@@ -7,7 +7,7 @@
 # Singularities: means over shapes and seeds of the number that hatchstat counts on the mesh; then those of the torus (0
 # is right) and of the ellipsoid (4).
 # Seconds: median, minimum and maximum over shapes and seeds, one thread, without reading, repairing and writing.
-# Peers (peers.c): the quadric over some rings; its tensor smoothed to second order; the smoothest field of Knöppel et
+# Peers (programs/peers.c): the quadric over some rings; its tensor smoothed to second order; the smoothest field of Knöppel et
 # al. Their constants are the same for all meshes, or ("told") chosen by hand for the number of faces and the noise.
 # SIZES: numbers of faces. SEEDS: random seeds of the meshes. SEEDS_LARGE: those of meshes of more than 10,000 faces
 # (default: the first of SEEDS). Further options of dirfield are measured at 10,000 faces, with the first seed.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Measures the trade-off of dirfield's --smooth on the scans in ../shared, if that folder exists: singularities against
 # the angle to principal directions. Points and directions are not dirfield's choice: they are those of the quadric over
-# three rings (peers.c), at the 30 % of the points where it is most anisotropic, (|k1| - |k2|) / (|k1| + |k2|). Degrees:
+# three rings (programs/peers.c), at the 30 % of the points where it is most anisotropic, (|k1| - |k2|) / (|k1| + |k2|). Degrees:
 # median and 95th percentile of the angle to the nearer principal axis (axis_deg) and to the axis of larger absolute
 # curvature (deg). Method smoothest is that of peers.c, with its strength in the column smooth. One thread.
 set -eu

@@ -1,0 +1,194 @@
+/* Measures what changes between the frames of a turntable besides the motion itself:
+ *     flicker SCENE AZIMUTH STEP ELEVATION FRAME FRAME ...
+ * The frames are pictures of SCENE by render-gl --from AZIMUTH:ELEVATION, with the azimuth rising by STEP degrees. Each
+ * pixel of a frame but the first is followed to the place where its point of the surface was in the frame before, and
+ * compared with that frame there, interpolated between pixels by Catmull-Rom splines. Frames are blurred first, by
+ * means over 3 x 3 pixels taken twice, because a sharp line that moves by a part of a pixel cannot be interpolated.
+ * Standard output gets the mean of the magnitude of the difference of luminance over all pixels whose point is visible
+ * in both frames, and the share of such pixels among those that show the surface. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "image/color.h"
+#include "math/angle.h"
+#include "math/vector.h"
+#include "shared/picture.h"
+#include "shared/scene.h"
+#include "vector/project.h"
+#include "vector/step.h"
+
+#define FOV_DEG 30 /* render-gl's default */
+#define SAME 0.005 /* relative difference in depth of what counts as the same point */
+#define MEANS 2
+
+static struct cmd_args args;
+static struct hatch_err err;
+
+/* A frame, and the faces of its view. */
+struct shot {
+    struct hatch_arena arena;
+    uint32_t width, height;
+    float *luminance; /* blurred */
+    struct hatch_occluders occluders;
+};
+
+/* What has been measured. */
+struct sums {
+    double difference;
+    uint64_t shown, compared;
+};
+
+/* Returns the point of the unit scene at a place and depth. */
+static void point_at(const struct hatch_occluders *occluders, const double at_px[2], double depth, double point[3])
+{
+    const struct hatch_view *view = &occluders->view;
+    const double x = (at_px[0] - occluders->width_px / 2) / occluders->focal_px[0] * depth;
+    const double y = (at_px[1] - occluders->height_px / 2) / occluders->focal_px[1] * depth;
+    for (int k = 0; k < 3; k++)
+        point[k] = view->eye[k] + x * view->right[k] + y * view->up[k] - depth * view->back[k];
+}
+
+/* Computes the means over 3 x 3 pixels, fewer at the border. */
+static void blur(const float *from, uint32_t width, uint32_t height, float *to)
+{
+    for (uint32_t row = 0; row < height; row++)
+        for (uint32_t column = 0; column < width; column++) {
+            double sum = 0;
+            uint32_t count = 0;
+            for (uint32_t y = row ? row - 1 : 0; y <= row + 1 && y < height; y++)
+                for (uint32_t x = column ? column - 1 : 0; x <= column + 1 && x < width; x++, count++)
+                    sum += (double)from[(size_t)y * width + x];
+            to[(size_t)row * width + column] = (float)(sum / count);
+        }
+}
+
+/* Reads a frame and blurs its luminance. */
+static void read_frame(const char *path, struct shot *shot)
+{
+    struct hatch_image picture;
+    float *means[2];
+    cmd_read_picture(&args, path, 0, &shot->arena, &picture);
+    const size_t count = (size_t)picture.width * picture.height;
+    shot->width = picture.width;
+    shot->height = picture.height;
+    for (int k = 0; k < 2; k++)
+        cmd_check(HATCH_ALLOC(&shot->arena, &means[k], count, &err), NULL, &err);
+    for (size_t i = 0; i < count; i++) {
+        const float *at = &picture.pixels[i * picture.channel_count];
+        means[0][i] = picture.channel_count < 3 ? at[0] : hatch_color_luminance(at);
+    }
+    for (int i = 0; i < MEANS; i++)
+        blur(means[i % 2], shot->width, shot->height, means[1 - i % 2]);
+    shot->luminance = means[MEANS % 2];
+}
+
+/* Computes the weights of four pixels in a row for the place `at`, 0 .. 1, between the middle two. */
+static void find_weights(double at, double weights[4])
+{
+    const double rest = 1 - at;
+    weights[0] = -0.5 * at * rest * rest;
+    weights[1] = rest * (1 + at - 1.5 * at * at);
+    weights[2] = at * (1 + rest - 1.5 * rest * rest);
+    weights[3] = -0.5 * at * at * rest;
+}
+
+/* Returns the luminance at a place at least two pixels from the border. */
+static double luminance_at(const struct shot *shot, const double at_px[2])
+{
+    const double x = at_px[0] - 0.5, y = shot->height - at_px[1] - 0.5;
+    const uint32_t column = (uint32_t)x - 1, row = (uint32_t)y - 1;
+    double across[4], down[4], sum = 0;
+    find_weights(x - floor(x), across);
+    find_weights(y - floor(y), down);
+    for (uint32_t k = 0; k < 16; k++)
+        sum +=
+            down[k / 4] * across[k % 4] * (double)shot->luminance[(size_t)(row + k / 4) * shot->width + column + k % 4];
+    return sum;
+}
+
+static void compare_pixel(const struct shot *before, const struct shot *now, uint32_t column, uint32_t row,
+                          struct sums *sums)
+{
+    const double at_px[2] = {column + 0.5, now->height - row - 0.5};
+    const double depth = hatch_occluders_depth(&now->occluders, at_px);
+    double point[3], was[3];
+    if (!(depth < HUGE_VAL))
+        return;
+    sums->shown++;
+    point_at(&now->occluders, at_px, depth, point);
+    hatch_occluders_project(&before->occluders, point, was);
+    const double was_px[2] = {was[0] / was[2], was[1] / was[2]};
+    if (!(fmin(was_px[0], was_px[1]) >= 2 && was_px[0] <= now->width - 2 && was_px[1] <= now->height - 2) ||
+        !(fabs(hatch_occluders_depth(&before->occluders, was_px) / was[2] - 1) < SAME))
+        return;
+    sums->compared++;
+    sums->difference += fabs((double)now->luminance[(size_t)row * now->width + column] - luminance_at(before, was_px));
+}
+
+/* Reads a frame, and finds the faces of its view. */
+static void take(const struct hatch_scene *scene, const double from_deg[2], const char *path, struct shot *shot)
+{
+    const struct hatch_pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    const struct hatch_view_choice choice = {.kind = HATCH_VIEW_FRAMED,
+                                             .azimuth_rad = from_deg[0] * HATCH_RADIANS,
+                                             .elevation_rad = from_deg[1] * HATCH_RADIANS,
+                                             .fov_rad = FOV_DEG * HATCH_RADIANS};
+    struct hatch_arena *arena = &shot->arena;
+    struct hatch_bounds bounds;
+    struct hatch_pose pose;
+    struct hatch_unit_scene unit;
+    struct hatch_view view;
+    hatch_arena_init(arena, args.max_memory);
+    read_frame(path, shot);
+    const double width = shot->width, height = shot->height;
+    const struct hatch_framing framing = {&span, &bounds, width / height};
+    cmd_check(hatch_pose_make(scene, arena, &pose, &err), NULL, &err);
+    cmd_check(hatch_pose_bounds(&pose, &span, &args.scratch, &bounds, &err), NULL, &err);
+    cmd_check(hatch_view_make(&choice, &pose, &framing, &args.scratch, &view, &err), NULL, &err);
+    cmd_check(hatch_unit_scene_make(scene, NULL, &bounds, arena, &unit, &err), NULL, &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    cmd_check(hatch_occluders_make(&unit, &view, width, height, arena, &args.scratch, &shot->occluders, &err), NULL,
+              &err);
+}
+
+static double number_of(const char *text)
+{
+    double number;
+    if (!hatch_text_number((struct hatch_text){text, strlen(text)}, &number) || !(fabs(number) <= 360))
+        cmd_usage("'%s' is not a number from -360 to 360", text);
+    return number;
+}
+
+int main(int argc, char **argv)
+{
+    static const struct cmd_option options[] = {{0}};
+    static const char *const examples[] = {"flicker torus.glb 30 1 0 turn0.exr turn1.exr", NULL};
+    static const struct cmd_program program = {
+        .name = "flicker",
+        .operands = "SCENE AZIMUTH STEP ELEVATION FRAME FRAME ...",
+        .summary = "measure what changes between the frames of a turntable besides the motion",
+        .examples = examples,
+        .options = options,
+        .operands_min = 6,
+        .operands_max = -1,
+    };
+    static struct shot shots[2];
+    struct hatch_scene scene;
+    struct sums sums = {0, 0, 0};
+    cmd_begin(&program, argc, argv, &args);
+    cmd_read_scene(&args, args.operands[0], CMD_SCENE_AS_IS, &scene);
+    for (int i = 4; i < args.operand_count; i++) {
+        struct shot *now = &shots[i % 2];
+        const double turn = (i - 4) * number_of(args.operands[2]);
+        take(&scene, (const double[]){number_of(args.operands[1]) + turn, number_of(args.operands[3])},
+             args.operands[i], now);
+        for (uint32_t pixel = 0; i > 4 && pixel < now->width * now->height; pixel++)
+            compare_pixel(&shots[1 - i % 2], now, pixel % now->width, pixel / now->width, &sums);
+        if (i > 4)
+            hatch_arena_free(&shots[1 - i % 2].arena);
+    }
+    printf("%.5f\t%.4f\n", sums.difference / (double)sums.compared, (double)sums.compared / (double)sums.shown);
+    return cmd_end(&args, HATCH_OK);
+}
