@@ -31,6 +31,9 @@ struct hatch_stroke_pen {
     float grain;     /* share of the ink that the grain of the paper leaves out, 0 .. 1 */
     float wobble_px; /* greatest distance from the stroke's own line */
     float turn_rad;  /* greatest turn of neighbouring strokes together about their middles */
+    float mark_px, gap_px; /* length of the marks that a stroke is drawn in, and of the gaps between them; a gap below
+                              0: marks overlap; a length of 0: strokes are drawn whole (curve/marks.h) */
+    float scatter;         /* greatest distance of marks from the stroke's own line, as a share of mark_px + gap_px */
 };
 
 /* Returns the darkest ink that strokes of so many families make together. */

@@ -6,6 +6,7 @@
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
 #define SHOWN_MAX 40u /* characters of a wrong word in a message */
+#define MARK_MIN 0.5  /* least length of a mark, in pixels */
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -97,6 +98,7 @@ static const struct number_key number_keys[] = {
     {"grain", 1, 0, 1, 1, {AT(pen.grain), 0}},
     {"wobble", 1, 0, 20, 1, {AT(pen.wobble_px), 0}},
     {"turn", 1, 0, 30, RADIANS_PER_DEGREE, {AT(pen.turn_rad), 0}},
+    {"scatter", 1, 0, 1, 1, {AT(pen.scatter), 0}},
 };
 
 static enum hatch_status read_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
@@ -225,6 +227,18 @@ static enum hatch_status read_response(struct hatch_text *rest, struct reading *
     return HATCH_OK;
 }
 
+static enum hatch_status read_marks(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    double length, gap;
+    HATCH_TRY(read_number(rest, "marks", 0, 1000, &length, err));
+    if (length > 0 && length < MARK_MIN)
+        return hatch_fail(err, HATCH_BAD_INPUT, "marks: %g, want 0 or %g to 1000", length, MARK_MIN);
+    HATCH_TRY(read_number(rest, "marks", -0.5 * length, 1000, &gap, err));
+    r->style.pen.mark_px = (float)length;
+    r->style.pen.gap_px = (float)gap;
+    return HATCH_OK;
+}
+
 static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     struct hatch_text word;
@@ -250,9 +264,9 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 static const struct {
     const char *name;
     enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
-} keys[] = {{"name", read_name},        {"brush", read_brush}, {"direction", read_direction},
-            {"overlap", read_overlap},  {"color", read_color}, {"candidates", read_candidates},
-            {"response", read_response}};
+} keys[] = {{"name", read_name},         {"brush", read_brush}, {"direction", read_direction},
+            {"overlap", read_overlap},   {"color", read_color}, {"candidates", read_candidates},
+            {"response", read_response}, {"marks", read_marks}};
 
 static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
 {

@@ -86,7 +86,7 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
                                     drawing->pen_mm / drawing->pixel_mm, arena, &strokes, err));
     HATCH_TRY(hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
     hatch_page_place(&drawing->page, options->width, options->height, drawing->pixel_mm, &visible);
-    HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, SHORTEST_PX * drawing->pixel_mm, scratch, err));
+    HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, strokes.shortest_px * drawing->pixel_mm, scratch, err));
     for (uint32_t i = 0; i < visible.count; i++)
         visible.paths[i].layer += LAYER_STROKES;
     drawing->stroke_layers = strokes.layer_count;

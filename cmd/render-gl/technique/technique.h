@@ -48,6 +48,7 @@ struct technique_instance {
 /* The strokes of a frame as curves, for drawings by a pen. */
 struct technique_curves {
     uint32_t layer_count;              /* layers of the curves, from 0: one for each direction of strokes */
+    double shortest_px;                /* shorter visible parts are left out */
     struct hatch_vector_curves curves; /* with widths and faces */
     struct hatch_vector_pen pen;       /* that draws them; its width is in pixels */
 };

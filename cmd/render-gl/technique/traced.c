@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "curve/marks.h"
 #include "math/vector.h"
 #include "placement/style.h"
 #include "render-gl/frame/parts.h"
@@ -34,13 +35,22 @@ static const struct cmd_option options[] = {
 };
 static const struct technique_param params[] = {{"stroke-width", true, 1.1}, {0}};
 
-/* Returns a pen that draws all strokes alike, whose strokes do not overlap. */
-static struct hatch_stroke_pen even_pen(const struct hatch_stroke_pen *style, double width_mean_px)
+/* Returns a pen that draws all strokes alike, whose strokes do not overlap, but dots do. */
+static struct hatch_stroke_pen even_pen(const struct hatch_stroke_pen *style)
 {
-    return (struct hatch_stroke_pen){.width_px = (float)width_mean_px,
-                                     .thin = 1,
-                                     .join = style->join,
-                                     .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
+    struct hatch_stroke_pen pen = {.thin = 1,
+                                   .join = style->join,
+                                   .mark_px = style->mark_px,
+                                   .gap_px = style->gap_px,
+                                   .scatter = style->scatter,
+                                   .taper_px = hatch_pen_has_dots(style) ? style->taper_px : 0,
+                                   .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
+    for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++)
+        if (hatch_pen_has_dots(style))
+            pen.response[i] = style->response[i];
+        else if (style->mark_px > 0 && style->gap_px > 0)
+            pen.response[i] *= style->mark_px / (style->mark_px + style->gap_px);
+    return pen;
 }
 
 static void read_style(struct technique_context *context, struct technique_instance *instance)
@@ -49,6 +59,7 @@ static void read_style(struct technique_context *context, struct technique_insta
     struct hatch_brush brush;
     cmd_read_style(context->args, style_name, NULL, NULL, &state->style, &brush);
     state->finer_levels = (uint32_t)finer_levels;
+    state->style.pen.width_px = state->style.width_px;
     if (!(width_px > 0))
         width_px = (double)state->style.width_px;
 }
@@ -112,20 +123,27 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &vertices, light, &state->vertices, err));
     HATCH_TRY(gpu_program_get(programs, &points, light, &state->points[0], err));
     HATCH_TRY(gpu_program_get(programs, &points, based, &state->points[1], err));
-    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbons[0], err));
-    HATCH_TRY(gpu_program_get(programs, &curve, "", &state->ribbons[1], err));
+    const char *defines = state->style.pen.mark_px > 0 ? "#define MARKS 1\n" : "";
+    HATCH_TRY(gpu_program_get(programs, &ribbon, defines, &state->ribbons[0], err));
+    HATCH_TRY(gpu_program_get(programs, &curve, defines, &state->ribbons[1], err));
     return shaded_prepare(context, instance, err);
 }
 
 void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state)
 {
-    const struct hatch_stroke_pen even = even_pen(&state->style.pen, pen_px);
+    const struct hatch_stroke_pen even = even_pen(&state->style.pen);
     const struct hatch_stroke_pen *pen = pen_px > 0 ? &even : &state->style.pen;
-    float taper_px = pen->taper_px * (float)width_px / state->style.width_px; /* wider strokes have longer ends */
-    struct traced_block block = {.pen = {(float)(pen_px > 0 ? pen_px : width_px), pen->thin,
-                                         (float)frame->request.canvas->side, tanf(pen->turn_rad)},
-                                 .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(taper_px, 1e-3f)},
-                                 .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain}};
+    state->pen = *pen;
+    state->pen.width_px = (float)(pen_px > 0 ? pen_px : width_px);
+    float wider = state->pen.width_px / state->style.width_px; /* wider strokes have longer ends and marks */
+    state->pen.mark_px *= wider;
+    state->pen.gap_px *= wider;
+    state->pen.taper_px *= wider;
+    struct traced_block block = {
+        .pen = {state->pen.width_px, pen->thin, (float)frame->request.canvas->side, tanf(pen->turn_rad)},
+        .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(state->pen.taper_px, 1e-3f)},
+        .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain},
+        .marks = {state->pen.mark_px, state->pen.gap_px, pen->scatter, hatch_pen_has_dots(&state->pen) ? 1 : 0}};
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
     state->block = block;

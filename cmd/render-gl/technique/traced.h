@@ -9,9 +9,10 @@
 
 /* std140 layout; the same as block Style of shaders/traced/style.glsl. */
 struct traced_block {
-    float pen[4];  /* width in pixels, thin (curve/width.h); samples along a pixel's side; tangent of turn_rad */
-    float hand[4]; /* vary, pressure, wobble_px, taper_px (curve/width.h) */
-    float ink[4];  /* darkness of a stroke, grain; unused */
+    float pen[4];   /* width in pixels, thin (curve/width.h); samples along a pixel's side; tangent of turn_rad */
+    float hand[4];  /* vary, pressure, wobble_px, taper_px (curve/width.h) */
+    float ink[4];   /* darkness of a stroke, grain; unused */
+    float marks[4]; /* length and gap of marks in pixels, scatter; 1: they are dots */
     float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
 };
 
@@ -43,7 +44,7 @@ struct traced_strokes {
     float finest, densest;                        /* finest gap, in mesh units; greatest threshold */
 };
 
-/* The points of an item's strokes in a picture: 8 floats for each. */
+/* The points of an item's strokes in a picture: TRACED_RIBBON_FLOATS for each. */
 struct traced_ribbon {
     GLuint buffer, view; /* view: the texture through which they are read */
 };
@@ -86,6 +87,7 @@ struct traced_state {
     struct hatch_finer **finer;     /* per mesh; NULL: no view has needed them */
     struct traced_item *items;      /* per item */
     struct hatch_style style;
+    struct hatch_stroke_pen pen; /* of the frame: its lengths are those of the pen in use */
     uint32_t mesh_count, item_count, families;
     uint32_t finer_levels; /* at most so many more than the file has; 0: none */
     struct traced_block block;
@@ -94,7 +96,11 @@ struct traced_state {
     const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };
 
-#define TRACED_RIBBON_FLOATS 8u /* per point of a ribbon: x, y, depth, half width in pixels; ink, ends, 2 unused */
+/* Per point of a ribbon: x, y, depth, half width in pixels; ink, number, arc length from the start and to the end in
+ * mesh units; scale, level, share and scatter of struct hatch_mark_point. Below 0, the half width says that the point
+ * is not in sight. The number is 16 times the stroke's hash, of 20 bits, plus `ends` of struct traced_point. */
+#define TRACED_RIBBON_FLOATS 12u
+#define TRACED_HASH_BITS 0xfffffu
 
 /* Returns the length in the unit scene of a length of 1 in the units of an item's mesh. */
 double traced_scale(const struct scene *scene, const struct hatch_item *item);

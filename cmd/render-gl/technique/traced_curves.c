@@ -2,7 +2,8 @@
  * doubles. */
 #include <math.h>
 
-#include "curve/width.h"
+#include "curve/marks.h"
+#include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/technique/traced.h"
 
@@ -10,9 +11,22 @@
     0.5 /* of the finest gap: how far strokes may pass under the surface between their points, aslant                  \
          */
 
+#define SHORTEST_PX 2.0 /* shorter parts of strokes are left out */
+#define PART 0.15       /* and those shorter than this share of a mark, unless marks are dots */
+#define SLOPE 2.0       /* greatest slope of a surface on which marks are moved aside without passing under it */
+
+/* A point of a stroke in the unit scene. */
+struct place {
+    double at[3];
+    uint32_t face;
+    float width, slack;
+};
+
 /* Curves under construction. */
 struct gathering {
     struct hatch_arena *arena;
+    const struct frame *frame;
+    const struct hatch_stroke_pen *pen;
     struct hatch_buffer curves, points, faces, widths, slack;
     uint32_t count, layer_count;
 };
@@ -40,6 +54,97 @@ static void position_of(const struct hatch_mesh *mesh, const double *positions, 
     }
 }
 
+static enum hatch_status add_place(struct gathering *gathering, const struct place *place, struct hatch_err *err)
+{
+    HATCH_TRY(hatch_buffer_add(&gathering->points, place->at, sizeof place->at, err));
+    HATCH_TRY(hatch_buffer_add(&gathering->faces, &place->face, sizeof place->face, err));
+    HATCH_TRY(hatch_buffer_add(&gathering->widths, &place->width, sizeof place->width, err));
+    return hatch_buffer_add(&gathering->slack, &place->slack, sizeof place->slack, err);
+}
+
+/* Begins a curve of a stroke. */
+static enum hatch_status add_curve(struct gathering *gathering, const struct traced_stroke *stroke, uint32_t count,
+                                   struct hatch_err *err)
+{
+    const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof(float)),
+                                             .count = count,
+                                             .layer = stroke->family,
+                                             .id = stroke->curve->id};
+    gathering->count++;
+    gathering->layer_count = curve.layer + 1 > gathering->layer_count ? curve.layer + 1 : gathering->layer_count;
+    return hatch_buffer_add(&gathering->curves, &curve, sizeof curve, err);
+}
+
+/* Moves a place aside in the picture.
+ *   ribbon     of the points before and after it
+ *   beside_px  to the left of the way between them */
+static void move(const struct gathering *gathering, const float *ribbon, double beside_px, struct place *place)
+{
+    const struct hatch_view *view = &gathering->frame->view;
+    const float *next = ribbon + TRACED_RIBBON_FLOATS;
+    double x = (double)(next[0] - ribbon[0]), y = (double)(next[1] - ribbon[1]), from[3];
+    double length = fmax(sqrt(x * x + y * y), 1e-12);
+    hatch_vec_sub(view->eye, place->at, from);
+    double depth = view->orthographic ? 1 : hatch_vec_dot(from, view->back);
+    double aside = beside_px * 2 * view->half_height * depth / gathering->frame->request.tile->full_height;
+    hatch_vec_add_scaled(place->at, -y / length * aside, view->right, place->at);
+    hatch_vec_add_scaled(place->at, x / length * aside, view->up, place->at);
+    place->slack += (float)(SLOPE * fabs(aside));
+}
+
+/* Adds a mark of a stroke.
+ *   places, ribbon, points  of the stroke, count of them */
+static enum hatch_status add_mark(struct gathering *gathering, const struct traced_stroke *stroke,
+                                  const struct place *places, const float *ribbon,
+                                  const struct hatch_mark_point *points, const struct hatch_mark *mark,
+                                  struct hatch_err *err)
+{
+    const uint32_t last = stroke->curve->count - 1;
+    uint32_t before = 0, within = 0;
+    while (before + 1 < last && points[before + 1].at <= mark->from)
+        before++;
+    while (before + 1 + within < last && points[before + 1 + within].at < mark->to)
+        within++;
+    HATCH_TRY(add_curve(gathering, stroke, within + 2, err));
+    for (uint32_t i = 0; i < within + 2; i++) {
+        float at = i == 0 ? mark->from : i == within + 1 ? mark->to : points[before + i].at;
+        uint32_t low = before + (i > within ? within : i);
+        double share = (double)(at - points[low].at) / fmax((double)(points[low + 1].at - points[low].at), 1e-30);
+        double way = (double)(at - mark->from) / fmax((double)(mark->to - mark->from), 1e-30);
+        struct place place = places[low];
+        for (int k = 0; k < 3; k++)
+            place.at[k] += share * (places[low + 1].at[k] - place.at[k]);
+        place.width += (float)share * (places[low + 1].width - place.width);
+        move(gathering, ribbon + (size_t)TRACED_RIBBON_FLOATS * low,
+             (double)mark->beside[0] + way * (double)(mark->beside[1] - mark->beside[0]), &place);
+        HATCH_TRY(add_place(gathering, &place, err));
+    }
+    return HATCH_OK;
+}
+
+/* Adds the marks of a stroke. */
+static enum hatch_status add_marks(struct gathering *gathering, const struct traced_stroke *stroke,
+                                   const struct place *places, const float *ribbon, struct hatch_err *err)
+{
+    const uint32_t count = stroke->curve->count;
+    struct hatch_buffer marks = {.arena = gathering->arena};
+    struct hatch_mark_point *points;
+    HATCH_TRY(HATCH_ALLOC_UNSET(gathering->arena, &points, count, err));
+    for (uint32_t i = 0; i < count; i++) {
+        const float *from = &ribbon[(size_t)TRACED_RIBBON_FLOATS * i];
+        points[i] = (struct hatch_mark_point){from[6], from[8], from[9], from[10], from[11]};
+        if (!(points[i].scale > 0) && i > 0) { /* out of sight */
+            points[i].scale = points[i - 1].scale;
+            points[i].level = points[i - 1].level;
+        }
+    }
+    HATCH_TRY(hatch_marks_list(gathering->pen, stroke->curve->id & TRACED_HASH_BITS, points, count, &marks, err));
+    for (size_t i = 0; i < marks.size / sizeof(struct hatch_mark); i++)
+        HATCH_TRY(add_mark(gathering, stroke, places, ribbon, points,
+                           (const struct hatch_mark *)(const void *)marks.data + i, err));
+    return HATCH_OK;
+}
+
 /* Adds a stroke if any of it is drawn.
  *   ribbon  of its first point */
 static enum hatch_status add_stroke(struct gathering *gathering, const struct hatch_scene_mesh *mesh,
@@ -48,28 +153,25 @@ static enum hatch_status add_stroke(struct gathering *gathering, const struct ha
                                     struct hatch_err *err)
 {
     const struct hatch_curve_point *points = &strokes->curve_points[stroke->curve->first];
-    const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof slack),
-                                             .count = stroke->curve->count,
-                                             .layer = stroke->family,
-                                             .id = stroke->curve->id};
+    const uint32_t count = stroke->curve->count;
+    struct place *places;
     bool any = false;
-    for (uint32_t i = 0; i < curve.count; i++)
+    for (uint32_t i = 0; i < count; i++)
         any = any || ribbon[TRACED_RIBBON_FLOATS * i + 3] > 0;
     if (!any)
         return HATCH_OK;
-    gathering->count++;
-    gathering->layer_count = curve.layer + 1 > gathering->layer_count ? curve.layer + 1 : gathering->layer_count;
-    HATCH_TRY(hatch_buffer_add(&gathering->curves, &curve, sizeof curve, err));
-    for (uint32_t i = 0; i < curve.count; i++) {
-        double at[3];
-        const uint32_t face = first_face + points[i].face;
-        const float width = fmaxf(2 * ribbon[TRACED_RIBBON_FLOATS * i + 3], 0);
-        position_of(&mesh->mesh, positions, &points[i], at);
-        HATCH_TRY(hatch_buffer_add(&gathering->points, at, sizeof at, err));
-        HATCH_TRY(hatch_buffer_add(&gathering->faces, &face, sizeof face, err));
-        HATCH_TRY(hatch_buffer_add(&gathering->widths, &width, sizeof width, err));
-        HATCH_TRY(hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(gathering->arena, &places, count, err));
+    for (uint32_t i = 0; i < count; i++) {
+        places[i] = (struct place){.face = first_face + points[i].face,
+                                   .width = fmaxf(2 * ribbon[TRACED_RIBBON_FLOATS * i + 3], 0),
+                                   .slack = slack};
+        position_of(&mesh->mesh, positions, &points[i], places[i].at);
     }
+    if (gathering->pen->mark_px > 0)
+        return add_marks(gathering, stroke, places, ribbon, err);
+    HATCH_TRY(add_curve(gathering, stroke, count, err));
+    for (uint32_t i = 0; i < count; i++)
+        HATCH_TRY(add_place(gathering, &places[i], err));
     return HATCH_OK;
 }
 
@@ -101,12 +203,19 @@ static enum hatch_status add_item(struct gathering *gathering, struct technique_
     return HATCH_OK;
 }
 
+static double shortest_px(const struct hatch_stroke_pen *pen)
+{
+    return hatch_pen_has_dots(pen) ? 0 : fmax(SHORTEST_PX, PART * (double)pen->mark_px);
+}
+
 enum hatch_status traced_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                 struct hatch_arena *arena, struct technique_curves *curves, struct hatch_err *err)
 {
     const struct hatch_unit_scene *unit = &context->frame->scene->unit;
     struct traced_state *state = instance->state;
     struct gathering gathering = {.arena = arena,
+                                  .frame = context->frame,
+                                  .pen = &state->pen,
                                   .curves = {.arena = arena},
                                   .points = {.arena = arena},
                                   .faces = {.arena = arena},
@@ -120,6 +229,7 @@ enum hatch_status traced_curves(struct technique_context *context, struct techni
         first_face += unit->meshes[unit->items[i].mesh].surface->face_count;
     }
     *curves = (struct technique_curves){.layer_count = gathering.layer_count,
+                                        .shortest_px = shortest_px(&state->pen),
                                         .curves = {.count = gathering.count,
                                                    .curves = (const void *)gathering.curves.data,
                                                    .points = (const void *)gathering.points.data,

@@ -38,6 +38,18 @@ for tone in .1 .3 .5; do
     done
 done
 
+# Each dot of a stippled plane is a path; together they cover its tone. Strokes with breaks have more paths than whole ones.
+marks() {
+    draw plane.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .2:.2 --page 100x100mm --pen 0.65mm \
+        --stroke-style "$1" -o plane.svg
+    grep -o M plane.svg | wc -l
+}
+near "the dots of a stippled plane cover" "$(marks stipple | awk '{print 1 - exp(-$1 * 3.14159 * .65 ^ 2 / 4 / 1e4)}')" .2 .03
+echo "marks 20 4" >dashes.style
+echo "marks 0 0" >whole.style
+whole=$(marks ./whole.style)
+is "strokes with breaks are several paths" "$(marks ./dashes.style | awk -v whole="$whole" '{print ($1 > 3 * whole)}')" 1
+
 # A ball of radius 1 at distance 4, field of view 60 degrees: its outline is a circle of 1 / sqrt(15) / tan(30) half pages.
 draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -o ball.svg
 is "no stroke leaves the ball" "$(figures ball.svg | awk '{print ($2 > 15 && $2 < 22.4)}')" 1

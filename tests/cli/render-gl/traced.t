@@ -32,9 +32,14 @@ for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
     draw plane.glb --size 200x200 --camera $camera --fov 25 --tone-range .4:.4
     near "a plane seen from $camera" "$(ink)" .4 .02
 done
-for pen in etching woodcut; do
+for pen in etching woodcut sketch pencil stipple; do
     draw plane.glb --stroke-style $pen --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
     near "a plane drawn by $pen" "$(ink)" .4 .025
+done
+# Dots fill the plane where strokes are too few, and between two scales.
+for camera in 0,0,2.7:0,0,0 0,0,1:0,0,0 0,0,0.6:0,0,0; do
+    draw plane.glb --stroke-style stipple --size 200x200 --camera $camera --fov 25 --tone-range .4:.4
+    near "a stippled plane seen from $camera" "$(ink)" .4 .03
 done
 draw plane.glb --stroke-width 3 --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
 near "a plane of wide strokes" "$(ink)" .4 .02

@@ -48,6 +48,7 @@ START_TEST(every_key_sets_its_member)
                         "direction 45 0.25 0.5\n"
                         "direction -90 0 1\n"
                         "thin 0.5\njoin 0.25\ntaper 3\nvary 0.125\npressure 0.75\ngrain 1\nwobble 4\nturn 30\n"
+                        "marks 80 -40\nscatter 0.5\n"
                         "response .1 .2 .3 .4 .5 .6 .7 .75\n"
                         "candidates 5e2 7"),
                   &err);
@@ -80,6 +81,9 @@ START_TEST(every_key_sets_its_member)
     ck_assert_float_eq(style.pen.grain, 1);
     ck_assert_float_eq(style.pen.wobble_px, 4);
     ck_assert_float_eq_tol(style.pen.turn_rad, 0.523598776f, 1e-6f);
+    ck_assert_float_eq(style.pen.mark_px, 80);
+    ck_assert_float_eq(style.pen.gap_px, -40);
+    ck_assert_float_eq(style.pen.scatter, 0.5f);
     ck_assert_float_eq(style.pen.response[7], 0.75f);
     ck_assert_uint_eq(style.candidates_light, 500);
     ck_assert_uint_eq(style.candidates_dark, 7);
@@ -131,6 +135,10 @@ static const struct {
     {"width nan", "line 1: width: 'nan'"},
     {"width -inf", "line 1: width: '-inf'"},
     {"width 12x", "line 1: width: '12x'"},
+    {"marks 0.4 1", "line 1: marks: 0.4, want 0 or 0.5 to 1000"},
+    {"marks 8 -5", "line 1: marks: -5, want -4 to 1000"},
+    {"marks 8", "line 1: marks: a value is missing"},
+    {"scatter 2", "line 1: scatter: 2, want 0 to 1"},
     {"length 0.5", "line 1: length: a value is missing"},
     {"length 0 4.5", "line 1: length: 4.5"},
     {"length -1 1", "line 1: length: -1"},

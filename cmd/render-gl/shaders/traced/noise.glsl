@@ -1,12 +1,16 @@
 // Smooth noise along strokes, from -1 to 1.
-float hash_unit(uint x)
+uint mix_bits(uint x)
 {
     x ^= x >> 16;
     x *= 0x7feb352du;
     x ^= x >> 15;
     x *= 0x846ca68bu;
-    x ^= x >> 16;
-    return float(x >> 8) * (2.0 / 16777216.0) - 1.0;
+    return x ^ x >> 16;
+}
+
+float hash_unit(uint x)
+{
+    return float(mix_bits(x) >> 8) * (2.0 / 16777216.0) - 1.0;
 }
 
 float wave_noise(uint stroke, float at)

@@ -2,7 +2,7 @@
 #include "frame/light.glsl"
 #include "traced/style.glsl"
 #include "traced/width.glsl"
-#include "traced/noise.glsl"
+#include "traced/marks.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = STORAGE_VERTICES) readonly buffer Vertices { float vertices[]; }; // 10 each
@@ -20,7 +20,7 @@ struct Point { // struct traced_point of technique/traced.h
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
-    vec4 ribbon[]; // x, y, depth, half width; ink, bits (as in Point), pixels to both ends, between which it tapers
+    vec4 ribbon[]; // TRACED_RIBBON_FLOATS of technique/traced.h
 };
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
@@ -29,6 +29,7 @@ layout(location = UNIFORM_INK) uniform int ink_index;
 layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold of all strokes
 
 const float TURNED_MOST_PX = 8.0;
+const float SPARSEST = 8.0; // factor up to which dots fill the gaps between sparse strokes
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -87,13 +88,6 @@ vec3 slope_along(vec4 edge, vec4 at)
     return (edge.xyz - at.xyz / at.w * edge.w) / at.w * vec3(viewport.xy, 1.0);
 }
 
-// Returns the lengths to both ends as if the stroke went on by its own length beyond an end that is not free: strokes
-// taper towards free ends alone.
-vec2 tapering(int bits, vec2 ends)
-{
-    return ends + (ends.x + ends.y) * vec2((bits & 4) != 0, (bits & 8) != 0);
-}
-
 // Returns the change of clip x per unit to the right. The matrix of a tile adds a multiple of its last row to the first.
 float right_length()
 {
@@ -112,8 +106,10 @@ void main()
     vec3 shares = vec3(1.0 - point.at.x - point.at.y, point.at.xy);
     vec4 origin = placed[corners.x].clip, edge_1 = placed[corners.y].clip - origin;
     vec4 edge_2 = placed[corners.z].clip - origin, at = origin + shares.y * edge_1 + shares.z * edge_2;
-    ribbon[2u * i] = vec4(0.0, 0.0, 0.0, -1.0);
-    ribbon[2u * i + 1u] = vec4(0.0, point.rest.y, 0.0, 0.0);
+    uint stroke = corners.w & 0xfffffu;
+    ribbon[3u * i] = vec4(0.0, 0.0, 0.0, -1.0);
+    ribbon[3u * i + 1u] = vec4(0.0, float(stroke * 16u) + point.rest.y, point.stroke.zw);
+    ribbon[3u * i + 2u] = vec4(0.0);
     if (at.z <= 0.0 || at.z >= at.w)
         return;
     vec3 along_1 = slope_along(edge_1, at), along_2 = slope_along(edge_2, at);
@@ -121,13 +117,19 @@ void main()
     vec3 way = point.at.z * along_1 + point.at.w * along_2; // per mesh unit along the stroke
     float length_px = max(length(way.xy), 1e-20);
     vec3 place = vec3((at.xy / at.w * 0.5 + 0.5) * 2.0 * viewport.xy, at.z / at.w);
-    ribbon[2u * i] = vec4(place, 0.0);
+    ribbon[3u * i] = vec4(place, 0.0);
+    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period_px(marks, 0.5)), 0.0, 0.0);
     bool behind = area * lift.w < 0.0;
     if (behind && side > 0.0)
         return;
     float scale = abs(area) / (point.stroke.y * length_px);
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
-    float width = width_px(pen.xy, tone, point.stroke.x, scale, densest);
+    bool dots = marks.w > 0.0;
+    vec3 law =
+        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, dots ? 1.0 : WIDEST);
+    float width = law.x * (dots ? float(law.y > 0.0) : law.y), sparser = dots ? min(law.z, SPARSEST) : 1.0;
+    float period = period_px(marks, tone), scatter = marks.z * period * sparser;
+    period /= sparser;
     vec2 ends = point.stroke.zw * length_px;
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
     width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) + 0.3 * point.rest.w);
@@ -139,7 +141,8 @@ void main()
     float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
     float unit_px = right_length() * viewport.x / at.w;
     float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
-    float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + 1.0);
+    scatter /= 1.0 + steep * steep;
+    float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
     if (behind)
         width *= clamp(2.0 - 0.3 * steep, 0.0, 1.0); // next to silhouettes, the front is too near to tell them apart
     wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
@@ -147,6 +150,7 @@ void main()
     place.z += wobble * rise + reach + lift.z * toward_eye;
     float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
     float pressure = matter.x * (1.0 - hand.y * lightening);
-    ribbon[2u * i] = vec4(place, 0.5 * width);
-    ribbon[2u * i + 1u] = vec4(pressure, point.rest.y, tapering(int(point.rest.y), ends));
+    ribbon[3u * i] = vec4(place, 0.5 * width);
+    ribbon[3u * i + 1u].x = pressure;
+    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period), law.y, scatter);
 }

@@ -1,0 +1,52 @@
+// The ribbon of a stroke, and what its fragments get.
+#include "frame/frame.glsl"
+#include "traced/style.glsl"
+
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // TRACED_RIBBON_FLOATS of technique/traced.h per point
+
+noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
+noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke
+#ifdef MARKS
+noperspective out float v_at; // arc length from the start, in mesh units
+noperspective out vec4 v_marks; // struct hatch_mark_point of curve/marks.h without it
+flat out uint v_stroke;
+#endif
+
+vec4 place(int i)
+{
+    return texelFetch(ribbon, 3 * i);
+}
+
+bool is_first(vec4 more)
+{
+    return (uint(more.y) & 1u) != 0u;
+}
+
+bool is_last(vec4 more)
+{
+    return (uint(more.y) & 2u) != 0u;
+}
+
+// Returns the lengths to both ends as if the stroke went on by its own length beyond an end that is not free: strokes
+// taper towards free ends alone.
+vec2 tapering(uint bits, vec2 ends)
+{
+    return ends + (ends.x + ends.y) * vec2((bits & 4u) != 0u, (bits & 8u) != 0u);
+}
+
+// Places a side of the ribbon.
+// here: place and half width; way: direction in the picture; turn: 1 or -1, the side, or 0: the ribbon ends in a point
+void put_side(vec4 here, vec2 way, float turn, vec4 more, vec4 marked)
+{
+    float size = length(way), half_width = pen.z * here.w;
+    vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0);
+    float reach = turn * (half_width + pen.z * marked.w + 0.5);
+    v_across = vec3(reach, max(half_width, 0.0), more.x);
+    v_ends = tapering(uint(more.y), more.zw) * marked.x;
+#ifdef MARKS
+    v_at = more.z;
+    v_marks = marked;
+    v_stroke = uint(more.y) >> 4;
+#endif
+    gl_Position = vec4((here.xy + reach / pen.z * across) / viewport.xy - 1.0, here.z, 1.0);
+}
