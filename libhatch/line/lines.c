@@ -14,6 +14,7 @@
 /* The strips of an item's features, or those of its silhouettes. */
 struct hatch_line_part {
     struct hatch_line_strips strips;
+    const struct hatch_item *item;
     struct hatch_line_part *next;
 };
 
@@ -82,13 +83,18 @@ struct tracing {
     struct hatch_line_frame frame;
 };
 
-static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_line_trace *trace,
-                                   const struct hatch_line_chains *chains, struct hatch_err *err)
+static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_item *item,
+                                   const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
+                                   struct hatch_err *err)
 {
-    const struct hatch_line_picture picture = {tracing->eye.view, tracing->tile, tracing->lines->style.width_px + 2};
+    const struct hatch_line_style *style = &tracing->lines->style;
+    const struct hatch_line_picture picture = {tracing->eye.view, tracing->tile,
+                                               hatch_line_brush_is_used(&style->brush) ? HATCH_LINES_REACH_PX
+                                                                                       : style->width_px + 2};
     struct hatch_line_part *part;
     HATCH_TRY(HATCH_ALLOC(tracing->arena, &part, 1, err));
     HATCH_TRY(hatch_line_strips_make(trace, chains, &picture, tracing->arena, &part->strips, err));
+    part->item = item;
     part->next = tracing->frame.parts;
     tracing->frame.parts = part;
     tracing->frame.sample_count += part->strips.piece_count;
@@ -155,7 +161,7 @@ enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struc
         uint32_t count;
         HATCH_TRY(trace_item(lines, &lines->scene->items[i], &tracing.eye, arena, curves, &count, err));
         for (uint32_t k = 0; k < count; k++)
-            HATCH_TRY(add_trace(&tracing, &curves[k].trace, &curves[k].chains, err));
+            HATCH_TRY(add_trace(&tracing, &lines->scene->items[i], &curves[k].trace, &curves[k].chains, err));
     }
     HATCH_TRY(HATCH_ALLOC(arena, &tracing.frame.samples, tracing.frame.sample_count, err));
     for (const struct hatch_line_part *part = tracing.frame.parts; part; part = part->next) {
@@ -171,6 +177,7 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
                                    const uint8_t *seen, struct hatch_arena *arena, struct hatch_line_segment **segments,
                                    size_t *count, struct hatch_err *err)
 {
+    const struct hatch_line_brush *brush = &lines->style.brush;
     double speck_px = SPECK_PX + 2 * lines->style.width_px;
     size_t at = 0;
     uint8_t *visible;
@@ -180,7 +187,11 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
     for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
         hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px, TRIM_PX, seen + at, visible + at);
         HATCH_TRY(hatch_line_strips_drop_doubles(&part->strips, visible + at, arena, err));
-        *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, *segments + *count);
+        struct hatch_line_touch *touches = NULL;
+        if (hatch_line_brush_is_used(brush))
+            HATCH_TRY(hatch_line_brush_touch(brush, part->item, &part->strips, visible + at, seen + at, arena, &touches,
+                                             err));
+        *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, touches, *segments + *count);
         at += part->strips.piece_count;
     }
     return HATCH_OK;

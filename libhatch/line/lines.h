@@ -3,13 +3,13 @@
 #ifndef HATCH_LINE_LINES_H
 #define HATCH_LINE_LINES_H
 
-#include "line/strip.h"
-#include "scene/unit_scene.h"
+#include "line/brush/brush.h"
 
 struct hatch_line_style {
     uint32_t kinds;    /* bits of enum hatch_line_kind */
     double width_px;   /* over 0 */
     double crease_rad; /* least angle between the faces at a crease, 0 .. π */
+    struct hatch_line_brush brush;
 };
 
 /* The edges of a scene, for all views and poses. */

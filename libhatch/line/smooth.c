@@ -7,6 +7,7 @@
 #define TRIMMED 3u
 #define COVERED 4u    /* hidden by no surface, but covered by a halo */
 #define FOLD_PX 16.0  /* length of the hidden part of a fold that is left out; less than HATCH_LINES_REACH_PX */
+#define BRUSHED 6     /* most pieces of a segment that a brush draws */
 #define FLAT_GAPS 3.0 /* gaps without a step are closed if they are shorter than this times other gaps */
 
 /* Returns piece i of a strip, counted from piece `start` and wrapping around. */
@@ -166,22 +167,46 @@ static uint32_t first_of(const struct hatch_line_strip *strip, const uint8_t *vi
     return 0;
 }
 
-/* Appends the segment between two pieces that bridges those between them. */
-static void bridge(const struct hatch_line_piece *from, const struct hatch_line_piece *to, float in_halo,
-                   struct hatch_line_segment *segment)
+/* Pieces under way to segments. */
+struct joining {
+    const struct hatch_line_strips *strips;
+    const struct hatch_line_touch *touches; /* per piece; NULL: none */
+    struct hatch_line_segment *segments;
+    uint32_t count;
+};
+
+/* Sets an end of a segment to that of a piece. */
+static void set_end(const struct joining *joining, const struct hatch_line_piece *piece, int from, int to,
+                    struct hatch_line_segment *segment)
 {
-    *segment = (struct hatch_line_segment){.a = {from->b[0], from->b[1]},
-                                           .b = {to->a[0], to->a[1]},
-                                           .depth = {from->depth[1], to->depth[0]},
-                                           .in_halo = in_halo};
+    static const struct hatch_line_touch plain = {{1, 1}, {1, 1}, {{0, 0}, {0, 0}}};
+    const struct hatch_line_touch *touch =
+        joining->touches ? &joining->touches[piece - joining->strips->pieces] : &plain;
+    for (int k = 0; k < 2; k++)
+        (to ? segment->b : segment->a)[k] = (from ? piece->b : piece->a)[k] + touch->beside[from][k];
+    segment->depth[to] = piece->depth[from];
+    segment->width[to] = touch->width[from];
+    segment->ink[to] = touch->ink[from];
 }
 
-/* Appends the segments of a strip and returns their number. */
-static uint32_t join_strip(const struct hatch_line_strips *strips, const struct hatch_line_strip *strip,
-                           const uint8_t *visible, const uint8_t *seen, struct hatch_line_segment *segments)
+/* Appends a segment. */
+static void add_segment(struct joining *joining, const struct hatch_line_piece *from, int from_end,
+                        const struct hatch_line_piece *to, int to_end, float in_halo)
 {
-    const struct hatch_line_piece *last = NULL; /* the visible piece before, with none but bridged ones after it */
-    uint32_t count = 0, start = first_of(strip, visible);
+    struct hatch_line_segment *segment = &joining->segments[joining->count++];
+    segment->in_halo = in_halo;
+    set_end(joining, from, from_end, 0, segment);
+    set_end(joining, to, to_end, 1, segment);
+}
+
+/* Appends the segments of a strip. */
+static void join_strip(struct joining *joining, const struct hatch_line_strip *strip, const uint8_t *visible,
+                       const uint8_t *seen)
+{
+    const struct hatch_line_strips *strips = joining->strips;
+    const struct hatch_line_piece *last = NULL;  /* the visible piece before, with none but bridged ones after it */
+    const struct hatch_line_piece *first = NULL; /* of the segment */
+    uint32_t start = first_of(strip, visible);
     bool bridged = false;
     for (uint32_t i = 0; i < strip->count; i++) {
         uint32_t at = piece_at(strip, start, i);
@@ -192,28 +217,28 @@ static uint32_t join_strip(const struct hatch_line_strips *strips, const struct 
             continue;
         }
         float in_halo = near_halo(strip, at, seen) ? 1.0f : 0.0f;
-        bool continues =
-            last && last + 1 == piece && last->segment == piece->segment && segments[count - 1].in_halo == in_halo;
+        bool continues = last && last + 1 == piece && last->segment == piece->segment &&
+                         joining->segments[joining->count - 1].in_halo == in_halo &&
+                         (!joining->touches || piece - first < BRUSHED);
         if (last && bridged)
-            bridge(last, piece, in_halo, &segments[count++]);
-        if (!continues)
-            segments[count++] = (struct hatch_line_segment){
-                .a = {piece->a[0], piece->a[1]}, .depth = {piece->depth[0]}, .in_halo = in_halo};
-        memcpy(segments[count - 1].b, piece->b, sizeof piece->b);
-        segments[count - 1].depth[1] = piece->depth[1];
+            add_segment(joining, last, 1, piece, 0, in_halo);
+        first = continues ? first : piece;
+        if (continues)
+            set_end(joining, piece, 1, 1, &joining->segments[joining->count - 1]);
+        else
+            add_segment(joining, piece, 0, piece, 1, in_halo);
         last = piece;
         bridged = false;
     }
     if (strip->closed && last && bridged)
-        bridge(last, &strips->pieces[piece_at(strip, start, 0)], 0, &segments[count++]);
-    return count;
+        add_segment(joining, last, 1, &strips->pieces[piece_at(strip, start, 0)], 0, 0);
 }
 
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
-                                   struct hatch_line_segment *segments)
+                                   const struct hatch_line_touch *touches, struct hatch_line_segment *segments)
 {
-    uint32_t count = 0;
+    struct joining joining = {strips, touches, segments, 0};
     for (uint32_t s = 0; s < strips->strip_count; s++)
-        count += join_strip(strips, &strips->strips[s], visible, seen, segments + count);
-    return count;
+        join_strip(&joining, &strips->strips[s], visible, seen);
+    return joining.count;
 }

@@ -13,6 +13,8 @@ struct cut {
     double limit[2];     /* at both ends, as in struct hatch_line_sample */
     double behind[2];    /* the same */
     double depth[2];     /* the same */
+    double place[2][3];  /* in the unit scene */
+    double pixel[2];     /* size of a pixel */
     double count;        /* number of pieces, inside and outside the tile */
     double first, after; /* pieces to keep: first .. after - 1 */
     bool begins, ends;   /* whether these contain the start, the end of the segment */
@@ -94,6 +96,8 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
         cut->limit[i] = buffer_depth(view, depth[i] - slack);
         cut->depth[i] = buffer_depth(view, depth[i]);
         cut->behind[i] = buffer_depth(view, depth[i] + STEP_PX * pixel);
+        hatch_vec_copy(points[i], cut->place[i]);
+        cut->pixel[i] = pixel;
     }
     const double sizes[2] = {tile->width, tile->height};
     for (int k = 0; k < 2; k++) {
@@ -175,6 +179,10 @@ static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
         sample->limit = between(cut->limit, middle);
         sample->turn_rad = (float)atan2(cut->at[1][1] - cut->at[0][1], cut->at[1][0] - cut->at[0][0]);
         look_beyond(cut, middle, w->trace->surface ? w->trace->surface[segment] : 0, sample);
+        piece->pixel = between(cut->pixel, k / cut->count);
+        for (int axis = 0; axis < 3; axis++)
+            piece->place[axis] =
+                (float)(cut->place[0][axis] + k / cut->count * (cut->place[1][axis] - cut->place[0][axis]));
         for (int end = 0; end < 2; end++)
             piece->depth[end] = between(cut->limit, (k + end) / cut->count);
     }

@@ -12,12 +12,22 @@ struct hatch_line_piece {
     float a[2], b[2];
     float depth[2];   /* at both ends: a surface with a larger value in the depth buffer hides it */
     uint32_t segment; /* of the trace; the pieces of a segment lie on a straight line */
+    float place[3];   /* of its start, in the unit scene */
+    float pixel;      /* size of a pixel there, in the unit scene */
+};
+
+/* How a brush draws a piece, at both of its ends. */
+struct hatch_line_touch {
+    float width[2];     /* as a share of the lines' width */
+    float ink[2];       /* 0 .. 1 */
+    float beside[2][2]; /* by how much it is moved, in pixels */
 };
 
 /* Successive visible pieces on a straight line, to be drawn. */
 struct hatch_line_segment {
     float a[2], b[2], depth[2]; /* as in struct hatch_line_piece */
     float in_halo;              /* 1: a halo may cover a part of it; else 0 */
+    float width[2], ink[2];     /* as in struct hatch_line_touch; 1 without a brush */
 };
 
 /* Where the visibility of a piece is tested. */
@@ -37,6 +47,12 @@ enum hatch_line_seen {
     HATCH_LINE_COVERED = 4, /* a halo covers more than half of the sample */
     HATCH_LINE_FLAT = 8     /* no surface hides it, but the surface beyond the silhouette does not lie deeper */
 };
+
+/* The other bits, shifted, are the weight of a piece under a brush, 0 .. 15: its width is HATCH_LINE_WEIGHT_LEAST plus
+ * as many times HATCH_LINE_WEIGHT_STEP. */
+#define HATCH_LINE_WEIGHT_SHIFT 4
+#define HATCH_LINE_WEIGHT_LEAST 0.25f
+#define HATCH_LINE_WEIGHT_STEP 0.13333333f
 
 /* A strip of connected pieces. */
 struct hatch_line_strip {
@@ -91,8 +107,9 @@ enum hatch_status hatch_line_strips_drop_doubles(const struct hatch_line_strips 
  * may cover (touched ones and their neighbours) are put into segments of their own.
  *   visible   per piece, from hatch_line_strips_smooth
  *   seen      as for hatch_line_strips_smooth
+ *   touches   per piece: how a brush draws it; NULL: without a brush
  *   segments  out: room for piece_count */
 uint32_t hatch_line_strips_visible(const struct hatch_line_strips *strips, const uint8_t *visible, const uint8_t *seen,
-                                   struct hatch_line_segment *segments);
+                                   const struct hatch_line_touch *touches, struct hatch_line_segment *segments);
 
 #endif

@@ -99,6 +99,11 @@ static const struct number_key number_keys[] = {
     {"wobble", 1, 0, 20, 1, {AT(pen.wobble_px), 0}},
     {"turn", 1, 0, 30, RADIANS_PER_DEGREE, {AT(pen.turn_rad), 0}},
     {"scatter", 1, 0, 1, 1, {AT(pen.scatter), 0}},
+    {"line-taper", 1, 0, 30, 1, {AT(line_brush.taper_px), 0}},
+    {"line-vary", 1, 0, 1, 1, {AT(line_brush.vary), 0}},
+    {"line-wobble", 1, 0, 1, 1, {AT(line_brush.wobble_px), 0}},
+    {"line-depth", 1, 0, 1, 1, {AT(line_brush.depth), 0}},
+    {"line-tone", 1, 0, 1, 1, {AT(line_brush.tone), 0}},
 };
 
 static enum hatch_status read_number(struct hatch_text *rest, const char *key, double low, double high, double *value,

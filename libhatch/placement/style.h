@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "base/bytes.h"
+#include "curve/line_brush.h"
 #include "curve/width.h"
 #include "stroke/brush.h"
 #include "tam/tam.h"
@@ -53,7 +54,8 @@ struct hatch_style {
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
     uint32_t color_count; /* 0: strokes are black */
     struct hatch_style_color colors[HATCH_STYLE_COLORS_MAX];
-    struct hatch_stroke_pen pen;                /* traced strokes; its width_px is unset: it is that of the style */
+    struct hatch_stroke_pen pen;        /* traced strokes; its width_px is unset: it is that of the style */
+    struct hatch_line_brush line_brush; /* feature lines over traced strokes; pressure, ink and grain are unset */
     uint32_t candidates_light, candidates_dark; /* candidates per stroke in the lightest and the darkest column; 1000
                                                    and 100 in Praun et al. 2001, §4 */
 };

@@ -50,6 +50,9 @@
 #define UNIFORM_A 0
 #define UNIFORM_B 1
 #define UNIFORM_MARK_WIDTH 8
+#define UNIFORM_LINE_SAMPLES 24 /* these three beside the uniforms of an item, which lights need */
+#define UNIFORM_LINE_PLACE 25   /* four vectors, 25 .. 28 */
+#define UNIFORM_LINE_BRUSH 29
 
 /* Vertex attributes of an item */
 #define ATTRIBUTE_POSITION 0
@@ -66,6 +69,7 @@
 /* Vertex attributes of overlays, per instance */
 #define ATTRIBUTE_LINE_ENDS 0
 #define ATTRIBUTE_LINE_DEPTH 1
+#define ATTRIBUTE_LINE_BRUSH 2
 #define ATTRIBUTE_MARK_MIDDLE 0
 #define ATTRIBUTE_MARK_HALF 1
 #define ATTRIBUTE_MARK_CONFIDENCE 2

@@ -345,7 +345,7 @@ enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_e
 {
     const struct options *options = job->options;
     const struct line_overlay_style style = {
-        .lines = {kinds, options->line_px, options->crease_deg * HATCH_RADIANS},
+        .lines = {.kinds = kinds, .width_px = options->line_px, .crease_rad = options->crease_deg * HATCH_RADIANS},
         .color = {options->line_color[0], options->line_color[1], options->line_color[2]},
         .haloes = options->halo_px > 0};
     HATCH_TRY(line_overlay_make(&job->lines, &job->scene, &style, &job->frame.programs, &job->args, err));

@@ -29,8 +29,10 @@ enum hatch_status picture_draw_tile(const struct picture *picture, const struct 
                                           .background = frame->style.inks.paper,
                                           .line_px = line_px(picture)};
     HATCH_TRY(technique_draw(picture->context, picture->instance, &request, err));
-    if (picture->draws_lines)
+    if (picture->draws_lines) {
+        picture->lines->lines.style.brush = technique_line_brush(picture->instance);
         HATCH_TRY(line_overlay_draw(picture->lines, frame, err));
+    }
     gpu_timer_end(frame->timer);
     return HATCH_OK;
 }

@@ -158,7 +158,8 @@ void vectors_write(struct job *job)
 {
     const struct options *options = job->options;
     struct hatch_arena *keep = &job->args.keep;
-    const struct hatch_line_style style = {options->line_kinds, options->line_px, options->crease_deg * HATCH_RADIANS};
+    const struct hatch_line_style style = {
+        .kinds = options->line_kinds, .width_px = options->line_px, .crease_rad = options->crease_deg * HATCH_RADIANS};
     struct drawing drawing = {.job = job, .arena = keep};
     struct hatch_err err;
     struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);

@@ -1,7 +1,9 @@
 #include "render-gl/overlay/lines.h"
 
 #include <stddef.h>
+#include <stdio.h>
 
+#include "render-gl/frame/items.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
@@ -10,14 +12,15 @@
 #define TEXELS 2u   /* of a sample */
 #define ROWS 1024u  /* rows of the texture; if there are more samples, they are tested in several passes */
 
+static const struct gpu_stages test_stages = {.vertex = "canvas/screen.vert", .fragment = "overlay/line_test.frag"};
+
 static enum hatch_status compile(struct line_overlay *overlay, struct gpu_programs *programs, struct hatch_err *err)
 {
-    static const struct gpu_stages test = {.vertex = "canvas/screen.vert", .fragment = "overlay/line_test.frag"};
     static const struct gpu_stages stroke = {.vertex = "overlay/line_stroke.vert",
                                              .fragment = "overlay/line_stroke.frag"};
     static const struct gpu_stages over = {.vertex = "canvas/screen.vert", .fragment = "overlay/line_over.frag"};
     const char *defines = overlay->haloes ? "#define HALOES 1\n" : "";
-    HATCH_TRY(gpu_program_get(programs, &test, defines, &overlay->test, err));
+    HATCH_TRY(gpu_program_get(programs, &test_stages, defines, &overlay->test, err));
     HATCH_TRY(gpu_program_get(programs, &stroke, defines, &overlay->stroke, err));
     return gpu_program_get(programs, &over, "", &overlay->over, err);
 }
@@ -28,7 +31,8 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
 {
     static const struct gpu_attribute attributes[] = {
         {ATTRIBUTE_LINE_ENDS, 4, GL_FLOAT, 0},
-        {ATTRIBUTE_LINE_DEPTH, 3, GL_FLOAT, offsetof(struct hatch_line_segment, depth)}};
+        {ATTRIBUTE_LINE_DEPTH, 3, GL_FLOAT, offsetof(struct hatch_line_segment, depth)},
+        {ATTRIBUTE_LINE_BRUSH, 4, GL_FLOAT, offsetof(struct hatch_line_segment, width)}};
     const struct gpu_target_form results = {.width = BATCH, .height = ROWS, .outputs = {GL_R8UI}};
     struct line_overlay made = {.color = {style->color[0], style->color[1], style->color[2]}, .haloes = style->haloes};
     HATCH_TRY(hatch_lines_make(&scene->unit, &style->lines, &args->keep, &args->scratch, &made.lines, err));
@@ -37,7 +41,7 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
     made.samples = gpu_texture_2d(GL_RGBA32F, TEXELS * BATCH, ROWS);
     glCreateBuffers(1, &made.segments);
     glCreateVertexArrays(1, &made.array);
-    gpu_array_attach(made.array, 0, made.segments, sizeof(struct hatch_line_segment), attributes, 2);
+    gpu_array_attach(made.array, 0, made.segments, sizeof(struct hatch_line_segment), attributes, 3);
     glVertexArrayBindingDivisor(made.array, 0, 1);
     hatch_arena_init(&made.frame, args->max_memory);
     *overlay = made;
@@ -58,8 +62,8 @@ static void upload(const struct line_overlay *overlay, const struct hatch_line_s
 /* Tests the samples against the canvas's depth and haloes. A sample is visible if at least one of the depths around it
  * is not nearer than the sample's depth limit.
  *   seen  out: bits of enum hatch_line_seen per sample; room for sample_count, rounded up to a multiple of BATCH */
-static void test_samples(const struct line_overlay *overlay, const struct canvas *canvas,
-                         const struct hatch_line_frame *lines, uint8_t *seen)
+static void test_samples(const struct line_overlay *overlay, const struct gpu_program *test,
+                         const struct canvas *canvas, const struct hatch_line_frame *lines, uint8_t *seen)
 {
     const size_t most = (size_t)BATCH * ROWS;
     for (size_t done = 0; done < lines->sample_count; done += most) {
@@ -70,10 +74,46 @@ static void test_samples(const struct line_overlay *overlay, const struct canvas
         glViewport(0, 0, (GLsizei)rows.width, (GLsizei)rows.height);
         gpu_texture_bind(UNIT_TONES, canvas->samples.depth, 0);
         gpu_texture_bind(UNIT_SOURCE, overlay->samples, 0);
-        glProgramUniform1f(overlay->test->name, UNIFORM_A, (GLfloat)canvas->side);
-        frame_pass_screen(overlay->test);
+        glProgramUniform1f(test->name, UNIFORM_LINE_SAMPLES, (GLfloat)canvas->side);
+        frame_pass_screen(test);
         gpu_target_read(&overlay->results, 0, rows, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 0, seen + done);
     }
+}
+
+/* Sets how a program finds the places of pixels in the unit scene, and the light there. */
+static void set_place(const struct frame *frame, const struct hatch_line_brush *brush, GLuint program)
+{
+    const struct hatch_view *view = &frame->view;
+    const struct hatch_tile *tile = frame->request.tile;
+    double high = 2 * view->half_height / tile->full_height;
+    double wide = 2 * view->half_height * view->aspect / tile->full_width;
+    float place[4][4] = {{[3] = (float)view->near}, {0}, {0}, {[3] = (float)view->far}};
+    for (int k = 0; k < 3; k++) {
+        double corner = (tile->x - 0.5 * tile->full_width) * wide * view->right[k] +
+                        (tile->y - 0.5 * tile->full_height) * high * view->up[k];
+        place[0][k] = (float)view->eye[k];
+        place[1][k] = (float)(wide * view->right[k]);
+        place[2][k] = (float)(high * view->up[k]);
+        place[3][k] = (float)(corner - (view->orthographic ? 0 : view->back[k]));
+    }
+    glProgramUniform4fv(program, UNIFORM_LINE_PLACE, 4, place[0]);
+    glProgramUniform2f(program, UNIFORM_LINE_BRUSH, brush->depth, brush->tone);
+}
+
+/* Finds the program that tests samples: with a brush, it finds their weights, too. */
+static enum hatch_status find_test(const struct line_overlay *overlay, struct frame *frame,
+                                   const struct gpu_program **test, struct hatch_err *err)
+{
+    const struct hatch_line_brush *brush = &overlay->lines.style.brush;
+    char light[FRAME_LIGHT_DEFINES_BYTES], defines[FRAME_LIGHT_DEFINES_BYTES + 64];
+    *test = overlay->test;
+    if (!hatch_line_brush_is_used(brush))
+        return HATCH_OK;
+    frame_light_defines(frame, true, light);
+    snprintf(defines, sizeof defines, "%s#define BRUSH 1\n%s", light, overlay->haloes ? "#define HALOES 1\n" : "");
+    HATCH_TRY(gpu_program_get(&frame->programs, &test_stages, defines, test, err));
+    set_place(frame, brush, (*test)->name);
+    return HATCH_OK;
 }
 
 /* Draws segments with round ends into a transient target of coverage, of which overlapping segments keep the maximum,
@@ -94,6 +134,9 @@ static enum hatch_status draw_segments(struct line_overlay *overlay, struct fram
     frame_pass_begin(&(struct frame_pass){.target = canvas->picture, .blend = FRAME_BLEND_OVER_COLOR});
     gpu_texture_bind(UNIT_TONES, coverage->outputs[0], 0);
     glProgramUniform3fv(overlay->over->name, UNIFORM_A, 1, overlay->color);
+    bool brushed = hatch_line_brush_is_used(&overlay->lines.style.brush);
+    glProgramUniform2f(overlay->over->name, UNIFORM_B, brushed ? overlay->lines.style.brush.ink : 1,
+                       brushed ? overlay->lines.style.brush.grain : 0);
     frame_pass_screen(overlay->over);
     return HATCH_OK;
 }
@@ -102,6 +145,7 @@ static enum hatch_status draw(struct line_overlay *overlay, struct frame *frame,
 {
     struct hatch_line_frame lines;
     struct hatch_line_segment *segments;
+    const struct gpu_program *test;
     size_t count;
     HATCH_TRY(hatch_lines_trace(&overlay->lines, &frame->view, frame->request.tile, &overlay->frame, &lines, err));
     if (!lines.sample_count)
@@ -109,7 +153,8 @@ static enum hatch_status draw(struct line_overlay *overlay, struct frame *frame,
     uint8_t *seen = HATCH_NEW(&overlay->frame, uint8_t, lines.sample_count + BATCH, err);
     if (!seen)
         return HATCH_LIMIT;
-    test_samples(overlay, frame->request.canvas, &lines, seen);
+    HATCH_TRY(find_test(overlay, frame, &test, err));
+    test_samples(overlay, test, frame->request.canvas, &lines, seen);
     HATCH_TRY(hatch_lines_join(&overlay->lines, &lines, seen, &overlay->frame, &segments, &count, err));
     return draw_segments(overlay, frame, segments, count, err);
 }

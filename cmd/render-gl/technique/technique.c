@@ -59,6 +59,12 @@ enum hatch_status technique_find_curves(struct technique_context *context, struc
     return frame_end(context->frame, false, err);
 }
 
+struct hatch_line_brush technique_line_brush(const struct technique_instance *instance)
+{
+    return instance->technique->line_brush ? instance->technique->line_brush(instance)
+                                           : (struct hatch_line_brush){.taper_px = 0};
+}
+
 void technique_close(struct technique_instance *instance)
 {
     if (instance->technique && instance->technique->free)

@@ -5,6 +5,7 @@
 #ifndef RENDER_TECHNIQUE_TECHNIQUE_H
 #define RENDER_TECHNIQUE_TECHNIQUE_H
 
+#include "curve/line_brush.h"
 #include "render-gl/assets/asset.h"
 #include "render-gl/frame/items.h"
 #include "vector/curves.h"
@@ -85,6 +86,8 @@ struct technique {
      *   arena   for the curves */
     enum hatch_status (*curves)(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                 struct hatch_arena *arena, struct technique_curves *curves, struct hatch_err *err);
+    /* Returns the brush that draws feature lines over its pictures. NULL: lines have one width. */
+    struct hatch_line_brush (*line_brush)(const struct technique_instance *instance);
     /* Applies new values of its options. On failure the old state stays in use. */
     enum hatch_status (*changed)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
@@ -113,6 +116,9 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
 enum hatch_status technique_find_curves(struct technique_context *context, struct technique_instance *instance,
                                         const struct frame_request *request, double pen_px, struct hatch_arena *arena,
                                         struct technique_curves *curves, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the brush that draws feature lines over the pictures of a technique; zeroed: lines have one width. */
+struct hatch_line_brush technique_line_brush(const struct technique_instance *instance);
 
 /* Releases the instance; leaves *instance zeroed. */
 void technique_close(struct technique_instance *instance);

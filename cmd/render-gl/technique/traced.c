@@ -18,7 +18,8 @@
 #define NARROWEST 0.02 /* share of the view's distance at which an item's strokes are all taken as visible */
 #define SMOOTH 8.0     /* greatest threshold in sight, in finest gaps, from which on lines are drawn as curves */
 #define PARTS_MAX 4u   /* straight parts of a line between two points in near views */
-#define OFF_AXIS 1.5   /* factor of scale towards the corners of a picture */
+#define LINE_PRESSURE 0.3f /* share of the strokes' changes of ink that feature lines have: they must hold together */
+#define OFF_AXIS 1.5       /* factor of scale towards the corners of a picture */
 
 static const char *style_name = "engraving";
 static double width_px; /* 0: the style's */
@@ -293,6 +294,16 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     return HATCH_OK;
 }
 
+static struct hatch_line_brush line_brush(const struct technique_instance *instance)
+{
+    const struct traced_state *state = instance->state;
+    struct hatch_line_brush brush = state->style.line_brush;
+    brush.ink = state->style.ink;
+    brush.pressure = LINE_PRESSURE * state->style.pen.pressure;
+    brush.grain = state->style.pen.grain;
+    return brush;
+}
+
 static void free_state(struct technique_instance *instance)
 {
     struct traced_state *state = instance->state;
@@ -324,5 +335,6 @@ const struct technique technique_traced = {
     .prepare = prepare,
     .draw = draw,
     .curves = traced_curves,
+    .line_brush = line_brush,
     .free = free_state,
 };

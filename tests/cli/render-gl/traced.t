@@ -47,6 +47,21 @@ near "a plane of wide strokes" "$(ink)" .4 .02
 draw plane.glb --size 20x200 --camera -0.9,0,3.7320508:-0.9,0,0 --fov 30 --tone-range .4:.4
 near "the border of a plane" "$(ink)" .42 .03
 
+# Feature lines by the brush of a style: wider before a deep step, narrower in the light, paler with a light ink.
+outline() {
+    echo "$1" >outline.style
+    render-gl -q -t traced --stroke-style ./outline.style ball.glb --size 200x200 --tone-range "$2" -o $file
+}
+outline "thin 1" 0:0
+plain=$(ink)
+outline "line-depth 1" 0:0
+near "an outline before nothing" "$(ink)" "$(awk -v plain="$plain" 'BEGIN {print 1.5 * plain}')" .002
+outline "line-tone 1" 0:0
+near "an outline in the light" "$(ink)" "$(awk -v plain="$plain" 'BEGIN {print .5 * plain}')" .002
+outline "line-taper 9
+ink 0.5" 0:0
+near "an outline of pale ink" "$(ink)" "$(awk -v plain="$plain" 'BEGIN {print .5 * plain}')" .001
+
 # Two inks: the lit parts have the light one, and no part has both.
 draw plane.glb --size 64x64 --camera 0,0,3:0,0,0 --paper grey --ink black,white --tone-range 0:1 --light 0:0
 is "the light ink draws lit parts" "$(awk -v ink="$(ink)" 'BEGIN {print (ink < .5)}')" 1

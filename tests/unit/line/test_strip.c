@@ -180,7 +180,7 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
     struct hatch_line_segment segments[268];
     memset(visible, 1, sizeof visible);
     visible[30] = 0;
-    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, visible, segments), 5);
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, visible, NULL, segments), 5);
     ck_assert_float_eq_tol(segments[0].a[0], strips.pieces[31].a[0], 1e-6f); /* the path begins after the gap */
     ck_assert_float_eq_tol(segments[0].b[0], strips.pieces[66].b[0], 1e-6f);
     ck_assert_float_eq_tol(segments[4].b[0], strips.pieces[29].b[0], 1e-6f);
@@ -216,7 +216,7 @@ START_TEST(only_pieces_near_haloes_are_tested_again)
     memset(seen, HATCH_LINE_VISIBLE, sizeof seen);
     memset(visible, 1, sizeof visible);
     seen[30] |= HATCH_LINE_TOUCHED;
-    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, segments), 6);
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, NULL, segments), 6);
     for (uint32_t i = 0; i < 6; i++)
         ck_assert_uint_eq(segments[i].in_halo > 0, i == 1);
     ck_assert_float_eq_tol(segments[1].a[0], strips.pieces[29].a[0], 1e-6f);
@@ -275,7 +275,7 @@ START_TEST(folds_are_bridged)
     hatch_line_strips_smooth(&strips, 4, 8, 1, seen, visible);
     for (uint32_t i = 0; i < strips.piece_count; i++)
         ck_assert_uint_eq(visible[i], seen[i] ? HATCH_LINE_VISIBLE : HATCH_LINE_BRIDGED);
-    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, segments), 4);
+    ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, NULL, segments), 4);
     ck_assert_float_eq_tol(segments[1].a[0], 200, 1e-3f);
     ck_assert_float_eq_tol(segments[1].b[0], 199.5f, 1e-3f);
     for (uint32_t i = 1; i < 4; i++)

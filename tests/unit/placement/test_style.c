@@ -48,7 +48,6 @@ START_TEST(every_key_sets_its_member)
                         "direction 45 0.25 0.5\n"
                         "direction -90 0 1\n"
                         "thin 0.5\njoin 0.25\ntaper 3\nvary 0.125\npressure 0.75\ngrain 1\nwobble 4\nturn 30\n"
-                        "marks 80 -40\nscatter 0.5\n"
                         "response .1 .2 .3 .4 .5 .6 .7 .75\n"
                         "candidates 5e2 7"),
                   &err);
@@ -81,14 +80,27 @@ START_TEST(every_key_sets_its_member)
     ck_assert_float_eq(style.pen.grain, 1);
     ck_assert_float_eq(style.pen.wobble_px, 4);
     ck_assert_float_eq_tol(style.pen.turn_rad, 0.523598776f, 1e-6f);
-    ck_assert_float_eq(style.pen.mark_px, 80);
-    ck_assert_float_eq(style.pen.gap_px, -40);
-    ck_assert_float_eq(style.pen.scatter, 0.5f);
     ck_assert_float_eq(style.pen.response[7], 0.75f);
     ck_assert_uint_eq(style.candidates_light, 500);
     ck_assert_uint_eq(style.candidates_dark, 7);
     HATCH_TEST_OK(parse("overlap darkens"), &err);
     ck_assert_int_eq(style.overlap, HATCH_OVERLAP_DARKENS);
+}
+END_TEST
+
+START_TEST(marks_and_lines_have_their_keys)
+{
+    HATCH_TEST_OK(parse("marks 80 -40\nscatter 0.5\n"
+                        "line-taper 12\nline-vary 0.5\nline-wobble 1\nline-depth 0.25\nline-tone 0.75\n"),
+                  &err);
+    ck_assert_float_eq(style.pen.mark_px, 80);
+    ck_assert_float_eq(style.pen.gap_px, -40);
+    ck_assert_float_eq(style.pen.scatter, 0.5f);
+    ck_assert_float_eq(style.line_brush.taper_px, 12);
+    ck_assert_float_eq(style.line_brush.vary, 0.5f);
+    ck_assert_float_eq(style.line_brush.wobble_px, 1);
+    ck_assert_float_eq(style.line_brush.depth, 0.25f);
+    ck_assert_float_eq(style.line_brush.tone, 0.75f);
 }
 END_TEST
 
@@ -240,6 +252,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, NULL);
     tcase_add_test(tests, a_file_without_a_key_is_refused_and_changes_nothing);
     tcase_add_test(tests, every_key_sets_its_member);
+    tcase_add_test(tests, marks_and_lines_have_their_keys);
     tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_are_ignored);
     tcase_add_test(tests, every_brush_has_a_name);
     tcase_add_test(tests, a_brush_file_may_contain_spaces);

@@ -7,6 +7,7 @@ layout(location = UNIFORM_B) uniform float width_px;
 
 flat in vec4 v_ends;
 flat in vec3 v_depth;
+flat in vec4 v_brush;
 out float o_coverage;
 
 void main()
@@ -16,8 +17,8 @@ void main()
     vec2 away = from - share * along;
     float distance_px = length(away);
     float ramp = distance_px > 1e-3 ? (abs(away.x) + abs(away.y)) / distance_px : 1.0;
-    float inside = 0.5 * max(width_px, 1.0) - distance_px;
-    o_coverage = clamp(inside / ramp + 0.5, 0.0, 1.0) * min(width_px, 1.0);
+    float wide_px = width_px * mix(v_brush.x, v_brush.y, share), inside = 0.5 * max(wide_px, 1.0) - distance_px;
+    o_coverage = clamp(inside / ramp + 0.5, 0.0, 1.0) * min(wide_px, 1.0) * mix(v_brush.z, v_brush.w, share);
 #ifdef HALOES
     int asked = o_coverage > 0.0 && v_depth.z > 0.0 ? 1 : 0;
     for (int i = 0; i < asked; i++) // instead of an `if`, which software renderers would execute for all pixels

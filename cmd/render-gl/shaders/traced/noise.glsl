@@ -1,4 +1,4 @@
-// Smooth noise along strokes, from -1 to 1.
+// Smooth noise along strokes, from -1 to 1, and the grain of paper.
 uint mix_bits(uint x)
 {
     x ^= x >> 16;
@@ -27,4 +27,14 @@ float stroke_noise(uint stroke, float at, float octave)
     float low = floor(octave);
     return mix(wave_noise(stroke + uint(int(low)), at * exp2(low)),
                wave_noise(stroke + uint(int(low) + 1), at * exp2(low + 1.0)), octave - low);
+}
+
+// Returns noise that is fixed to the paper, 0 .. 1: that of grains about two pixels wide.
+float paper_grain(vec2 at)
+{
+    vec2 cell = floor(0.6 * at), from = smoothstep(0.0, 1.0, 0.6 * at - cell);
+    uint number = uint(int(cell.x)) * 0x9e3779b9u + uint(int(cell.y)) * 0x85ebca6bu;
+    float low = mix(hash_unit(number), hash_unit(number + 0x9e3779b9u), from.x);
+    float high = mix(hash_unit(number + 0x85ebca6bu), hash_unit(number + 0x9e3779b9u + 0x85ebca6bu), from.x);
+    return 0.5 + 0.5 * mix(low, high, from.y);
 }

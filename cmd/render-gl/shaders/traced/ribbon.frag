@@ -13,16 +13,6 @@ flat in uint v_stroke;
 #endif
 out vec4 o_color;
 
-// Returns noise that is fixed to the paper, 0 .. 1: that of grains about two pixels wide.
-float paper_grain(vec2 at)
-{
-    vec2 cell = floor(0.6 * at), from = smoothstep(0.0, 1.0, 0.6 * at - cell);
-    uint number = uint(int(cell.x)) * 0x9e3779b9u + uint(int(cell.y)) * 0x85ebca6bu;
-    float low = mix(hash_unit(number), hash_unit(number + 0x9e3779b9u), from.x);
-    float high = mix(hash_unit(number + 0x85ebca6bu), hash_unit(number + 0x9e3779b9u + 0x85ebca6bu), from.x);
-    return 0.5 + 0.5 * mix(low, high, from.y);
-}
-
 void main()
 {
     float taper = clamp(min(v_ends.x, v_ends.y) / min(hand.w, 0.3 * (v_ends.x + v_ends.y)), 0.0, 1.0);
