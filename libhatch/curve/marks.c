@@ -7,6 +7,7 @@
 #define SOFT 0.2         /* share of the marks that are growing at any time, between two levels */
 #define SHARE_SOFT 0.08  /* the same, where the share of dots changes */
 #define LEAST_PX 0.05    /* half the length of a dot's line */
+#define PASSING 0.6      /* gaps by which strokes that meet pass one another */
 #define PLACES_MAX 65536 /* along a stroke */
 #define MARGIN 0.5       /* no mark begins or ends so close to an end of the stroke, in periods */
 
@@ -117,9 +118,11 @@ static enum hatch_status add_dot(struct listing *listing, const struct place *pl
     const struct hatch_mark_point here = point_at(listing, place->at);
     double total = (double)listing->points[listing->count - 1].at, scale = fmax((double)here.scale, 1e-20);
     double half = 0.5 * (double)listing->pen->mark_px / scale;
-    double taper_px = fmin(fmax((double)listing->pen->taper_px, 1e-3), 0.3 * total * scale);
+    double passing_px =
+        (double)listing->pen->scatter > 0 ? PASSING * (double)(here.scatter / listing->pen->scatter) : 0;
+    double taper_px = fmax(fmax((double)listing->pen->taper_px, 1e-3), passing_px);
     double taper = fmin(fmin(place->at, total - place->at) * scale / taper_px, 1);
-    double weight = place->weight * grown((double)here.share * taper * (2 - taper), draw(place->number, 0), SHARE_SOFT);
+    double weight = place->weight * grown((double)here.share * taper, draw(place->number, 0), SHARE_SOFT);
     double core = fmax(half - 0.5 * (double)listing->pen->width_px / scale, LEAST_PX / scale);
     float beside = here.scatter * (float)(2 * draw(place->number, 1) - 1);
     if (weight < 0.5 || place->at < half || place->at > total - half)

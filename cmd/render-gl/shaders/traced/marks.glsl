@@ -3,7 +3,7 @@
 #include "traced/noise.glsl"
 
 const int BITS = 3, ANCESTORS = 4;
-const float SOFT = 0.2, SHARE_SOFT = 0.08, MARGIN = 0.5, DOT_LAYERS = 2.5;
+const float SOFT = 0.2, SHARE_SOFT = 0.08, MARGIN = 0.5, DOT_LAYERS = 2.5, PASSING = 0.6;
 
 uint hash_cell(uint stroke, int level, uint cell)
 {
@@ -77,7 +77,7 @@ float dots_cover(vec4 marks, Spot spot, float share)
     int level = int(low) + 1;
     float cell_px = spot.scale * exp2(-float(level)), at = spot.at * exp2(float(level));
     float core = max(0.5 * marks.x - spot.half_width, 0.0), reach = 1.15 * spot.half_width + core + 0.5 / spot.side;
-    float last = min(at + reach / cell_px, floor(at) + 12.0);
+    float last = min(at + reach / cell_px, floor(at) + 96.0);
     for (float cell = max(floor(at - reach / cell_px), 0.0); cell <= last; cell += 1.0) {
         vec2 place = place_of(spot.stroke, level, uint(cell), spot.level - low);
         float away = (cell + place.x - at) * cell_px;

@@ -29,7 +29,7 @@ layout(location = UNIFORM_INK) uniform int ink_index;
 layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold of all strokes
 
 const float TURNED_MOST_PX = 8.0;
-const float SPARSEST = 8.0; // factor up to which dots fill the gaps between sparse strokes
+const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -136,12 +136,13 @@ void main()
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
     vec2 across = vec2(-way.y, way.x) / length_px;
-    float wobble = hand.z * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
+    float wobble = hand.z * (0.4 * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
+                             0.6 * stroke_noise(corners.w ^ 0x2545f491u, point.stroke.z, octave - 2.0)) +
                    clamp(pen.w * point.rest.z * 0.5 * (ends.x - ends.y), -TURNED_MOST_PX, TURNED_MOST_PX);
     float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
     float unit_px = right_length() * viewport.x / at.w;
     float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
-    scatter /= 1.0 + steep * steep;
+    scatter /= 1.0 + steep * steep / 25.0; // and dots, which are farther away, less so
     float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
     if (behind)
         width *= clamp(2.0 - 0.3 * steep, 0.0, 1.0); // next to silhouettes, the front is too near to tell them apart

@@ -21,9 +21,10 @@ void main()
     Spot spot = Spot(v_stroke, v_at, v_marks.x, v_marks.y, v_across.x / pen.z, v_ends.x, v_ends.y,
                      (marks.w > 0.0 ? v_across.y : half_width) / pen.z, v_marks.w, pen.z);
     float covered;
-    if (marks.w > 0.0)
-        covered = dots_cover(marks, spot, v_marks.z * taper * (2.0 - taper));
-    else
+    if (marks.w > 0.0) { // strokes pass one another at their ends
+        float passing = max(hand.w, marks.z > 0.0 ? PASSING * v_marks.w / marks.z : 0.0);
+        covered = dots_cover(marks, spot, v_marks.z * clamp(min(v_ends.x, v_ends.y) / passing, 0.0, 1.0));
+    } else
         covered = marks_cover(marks, spot, min(hand.w, 0.3 * marks.x));
     float opacity = covered * v_across.z;
 #else
