@@ -98,6 +98,7 @@ traced-shadows draw teapot.strokes.glb -t traced --stroke-style etching --shadow
 traced-inks draw teapot.strokes.glb -t traced --stroke-style sketch --paper grey --ink black,white --samples 1
 traced-skinned film skinned.strokes.glb -t traced --rate 4
 traced-nodes draw nodes.strokes.glb -t traced --stroke-style woodcut --specular 1:8
+traced-dots draw teapot.strokes.glb -t traced --stroke-style stipple
 traced-textured draw textured.strokes.glb -t traced --stroke-style pencil --texture-tone --pixel-light
 lines-none draw ring.obj --tam map.exr --lines none
 lines-silhouettes draw ring.obj --tam map.exr --lines silhouettes --line-width 3

@@ -18,6 +18,12 @@ far_apart() {
 render-gl $lines --lines none teapot.glb -o bare.png
 is "missing lines are found" "$(far_apart teapot.png bare.png | awk '{print ($1 > 0.3)}')" 1
 
+# Dots of a plane in the same places: two unlike patterns of this tone differ by .3.
+meshgen plane --faces 200 | strokegen -q --levels 6 --gap 0.04 -o dots.glb
+dots="-q -t traced --stroke-style stipple --stroke-width 2.6 --lines none --size 480x360 --fov 25 --tone-range .2:.2"
+render-gl $dots --camera 0,0,3.7320508:0,0,0 dots.glb -o dots.png
+render-gl $dots --camera 0,0,3.7320508:0,0,0 dots.glb --pen 0.688mm -o dots.svg
+
 draw_with() { # draw_with VIEWER SHAPE
     case $1 in
     rsvg-convert) rsvg-convert --background-color white -w 480 -h 360 "$2.svg" -o "$2.drawn.png" ;;
@@ -28,12 +34,16 @@ draw_with() { # draw_with VIEWER SHAPE
     esac >/dev/null 2>&1
 }
 for viewer in rsvg-convert chromium; do
-    for shape in teapot torus; do
+    for shape in teapot torus dots; do
         name="$viewer draws the $shape as the picture is"
         if command -v "$viewer" >/dev/null; then
             rm -f "$shape.drawn.png"
             draw_with "$viewer" "$shape"
-            apart=$(far_apart "$shape.png" "$shape.drawn.png")
+            if [ "$shape" = dots ]; then
+                apart=$(hatchstat frames dots.png dots.drawn.png | awk -F'\t' 'NR == 3 {print $4}')
+            else
+                apart=$(far_apart "$shape.png" "$shape.drawn.png")
+            fi
             is "$name" "$(echo "$apart" | awk '{print ($1 > 0 && $1 < 0.15) ? "near" : $1}')" near
         else
             skip "$name" "no $viewer"
