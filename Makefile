@@ -66,7 +66,7 @@ FOLDERS := $(patsubst cmd/%/main.c,%,$(wildcard cmd/*/main.c))
 COMMANDS := $(patsubst cmd/%.c,%,$(wildcard cmd/*.c)) $(FOLDERS)
 SRC_cmd := $(wildcard cmd/shared/*.c cmd/shared/*/*.c)
 SHADERS := $(wildcard cmd/render-gl/shaders/*/*)
-$(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c))))
+$(foreach f,$(FOLDERS),$(eval SRC_$(f) := $(filter-out %/main.c,$(wildcard cmd/$(f)/*.c cmd/$(f)/*/*.c cmd/$(f)/*/*/*.c))))
 
 BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(B)/lib/hatch/hatch-oiio.so

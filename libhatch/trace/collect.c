@@ -4,8 +4,8 @@
 
 #include "trace/work.h"
 
-#define TOLERANCE 0.15      /* of the finest gap: how far a line may pass beside the stroke, */
-#define LENGTH_MIN 1.0      /* of the gap of its level: shorter strokes are left out */
+#define TOLERANCE 0.15 /* of the finest gap: how far a line may pass beside the stroke, */
+#define LENGTH_MIN 1.0 /* of the gap of its level: shorter strokes are left out */
 
 double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, double arc)
 {

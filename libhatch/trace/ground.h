@@ -14,7 +14,7 @@ struct hatch_trace_face {
         beyond[3]; /* per side: the side of the next face that is the same edge; HATCH_NO_SIDE: strokes end there */
     float turn[3]
               [2]; /* per side: cosine and sine of the angle that headings turn by there; contrary: after mirroring */
-    uint8_t contrary;        /* bit c: that side runs in the same direction */
+    uint8_t contrary; /* bit c: that side runs in the same direction */
 };
 
 /* Where a face is in space, and its strokes. */

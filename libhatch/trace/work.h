@@ -28,9 +28,9 @@ struct hatch_trace_stroke {
     uint64_t id;
     struct hatch_trace_place seed;
     uint32_t level;
-    bool given;           /* traced before: it has no half behind its seed, and no stop there */
-    int64_t first_number; /* number of the place that lengths are measured from; 0 unless given */
-    double first_arc;     /* length at which it begins; 0 unless given */
+    bool given;                      /* traced before: it has no half behind its seed, and no stop there */
+    int64_t first_number;            /* number of the place that lengths are measured from; 0 unless given */
+    double first_arc;                /* length at which it begins; 0 unless given */
     bool growing[2], bound[2];       /* bound: that half ends where the ground or its direction does */
     double length[2], length_max[2]; /* of its halves, in surface units */
     struct hatch_trace_place end[2]; /* the heading leads on */
@@ -221,9 +221,8 @@ struct hatch_trace_joint {
 };
 
 /* Drops joints that a straight line passes closely enough; keeps the others in front of the list.
- *   tolerance  greatest distance of a joint from the line beside it, in the unit of `at`; above or under it, where it is
- *              hardly seen, the distance may be twice as large
- * Returns their number. */
+ *   tolerance  greatest distance of a joint from the line beside it, in the unit of `at`; above or under it, where it
+ * is hardly seen, the distance may be twice as large Returns their number. */
 uint32_t hatch_trace_simplify(struct hatch_trace_joint *joints, uint32_t count, double tolerance);
 
 /* Converts a joint to a point of the mesh, whose faces may list their corners in another order.

@@ -1,7 +1,7 @@
 /* A technique: a way to turn tone into strokes. It consists of a file technique/NAME.c, if needed more files
- * technique/NAME_*.c and a folder of shaders, and a line in technique/list.h. The command's options, --help, --animate
- * and completions, and the refusal of options of other techniques, follow from the members of struct technique.
- * HACKING.md explains how to add one. */
+ * technique/NAME_*.c or a folder of them and a folder of shaders, and a line in technique/list.h. The command's
+ * options, --help, --animate and completions, and the refusal of options of other techniques, follow from the members
+ * of struct technique. HACKING.md explains how to add one. */
 #ifndef RENDER_TECHNIQUE_TECHNIQUE_H
 #define RENDER_TECHNIQUE_TECHNIQUE_H
 

@@ -1,4 +1,4 @@
-#include "render-gl/technique/traced.h"
+#include "render-gl/technique/traced/traced.h"
 
 #include <math.h>
 #include <stdio.h>

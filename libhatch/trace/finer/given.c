@@ -108,8 +108,10 @@ static enum hatch_status add_curve(const struct placing *placing, const struct h
     struct hatch_trace_place before, here;
     double arc = 0;
     bool known = find_place(placing, &points[0], &before);
-    struct hatch_store_line line = {
-        .level = level, .free_ends = curve->free_ends, .id = (uint64_t)curve->id << 32, .log_threshold = logf(thresholds[0])};
+    struct hatch_store_line line = {.level = level,
+                                    .free_ends = curve->free_ends,
+                                    .id = (uint64_t)curve->id << 32,
+                                    .log_threshold = logf(thresholds[0])};
     hatch_curve_position(placing->source->mesh, &points[curve->count / 2], line.middle);
     HATCH_TRY(hatch_store_add_line(&store->given, &store->keep, &line, err));
     for (uint32_t i = 1; i < curve->count; i++) {

@@ -49,7 +49,10 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
                                       .after = (float)(fmax(passing->line->length - end, 0) * scale)};
     memcpy(part->middle, passing->line->middle, sizeof part->middle);
     curves->curves[curves->count++] =
-        (struct hatch_curve){.first = curves->point_count, .count = count, .id = (uint32_t)(passing->line->id >> 32) & HATCH_CURVE_ID_MAX, .free_ends = passing->line->free_ends};
+        (struct hatch_curve){.first = curves->point_count,
+                             .count = count,
+                             .id = (uint32_t)(passing->line->id >> 32) & HATCH_CURVE_ID_MAX,
+                             .free_ends = passing->line->free_ends};
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
                                       &sink->point_capacity, err));

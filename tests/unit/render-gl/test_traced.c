@@ -9,7 +9,7 @@
 #include "filter/difference.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/shader_files.h"
-#include "render-gl/technique/traced.h"
+#include "render-gl/technique/traced/traced.h"
 #include "render_frame.h"
 #include "trace/trace.h"
 

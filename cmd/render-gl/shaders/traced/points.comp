@@ -11,7 +11,7 @@ struct Placed {
     vec4 amounts;
 };
 layout(std430, binding = STORAGE_PLACED) readonly buffer PlacedVertices { Placed placed[]; };
-struct Point { // struct traced_point of technique/traced.h
+struct Point { // struct traced_point of technique/traced/traced.h
     uvec4 corners; // three vertices; hash of the stroke
     vec4 at;       // shares of corners 1 and 2; change of these shares per mesh unit along the stroke
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
@@ -20,7 +20,7 @@ struct Point { // struct traced_point of technique/traced.h
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
-    vec4 ribbon[]; // TRACED_RIBBON_FLOATS of technique/traced.h
+    vec4 ribbon[]; // TRACED_RIBBON_FLOATS of technique/traced/traced.h
 };
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which

@@ -2,7 +2,7 @@
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 
-layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // TRACED_RIBBON_FLOATS of technique/traced.h per point
+layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // technique/traced/traced.h: TRACED_RIBBON_FLOATS
 
 noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
 noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke

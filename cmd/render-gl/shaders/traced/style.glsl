@@ -1,4 +1,4 @@
-// How strokes are drawn: struct traced_block of technique/traced.h, where the members are explained.
+// How strokes are drawn: struct traced_block of technique/traced/traced.h, where the members are explained.
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Style {
     vec4 pen;  // width in pixels, thin; samples along a pixel's side; tangent of the greatest turn
     vec4 hand; // vary, pressure, wobble in pixels, length of tapered ends in pixels

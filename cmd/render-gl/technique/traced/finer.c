@@ -2,26 +2,25 @@
 #include <math.h>
 #include <string.h>
 
-#include "curve/density.h"
+#include "curve/marks.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
-#include "render-gl/technique/traced.h"
+#include "render-gl/technique/traced/traced.h"
 
 #define KEEP_BYTES ((size_t)64 << 20) /* of strokes that no view needs at present, per mesh */
 #define MARGIN_PX 16.0                /* around the picture */
 #define NEAREST 1e-9                  /* distance to an item's box, in radii of the scene, that counts as none */
 
-/* Computes how many strokes per pixel a style draws, those that fade included.
+/* Computes how many strokes per pixel the pen draws, those that fade included.
  *   most  out: per family, at ink 0, 1/32 .. 1
  * Returns the largest number. */
-static double find_most(const struct traced_block *block, uint32_t families,
-                        float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES])
+static double find_most(const struct traced_state *state, float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES])
 {
     double largest = 0;
-    for (uint32_t f = 0; f < families; f++)
+    for (uint32_t f = 0; f < state->families; f++)
         for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
-            double tone = (double)block->tones[f][i], thin = (double)block->pen[1];
-            double whole_px = (double)block->pen[0] * (thin + (1 - thin) * 2 * tone);
+            double tone = hatch_mark_stroke_tone(&state->pen, (double)state->block.tones[f][i]);
+            double whole_px = hatch_stroke_whole_px(&state->pen, tone);
             most[f][i] = (float)(HATCH_STROKE_FADE * tone / (HATCH_STROKE_GAIN * whole_px));
             largest = fmax(largest, (double)most[f][i]);
         }
@@ -182,7 +181,7 @@ void traced_forget(struct traced_item *item)
 enum hatch_status traced_refine(struct technique_context *context, struct traced_state *state, struct hatch_err *err)
 {
     const struct frame *frame = context->frame;
-    double largest = find_most(&state->block, state->families, state->most);
+    double largest = find_most(state, state->most);
     for (uint32_t i = 0; i < state->item_count; i++) {
         const struct hatch_item *item = &frame->scene->unit.items[i];
         const struct traced_strokes *strokes = &state->strokes[item->mesh];

@@ -5,7 +5,7 @@
 #include "curve/marks.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
-#include "render-gl/technique/traced.h"
+#include "render-gl/technique/traced/traced.h"
 
 #define SLACK_GAPS                                                                                                     \
     0.5 /* of the finest gap: how far strokes may pass under the surface between their points, aslant                  \

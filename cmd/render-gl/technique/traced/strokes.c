@@ -8,7 +8,7 @@
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
-#include "render-gl/technique/traced.h"
+#include "render-gl/technique/traced/traced.h"
 
 #define SHEAF 6.0 /* side of the cells whose strokes turn and thin together, in gaps of their level */
 
