@@ -210,6 +210,46 @@ START_TEST(growing_strokes_end_at_their_full_size)
 }
 END_TEST
 
+/* Returns the number of the choice that a stroke comes from, where each choice has one candidate: at least `from`. */
+static uint64_t number_of(const struct hatch_stroke *stroke, uint64_t from)
+{
+    struct hatch_choice choice = {.seed = map.options.seed, .number = from, .direction_count = 1};
+    for (; choice.number < from + 100; choice.number++) {
+        struct hatch_stroke candidate = hatch_choice_candidate(&map.style, &choice, 0);
+        if (candidate.x == stroke->x && candidate.y == stroke->y)
+            return choice.number;
+    }
+    ck_abort_msg("stroke %u is none of the choices from %u on", stroke->id, (unsigned)from);
+}
+
+/* The ink is lighter than the tone, so each image ends after eight choices in a row that have no effect: between two
+ * strokes of an image there are at most seven of these, and between two images at least eight. */
+START_TEST(an_image_is_full_after_eight_choices_without_effect)
+{
+    map_style(NULL,
+              "brush round\njitter 0\ndirection 0 0 1\nlength 1 1\nwidth 4\nink 0.5\noverlap flat\n"
+              "darkest 1\ncandidates 1 1",
+              &map);
+    map.options.tones = 1;
+    map.options.method = HATCH_FILL_EXHAUSTIVE;
+    uint64_t least = UINT64_MAX, most = 0;
+    for (map.options.seed = 1; map.options.seed <= 30; map.options.seed++) {
+        map_fill(&map);
+        uint64_t number = number_of(map.strokes.items, 0);
+        for (uint32_t i = 1; i < map.strokes.count; i++) {
+            uint64_t next = number_of(&map.strokes.items[i], number + 1), between = next - number - 1;
+            if (map.strokes.items[i].level == map.strokes.items[i - 1].level)
+                most = between > most ? between : most;
+            else
+                least = between < least ? between : least;
+            number = next;
+        }
+    }
+    ck_assert_uint_eq(most, 7);
+    ck_assert_uint_eq(least, 8);
+}
+END_TEST
+
 static enum hatch_status fail_at_column_2(void *context, uint32_t tone, const struct hatch_mipmap *column,
                                           struct hatch_err *err)
 {
@@ -311,6 +351,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
     tcase_add_test(tests, growing_strokes_start_small);
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);
+    tcase_add_test(tests, an_image_is_full_after_eight_choices_without_effect);
     tcase_add_test(tests, a_failing_sink_ends_the_filling);
     tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
     tcase_add_test(tests, the_sheet_shows_every_image);
