@@ -21,11 +21,17 @@ static void make_plane(struct net_case *made)
     HATCH_TEST_OK(hatch_curvature_net_make(&made->run, &made->nodes, &keep, &made->net, &err), &err);
 }
 
+static const double gradient[HATCH_NET_CHANNELS][3] = {{1, 2, -1}, {-3, 1, 2}, {0.5, -1, 4}};
+
 /* Per channel, a linear function of the position. */
+static double linear_at(const double point[3], uint32_t channel)
+{
+    return 7 + channel + hatch_vec_dot(point, gradient[channel]);
+}
+
 static double linear(const struct hatch_curvature_net *net, uint32_t node, uint32_t channel)
 {
-    static const double slope[HATCH_NET_CHANNELS][3] = {{1, 2, -1}, {-3, 1, 2}, {0.5, -1, 4}};
-    return 7 + channel + hatch_vec_dot(&net->graph->surface.points[3 * (size_t)node], slope[channel]);
+    return linear_at(&net->graph->surface.points[3 * (size_t)node], channel);
 }
 
 START_TEST(linear_values_stay_up_to_the_border)
@@ -91,6 +97,147 @@ START_TEST(a_coarser_net_continues_linear_values)
     for (uint32_t n = 0; n < net->graph->surface.point_count; n++)
         for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
             ck_assert_double_eq_tol(net->z[HATCH_NET_CHANNELS * n + k], linear(net, n, k), 0.01);
+}
+END_TEST
+
+START_TEST(slopes_of_linear_values_are_their_gradient)
+{
+    struct net_case plane;
+    make_plane(&plane);
+    struct hatch_curvature_net *net = &plane.net;
+    for (uint32_t n = 0; n < net->graph->surface.point_count; n++)
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
+            net->z[HATCH_NET_CHANNELS * n + k] = linear(net, n, k);
+    for (uint32_t n = 0; n < net->graph->surface.point_count; n++) {
+        double slope[HATCH_NET_CHANNELS][2], across[3];
+        const double *axis = &net->axis[3 * (size_t)n];
+        hatch_vec_cross(&net->graph->normals[3 * (size_t)n], axis, across);
+        hatch_curvature_net_slope(net, n, slope);
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS && net->own[n] <= 0; k++)
+            ck_assert(slope[k][0] == 0 && slope[k][1] == 0);
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS && net->own[n] > 0; k++) {
+            ck_assert_double_eq_tol(slope[k][0], hatch_vec_dot(gradient[k], axis), 1e-4);
+            ck_assert_double_eq_tol(slope[k][1], hatch_vec_dot(gradient[k], across), 1e-4);
+        }
+    }
+}
+END_TEST
+
+/* The plane with a solution: what hatch_smooth_spread reads. */
+struct spread_case {
+    struct net_case plane;
+    struct hatch_smoothing smoothing;
+    struct hatch_curvature_sample *samples;
+    uint32_t points;
+};
+
+/* Every node has the same variance, bias and radius, and a value of `scale` times the linear function. */
+static void make_solution(struct spread_case *made, double scale, double variance, double bias)
+{
+    struct hatch_smoothing *s = &made->smoothing;
+    make_plane(&made->plane);
+    uint32_t nodes = made->plane.nodes.surface.point_count;
+    made->points = made->plane.run.graph.surface.point_count;
+    *s = (struct hatch_smoothing){.run = &made->plane.run, .nets = {made->plane.net}};
+    s->variance = HATCH_NEW(&keep, double, nodes, &err);
+    s->bias = HATCH_NEW(&keep, double, nodes, &err);
+    s->radius = HATCH_NEW(&keep, double, nodes, &err);
+    s->typical = HATCH_NEW(&keep, double, 1, &err);
+    s->length = HATCH_NEW(&keep, double, 1, &err);
+    made->samples = HATCH_NEW(&keep, struct hatch_curvature_sample, made->points, &err);
+    ck_assert(s->length && made->samples);
+    for (uint32_t n = 0; n < nodes; n++) {
+        s->variance[n] = variance;
+        s->bias[n] = bias;
+        s->radius[n] = 7;
+        s->nets[0].own[n] = 1;
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++) {
+            s->nets[0].z[HATCH_NET_CHANNELS * n + k] = scale * linear(&s->nets[0], n, k);
+            s->nets[0].fit[HATCH_NET_CHANNELS * n + k] = scale * linear(&s->nets[0], n, k);
+        }
+    }
+}
+
+static void spread_all(struct spread_case *of)
+{
+    bool *wanted = HATCH_NEW(&keep, bool, of->points, &err);
+    ck_assert_ptr_nonnull(wanted);
+    memset(wanted, true, of->points);
+    HATCH_TEST_OK(hatch_smooth_spread(&of->smoothing, wanted, &scratch, of->samples, &err), &err);
+}
+
+/* The curvatures are so small that the surface stays a plane. Nodes at the corners have too few neighbours for a
+ * slope. */
+START_TEST(points_between_nodes_have_the_linear_values)
+{
+    const double scale = 1e-9;
+    struct spread_case of;
+    make_solution(&of, scale, 1, 0);
+    *of.smoothing.typical = 1;
+    spread_all(&of);
+    double half = of.plane.run.graph.surface.points[0];
+    for (uint32_t p = 0; p < of.points; p++)
+        half = fmax(half, of.plane.run.graph.surface.points[3 * (size_t)p]);
+    for (uint32_t p = 0; p < of.points; p++) {
+        const struct hatch_curvature_sample *sample = &of.samples[p];
+        const double *at = &of.plane.run.graph.surface.points[3 * (size_t)p];
+        double value[HATCH_NET_CHANNELS];
+        if (fmin(fabs(at[0]), fabs(at[1])) > half - 6)
+            continue;
+        hatch_curvature_net_value(&sample->tensor, of.plane.net.axis, value);
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
+            ck_assert_double_eq_tol(value[k] / scale, linear_at(at, k), 1e-3);
+        ck_assert_double_eq_tol(sample->radius, 7, 1e-12);
+        ck_assert_double_eq_tol(hatch_vec_length(sample->tensor.normal), 1, 1e-12);
+    }
+}
+END_TEST
+
+static void check_variance(struct spread_case *of, double want)
+{
+    spread_all(of);
+    for (uint32_t p = 0; p < of->points; p++) {
+        ck_assert_double_eq_tol(of->samples[p].variance.off_diagonal / want, 1, 1e-9);
+        ck_assert_double_eq_tol(of->samples[p].variance.mean / want, 2, 1e-9);
+    }
+}
+
+/* Smoothing over a length divides the variance by 1 + (length * 7 / radius / 1.15)³, a node of which much depends
+ * multiplies it, bias is added, and so is the squared angle between fit and solution beyond nine variances. */
+START_TEST(the_variance_follows_its_formula)
+{
+    struct spread_case of;
+    make_solution(&of, 1e-9, 4e-6, 1e-6);
+    struct hatch_smoothing *s = &of.smoothing;
+    *s->typical = 1e-3;
+    check_variance(&of, 4e-6);
+    *s->length = 2 * 1.15;
+    check_variance(&of, 3e-6 / 9 + 1e-6);
+    for (uint32_t n = 0; n < of.plane.nodes.surface.point_count; n++)
+        s->nets[0].own[n] = 0.5;
+    check_variance(&of, 3e-6 / 9 * 3.5 * 3.5 + 1e-6);
+    *s->typical = 5e-7;
+    check_variance(&of, 2e-6 / 9 * 3.5 * 3.5 + 1e-6);
+    for (uint32_t n = 0; n < of.plane.nodes.surface.point_count; n++) {
+        double *z = &s->nets[0].z[HATCH_NET_CHANNELS * n], *fit = &s->nets[0].fit[HATCH_NET_CHANNELS * n];
+        z[0] = fit[1] = 0.02;
+        z[1] = fit[0] = 0;
+    }
+    check_variance(&of, 2e-6 / 9 * 3.5 * 3.5 + 1e-6 + 1e-4 - 9 * 4e-6);
+}
+END_TEST
+
+/* Nodes without a fit have four times the typical variance, and none where no node of the component has a fit. */
+START_TEST(nodes_without_a_fit_depend_on_the_others)
+{
+    struct spread_case of;
+    make_solution(&of, 1e-9, INFINITY, 0);
+    *of.smoothing.typical = 0.25;
+    check_variance(&of, 1);
+    *of.smoothing.typical = INFINITY;
+    spread_all(&of);
+    for (uint32_t p = 0; p < of.points; p++)
+        ck_assert(isinf(of.samples[p].variance.off_diagonal));
 }
 END_TEST
 
@@ -181,6 +328,10 @@ static Suite *suite(void)
     tcase_add_test(tests, linear_values_stay_up_to_the_border);
     tcase_add_test(tests, noise_is_averaged_the_more_the_larger_the_strength);
     tcase_add_test(tests, a_coarser_net_continues_linear_values);
+    tcase_add_test(tests, slopes_of_linear_values_are_their_gradient);
+    tcase_add_test(tests, points_between_nodes_have_the_linear_values);
+    tcase_add_test(tests, the_variance_follows_its_formula);
+    tcase_add_test(tests, nodes_without_a_fit_depend_on_the_others);
     tcase_add_test(tests, values_change_sides);
     tcase_add_test(tests, noisy_lines_that_turn_are_followed);
     tcase_add_test(tests, noisy_borders_are_followed);
