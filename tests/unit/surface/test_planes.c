@@ -132,6 +132,50 @@ START_TEST(creases_are_counted_by_their_length)
 }
 END_TEST
 
+/* Finds a face whose edge from (x[0], 0) to (x[1], z) lies at the limit of 20 degrees to a plane z = 0: the cosine that
+ * is computed for it equals the constant. */
+static void find_limit(float x[2], float *z)
+{
+    const double limit = 0.9397;
+    double normal[3] = {0};
+    for (*z = 0.25f; *z < 0.5f && normal[2] != limit; *z += 0x1p-20f) {
+        double along = (double)*z * limit / sqrt(1 - limit * limit);
+        x[1] = (float)along;
+        x[0] = (float)((double)x[1] - along);
+        const double a[3] = {(double)x[0], 0, 0}, b[3] = {(double)x[1], 0, (double)*z}, c[3] = {(double)x[0], 8, 0};
+        hatch_vec_triangle(a, b, c, normal);
+        hatch_vec_normalize(normal);
+        if (normal[2] == limit)
+            return;
+    }
+    ck_abort_msg("no cosine equals the limit");
+}
+
+/* A strip of 6 by 3 rectangles between two that are too small for planes, at 10 degrees and at the limit: that border
+ * is a crease, and with the open ends more than half of the strip's border is. */
+START_TEST(a_crease_at_the_limit_counts)
+{
+    enum { ROW = 13, ROWS = 4 };
+    static float positions[3 * ROW * ROWS];
+    static uint32_t indices[6 * (ROW - 1) * (ROWS - 1)];
+    float x[2], z;
+    find_limit(x, &z);
+    for (int v = 0; v < ROW * ROWS; v++) {
+        int column = v % ROW, left = 3 - column, right = column - 9;
+        positions[3 * v] = right > 0 ? (float)right * x[1] : right == 0 ? x[0] : (float)right;
+        positions[3 * v + 1] = 8.0f * (float)(v / ROW);
+        positions[3 * v + 2] = right > 0 ? (float)right * z : left > 0 ? 0.1763f * (float)left : 0;
+    }
+    for (uint32_t q = 0; q < (ROW - 1) * (ROWS - 1); q++) {
+        uint32_t a = q / (ROW - 1) * ROW + q % (ROW - 1), c = a + ROW;
+        const uint32_t faces[6] = {a, a + 1, c, a + 1, c + 1, c};
+        memcpy(&indices[6 * q], faces, sizeof faces);
+    }
+    struct hatch_mesh mesh = mesh_of(positions, ROW * ROWS, indices, 2 * (ROW - 1) * (ROWS - 1));
+    ck_assert_uint_eq(cut(&mesh).plane_count, 1);
+}
+END_TEST
+
 /* An L of 3 x 3 squares without the last: 3 + 2 + 1 units of its border run either way; turned by 20 degrees. */
 START_TEST(directions_follow_straight_borders_however_they_lie)
 {
@@ -178,6 +222,7 @@ static Suite *suite(void)
     tcase_add_test(tests, curved_shapes_have_no_planes);
     tcase_add_test(tests, creases_around_planes_are_cut);
     tcase_add_test(tests, creases_are_counted_by_their_length);
+    tcase_add_test(tests, a_crease_at_the_limit_counts);
     tcase_add_test(tests, directions_follow_straight_borders_however_they_lie);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(all, tests);
