@@ -1,0 +1,104 @@
+/* Supports, and the curvature from the smallest of them. */
+#include "curvature_make.h"
+#include "curvature/work.h"
+
+static struct hatch_curvature_options adaptive;
+
+static void begin_run(const struct field_case *of, struct hatch_curvature_run *run)
+{
+    *run = (struct hatch_curvature_run){.frames = &of->frames, .options = &adaptive, .workers = 1};
+    HATCH_TEST_OK(hatch_curvature_graph_make(&of->surface, &of->frames, &keep, &run->graph, &err), &err);
+    run->supports = HATCH_NEW(&keep, struct hatch_support, 1, &err);
+    ck_assert_ptr_nonnull(run->supports);
+    HATCH_TEST_OK(hatch_support_make(&run->graph.surface, run->graph.normals, &keep, run->supports, &err), &err);
+}
+
+START_TEST(a_support_holds_the_points_within_its_radius)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 2000, 1);
+    struct hatch_curvature_run run;
+    begin_run(&of, &run);
+    const struct hatch_surface *surface = &run.graph.surface;
+    const struct hatch_support *support = run.supports;
+    for (uint32_t center = 0; center < surface->point_count; center += 17) {
+        const double radius = 4.3, *origin = &surface->points[3 * (size_t)center];
+        uint32_t want = 0;
+        ck_assert(!hatch_support_gather(run.supports, center, &run.graph.normals[3 * (size_t)center], radius));
+        for (uint32_t p = 0; p < surface->point_count; p++)
+            want += hatch_vec_distance(&surface->points[3 * (size_t)p], origin) <= radius;
+        ck_assert_uint_eq(support->count, want);
+        ck_assert_uint_eq(support->points[0], center);
+        for (uint32_t i = 0; i < support->count; i++) {
+            const double *at = &surface->points[3 * (size_t)support->points[i]];
+            ck_assert_double_le(hatch_vec_distance(at, origin), radius);
+            for (int k = 0; k < 3; k++)
+                ck_assert_double_eq(support->offsets[k][i], at[k] - origin[k]);
+            ck_assert_int_eq(support->sides[i], 1);
+        }
+    }
+}
+END_TEST
+
+/* The points of a fan all lie within twice its edges. */
+START_TEST(a_support_of_many_points_is_limited)
+{
+    struct field_case of = case_of(fan(2000));
+    struct hatch_curvature_run run;
+    begin_run(&of, &run);
+    const struct hatch_surface *surface = &run.graph.surface;
+    uint32_t hub = 0;
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        if (surface->ring_first[p + 1] - surface->ring_first[p] > 100)
+            hub = p;
+    const double radius = 5.3;
+    ck_assert(hatch_support_gather(run.supports, hub, &run.graph.normals[3 * (size_t)hub], radius));
+    ck_assert_uint_eq(run.supports->count, (uint32_t)ceil(200 + 16 * radius * radius));
+}
+END_TEST
+
+/* On planes and spheres no direction is certain, so that points take the mean of the fits around. */
+START_TEST(means_of_fits_have_the_curvature_of_the_shape)
+{
+    static const enum hatch_shape shapes[] = {HATCH_SHAPE_PLANE, HATCH_SHAPE_SPHERE};
+    for (int i = 0; i < 2; i++) {
+        struct field_case of = case_with_truth(shapes[i], 5000, 0);
+        struct hatch_curvature_run run;
+        begin_run(&of, &run);
+        uint32_t points = of.surface.point_count;
+        struct hatch_curvature_sample *samples = HATCH_NEW(&keep, struct hatch_curvature_sample, points, &err);
+        double *noise = HATCH_NEW(&keep, double, points, &err), curvature = i ? 1 : 0;
+        ck_assert(samples && noise);
+        HATCH_TEST_OK(hatch_curvature_fit_small(&run, &scratch, samples, noise, &err), &err);
+        double scale = of.surface.components[0].scale;
+        for (uint32_t p = 0; p < points; p++) {
+            const struct hatch_curvature_tensor *tensor = &samples[p].tensor;
+            double at[3];
+            hatch_vec_copy(&run.graph.surface.points[3 * (size_t)p], at);
+            hatch_vec_normalize(at);
+            ck_assert_double_gt(i ? hatch_vec_dot(tensor->normal, at) : fabs(tensor->normal[2]), 0.99999);
+            for (int row = 0, entry = 0; row < 3; row++)
+                for (int column = row; column < 3; column++, entry++) {
+                    double want = curvature * ((row == column) - tensor->normal[row] * tensor->normal[column]);
+                    ck_assert_double_eq_tol(tensor->matrix[entry] / scale, want, 0.01);
+                }
+            ck_assert(samples[p].variance.off_diagonal >= 0 && samples[p].variance.off_diagonal < INFINITY);
+            ck_assert_double_ge(samples[p].radius, HATCH_CURVATURE_RADIUS_MIN - 1e-9);
+            ck_assert_double_le(samples[p].radius, 2 * HATCH_CURVATURE_RADIUS_MIN);
+            ck_assert_double_lt(sqrt(noise[p]), 1e-3);
+        }
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("small supports");
+    TCase *tests = tcase_create("small");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_support_holds_the_points_within_its_radius);
+    tcase_add_test(tests, a_support_of_many_points_is_limited);
+    tcase_add_test(tests, means_of_fits_have_the_curvature_of_the_shape);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
