@@ -1,6 +1,7 @@
 #include "fail_alloc.h"
 #include "lapped/atlas.h"
 #include "lapped_make.h"
+#include "mesh/edges.h"
 
 #define MARGIN 0.004
 
@@ -81,6 +82,73 @@ START_TEST(neighbours_in_a_chart_share_edges)
 }
 END_TEST
 
+/* A patch of a plane overlaps itself nowhere: faces of it that share an edge are in one chart. */
+START_TEST(a_patch_of_a_plane_is_not_cut)
+{
+    struct field_case field = case_of_shape(HATCH_SHAPE_PLANE, 3000, 1);
+    set_direction(&field, 1, 0, 0);
+    struct lapped_case plane = make_lapped(field, &LAPPED_DEFAULTS);
+    const struct hatch_surface *surface = &plane.field.surface;
+    struct hatch_charts charts;
+    HATCH_TEST_OK(hatch_charts_make(surface, &plane.lapped, &plane.outline, &keep, &charts, &err), &err);
+    uint32_t joined = 0;
+    for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
+        uint32_t other = surface->opposite[side];
+        if (other == HATCH_NO_SIDE)
+            continue;
+        const double *a = &charts.positions[2 * side], *b = &charts.positions[2 * hatch_side_end(side)];
+        const double *from = &charts.positions[2 * hatch_side_end(other)], *to = &charts.positions[2 * other];
+        if (memcmp(a, from, 2 * sizeof *a) != 0 || memcmp(b, to, 2 * sizeof *b) != 0)
+            continue;
+        ck_assert_uint_eq(charts.chart_of[side / 3], charts.chart_of[other / 3]);
+        joined++;
+    }
+    ck_assert_uint_gt(joined, 2 * surface->face_count);
+}
+END_TEST
+
+/* A ramp that winds two and a half times around an axis is laid out as a ring that lies over itself: of 36.5 steps a
+ * turn, a chart holds 36 and perhaps one of the two faces of the next. */
+START_TEST(a_patch_that_overlaps_itself_is_cut)
+{
+    enum { STEPS = 91, FACES = 2 * STEPS, VERTICES = 2 * STEPS + 2 };
+    static float positions[3 * VERTICES];
+    static uint32_t indices[3 * FACES], numbers[FACES];
+    for (uint32_t v = 0; v < VERTICES; v++) {
+        double angle = 2 * PI * (v / 2) / 36.5, radius = v % 2 ? 1.5 : 1;
+        positions[3 * v] = (float)(radius * cos(angle));
+        positions[3 * v + 1] = (float)(radius * sin(angle));
+        positions[3 * v + 2] = (float)(0.1 * angle);
+    }
+    for (uint32_t q = 0; q < STEPS; q++) {
+        const uint32_t faces[6] = {2 * q, 2 * q + 1, 2 * q + 3, 2 * q, 2 * q + 3, 2 * q + 2};
+        memcpy(&indices[6 * q], faces, sizeof faces);
+    }
+    struct field_case field = case_of(mesh_of(positions, VERTICES, indices, FACES));
+    struct hatch_lapped_vertex *vertices = HATCH_NEW(&keep, struct hatch_lapped_vertex, VERTICES, &err);
+    ck_assert_ptr_nonnull(vertices);
+    for (uint32_t i = 0; i < 3 * FACES; i++) {
+        uint32_t point = field.surface.corners[i];
+        const float *at = &positions[3 * field.surface.corner_vertex[i]];
+        vertices[point] = (struct hatch_lapped_vertex){point, {(double)at[0], -(double)at[1]}, {0.5f, 0.5f}};
+    }
+    for (uint32_t f = 0; f < FACES; f++)
+        numbers[f] = f;
+    struct hatch_lapped_patch patch = {.vertex_count = VERTICES, .face_count = FACES, .radius = 2};
+    const struct hatch_lapped ramp = {1, &patch, VERTICES, FACES, vertices, numbers, field.surface.corners, 0, 0, 0};
+    struct hatch_outline outline;
+    struct hatch_charts charts;
+    uint32_t faces_of[3] = {0, 0, 0};
+    hatch_outline_make(3, 0, 0.05, &outline);
+    HATCH_TEST_OK(hatch_charts_make(&field.surface, &ramp, &outline, &keep, &charts, &err), &err);
+    ck_assert_uint_eq(charts.count, 3);
+    for (uint32_t f = 0; f < FACES; f++)
+        faces_of[charts.chart_of[f]]++;
+    ck_assert(faces_of[0] >= 72 && faces_of[0] <= 73);
+    ck_assert(faces_of[1] >= 72 && faces_of[1] <= 73);
+}
+END_TEST
+
 START_TEST(boxes_do_not_overlap)
 {
     double sizes[200], corners[200], side;
@@ -128,6 +196,8 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, faces_do_not_overlap);
     tcase_add_test(tests, neighbours_in_a_chart_share_edges);
+    tcase_add_test(tests, a_patch_of_a_plane_is_not_cut);
+    tcase_add_test(tests, a_patch_that_overlaps_itself_is_cut);
     tcase_add_test(tests, boxes_do_not_overlap);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
