@@ -53,6 +53,23 @@ START_TEST(boundaries_are_closed_chains)
 }
 END_TEST
 
+/* A silhouette may run along every edge between two faces, in whatever order edges and boundaries are listed. */
+START_TEST(all_edges_but_boundaries_may_turn)
+{
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200), box = cube(-1, 1);
+    struct hatch_line_turns turns = lines_of(&plane, HATCH_LINES_ALL, CREASE_RAD).turns;
+    ck_assert_uint_eq(turns.count, (3 * 200 - 40) / 2);
+    for (uint32_t i = 0; i < turns.count; i++)
+        ck_assert(turns.first[i + 1] == turns.first[i] + 2 && !turns.creases[i]);
+    turns = lines_of(&box, HATCH_LINES_ALL, CREASE_RAD).turns;
+    uint32_t creases = 0;
+    for (uint32_t i = 0; i < turns.count; i++)
+        creases += turns.creases[i];
+    ck_assert_uint_eq(turns.count, 18);
+    ck_assert_uint_eq(creases, 12);
+}
+END_TEST
+
 /* Programs that write every face separately may round the same corner differently. */
 START_TEST(corners_apart_by_rounding_are_one)
 {
@@ -205,6 +222,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_cube_has_twelve_creases);
     tcase_add_test(tests, the_winding_of_faces_does_not_matter);
     tcase_add_test(tests, boundaries_are_closed_chains);
+    tcase_add_test(tests, all_edges_but_boundaries_may_turn);
     tcase_add_test(tests, corners_apart_by_rounding_are_one);
     tcase_add_test(tests, two_sheets_on_one_another_have_the_boundary_of_one);
     tcase_add_test(tests, three_sheets_meet_in_a_crease);
