@@ -259,10 +259,22 @@ START_TEST(longer_gaps_are_closed_where_nothing_hides_the_line)
 }
 END_TEST
 
+/* Turns points in the plane of the picture by a part of a full turn. */
+static void rotate_all(double *points, uint32_t count, double part)
+{
+    double c = cos(2 * PI * part), s = sin(2 * PI * part);
+    for (uint32_t i = 0; i < count; i++) {
+        double x = points[3 * i], y = points[3 * i + 1];
+        points[3 * i] = c * x - s * y;
+        points[3 * i + 1] = s * x + c * y;
+    }
+}
+
 /* A line hides in a fold, which goes back and forth by 6 pixels: the visible parts are joined by one short segment. */
 START_TEST(folds_are_bridged)
 {
-    static const double points[18] = {-.5, 0, 0, 0, 0, 0, -.06, .002, 0, -.005, .004, 0, .5, 0, 0, .6, 0, 0};
+    double points[18] = {-.5, 0, 0, 0, 0, 0, -.06, .002, 0, -.005, .004, 0, .5, 0, 0, .6, 0, 0};
+    rotate_all(points, 6, _i / 12.0);
     struct hatch_line_trace trace = polyline(points, 6);
     struct hatch_view view = view_from(0, 0, 4, true);
     struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
@@ -276,10 +288,48 @@ START_TEST(folds_are_bridged)
     for (uint32_t i = 0; i < strips.piece_count; i++)
         ck_assert_uint_eq(visible[i], seen[i] ? HATCH_LINE_VISIBLE : HATCH_LINE_BRIDGED);
     ck_assert_uint_eq(hatch_line_strips_visible(&strips, visible, seen, NULL, segments), 4);
-    ck_assert_float_eq_tol(segments[1].a[0], 200, 1e-3f);
-    ck_assert_float_eq_tol(segments[1].b[0], 199.5f, 1e-3f);
+    ck_assert_float_eq_tol(hypotf(segments[1].a[0] - 200, segments[1].a[1] - 200), 0, 1e-3f);
+    ck_assert_float_eq_tol(hypotf(segments[1].b[0] - 200, segments[1].b[1] - 200), hypotf(.5f, .4f), 1e-3f);
     for (uint32_t i = 1; i < 4; i++)
         ck_assert_float_eq(segments[i].a[0], segments[i - 1].b[0]);
+}
+END_TEST
+
+/* On a straight line the ends of a gap are as far apart as it is long: one of 12 pixels stays open, one of 3 is closed,
+ * in whatever direction the line runs. */
+START_TEST(gaps_have_the_same_length_in_all_directions)
+{
+    double points[6] = {-1, 0, 0, 1, 0, 0};
+    rotate_all(points, 2, _i / 12.0);
+    struct hatch_line_trace trace = polyline(points, 2);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+    uint8_t visible[268];
+    ck_assert_uint_eq(strips.piece_count, 134);
+    memset(visible, 1, sizeof visible);
+    memset(visible + 60, 0, 8);
+    visible[100] = visible[101] = 0;
+    smooth(&strips, 4, 8, 0, visible);
+    ck_assert_uint_eq(sum(visible, 134), 126);
+    ck_assert_uint_eq(sum(visible + 60, 8), 0);
+}
+END_TEST
+
+/* Of a line that is a million pixels long only what the tile shows has pieces. */
+START_TEST(pieces_outside_the_tile_need_no_memory)
+{
+    static const double points[6] = {-5000, 0, 0, 5000, 0, 0};
+    struct hatch_line_trace trace = polyline(points, 2);
+    struct hatch_line_chains chains = chains_of(&trace);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    const struct hatch_line_picture picture = {&view, &whole, 4};
+    struct hatch_line_strips strips;
+    struct hatch_arena small;
+    hatch_arena_init(&small, (size_t)1 << 20);
+    HATCH_TEST_OK(hatch_line_strips_make(&trace, &chains, &picture, &small, &strips, &err), &err);
+    ck_assert_uint_ge(strips.piece_count, 266);
+    ck_assert_uint_le(strips.piece_count, 280);
+    hatch_arena_free(&small);
 }
 END_TEST
 
@@ -349,7 +399,9 @@ static Suite *suite(void)
     tcase_add_test(tests, specks_between_haloes_are_hidden);
     tcase_add_test(tests, only_pieces_near_haloes_are_tested_again);
     tcase_add_test(tests, longer_gaps_are_closed_where_nothing_hides_the_line);
-    tcase_add_test(tests, folds_are_bridged);
+    tcase_add_loop_test(tests, folds_are_bridged, 0, 12);
+    tcase_add_loop_test(tests, gaps_have_the_same_length_in_all_directions, 0, 12);
+    tcase_add_test(tests, pieces_outside_the_tile_need_no_memory);
     tcase_add_test(tests, short_lines_along_longer_ones_are_hidden);
     tcase_add_test(tests, chains_go_straight_on);
     tcase_add_test(tests, strips_survive_every_failed_allocation);
