@@ -125,7 +125,7 @@ START_TEST(weights_of_morph_targets_move)
                                                                                .times_s = times,
                                                                                .values = values,
                                                                                .targets = 3});
-    double weights[3];
+    double weights[4] = {0, 0, 0, 7}; /* the last one is that of another node */
     moved_node.weights = rest;
     for (double t = 0; t <= 2; t += 0.125) {
         float world[16];
@@ -137,7 +137,7 @@ START_TEST(weights_of_morph_targets_move)
         ck_assert_double_eq_tol(weights[2], 1, 1e-12);
     }
     hatch_scene_weights(&scene, 0, HATCH_NONE, 1, 3, weights);
-    ck_assert(weights[0] == 0.5 && weights[1] == 0 && weights[2] == -1);
+    ck_assert(weights[0] == 0.5 && weights[1] == 0 && weights[2] == -1 && weights[3] == 7);
 }
 END_TEST
 
