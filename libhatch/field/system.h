@@ -100,6 +100,7 @@ enum hatch_status hatch_field_weaken_jumps(const struct hatch_field_problem *pro
 /* Minimises E over fields of |z| = 1 by L-BFGS on the angles (Liu & Nocedal, "On the limited memory BFGS method for
  * large scale optimization", 1989).
  *   tolerance    of the gradient, as the root mean square angle between z and its local optimum, in radians
+ *   scratch      for 25 numbers per node
  *   z            in: start, unit; out: solution, unit
  *   convergence  updated */
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,

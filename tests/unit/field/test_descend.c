@@ -1,0 +1,93 @@
+/* The descent over angles on a grid of nodes, whose minimum is known: all nodes have the angle of the one with data. */
+#include <math.h>
+
+#include "arenas.h"
+#include "base/random.h"
+#include "field/system.h"
+
+#define SIDE 40u
+#define NODES (SIDE * SIDE)
+#define ANGLE 0.7
+
+struct grid {
+    struct hatch_field_system system;
+    double z[2 * NODES];
+};
+
+/* Links of weight 1 to the four neighbours, and data at one node. */
+static struct grid *make_grid(void)
+{
+    struct grid *made = HATCH_NEW(&keep, struct grid, 1, &err);
+    ck_assert_ptr_nonnull(made);
+    struct hatch_field_system *system = &made->system;
+    system->count = NODES;
+    system->first = HATCH_NEW(&keep, uint32_t, NODES + 1, &err);
+    system->to = HATCH_NEW(&keep, uint32_t, 4 * NODES, &err);
+    system->link = HATCH_NEW(&keep, double, 8 * NODES, &err);
+    system->diagonal = HATCH_NEW(&keep, double, NODES, &err);
+    system->data_weight = HATCH_NEW(&keep, double, NODES, &err);
+    system->rhs = HATCH_NEW(&keep, double, 2 * NODES, &err);
+    ck_assert(system->first && system->to && system->link && system->diagonal && system->data_weight && system->rhs);
+    uint32_t links = 0;
+    for (uint32_t n = 0; n < NODES; n++) {
+        const bool inside[4] = {n % SIDE > 0, n % SIDE < SIDE - 1, n >= SIDE, n < NODES - SIDE};
+        const uint32_t beside[4] = {n - 1, n + 1, n - SIDE, n + SIDE};
+        for (int k = 0; k < 4; k++)
+            if (inside[k]) {
+                system->to[links] = beside[k];
+                system->link[2 * links++] = 1;
+                system->diagonal[n] += 1;
+            }
+        system->first[n + 1] = links;
+        double angle = ANGLE + 2 * ((double)hatch_random_unit(3, 0, n) - 0.5);
+        made->z[2 * n] = cos(angle);
+        made->z[2 * n + 1] = sin(angle);
+    }
+    system->data_weight[77] = 5;
+    system->diagonal[77] += 5;
+    system->rhs[2 * 77] = 5 * cos(ANGLE);
+    system->rhs[2 * 77 + 1] = 5 * sin(ANGLE);
+    return made;
+}
+
+START_TEST(all_nodes_take_the_angle_of_the_data)
+{
+    struct grid *grid = make_grid();
+    struct hatch_field_convergence convergence = {.iterations = 3};
+    HATCH_TEST_OK(hatch_field_descend(&grid->system, 1e-7, 2000, &scratch, grid->z, &convergence, &err), &err);
+    ck_assert_uint_gt(convergence.iterations, 3 + 10);
+    ck_assert_uint_lt(convergence.iterations, 3 + 500);
+    ck_assert_ptr_null(hatch_arena_mark(&scratch).block);
+    for (uint32_t n = 0; n < NODES; n++) {
+        ck_assert_double_eq_tol(grid->z[2 * n], cos(ANGLE), 1e-3);
+        ck_assert_double_eq_tol(grid->z[2 * n + 1], sin(ANGLE), 1e-3);
+    }
+}
+END_TEST
+
+/* Nine numbers of the state, and two for each of the eight steps kept; blocks of an arena leave some memory unused. */
+START_TEST(a_node_takes_25_numbers)
+{
+    for (uint32_t numbers = 24; numbers <= 28; numbers += 4) {
+        struct grid *grid = make_grid();
+        struct hatch_field_convergence convergence = {0};
+        struct hatch_arena small;
+        hatch_arena_init(&small, numbers * NODES * sizeof(double));
+        enum hatch_status want = numbers < 25 ? HATCH_LIMIT : HATCH_OK;
+        ck_assert_int_eq(hatch_field_descend(&grid->system, 1e-3, 5, &small, grid->z, &convergence, &err), want);
+        hatch_arena_free(&small);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("field descent");
+    TCase *tests = tcase_create("descent");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, all_nodes_take_the_angle_of_the_data);
+    tcase_add_test(tests, a_node_takes_25_numbers);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
