@@ -144,6 +144,7 @@ START_TEST(formats_are_found_by_content_then_by_name)
     ck_assert_int_eq(hatch_mesh_format_of(text("\1\2\3"), "a/b.StL"), HATCH_MESH_STL);
     ck_assert_int_eq(hatch_mesh_format_of(text("f 1 2 3"), "b.OBJ"), HATCH_MESH_OBJ);
     ck_assert_int_eq(hatch_mesh_format_of(text(""), NULL), HATCH_MESH_UNKNOWN);
+    ck_assert_int_eq(hatch_mesh_format_of((struct hatch_bytes){(const uint8_t *)"  {", 2}, NULL), HATCH_MESH_UNKNOWN);
     ck_assert_int_eq(read_bytes(text("none of these")), HATCH_BAD_INPUT);
 }
 END_TEST
@@ -291,9 +292,9 @@ START_TEST(ply_attributes_and_strips_are_read)
                "property float s\nproperty float t\nelement tristrips 1\n"
                "property list int int vertex_indices\nend_header\n7 2 8 9\n"
                "0 0 0 0 0 2 1 0 0\n1 0 0 0 0 2 1 1 0\n0 1 0 0 0 2 1 0 1\n1 1 0 0 0 2 1 1 1\n"
-               "9 0 1 2 3 -1 2 2 1 0\n"),
-          4, 3);
-    const uint32_t want[] = {0, 1, 2, 1, 3, 2, 2, 0, 1};
+               "14 0 1 2 3 -1 2 2 1 0 -1 0 1 0 2\n"),
+          4, 4);
+    const uint32_t want[] = {0, 1, 2, 1, 3, 2, 2, 0, 1, 1, 2, 0};
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
     ck_assert_float_eq(hatch_mesh_find(&mesh, "NORMAL", 3)[2], 1);
     ck_assert_float_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2)[7], 1);

@@ -6,11 +6,11 @@
 START_TEST(a_motion_goes_back_and_forth)
 {
     for (int i = 0; i < 10; i++) {
-        double start_s = 6.0 * i;
-        ck_assert_double_eq_tol(params_swing(start_s, 3), 0, 1e-12);
-        ck_assert_double_eq_tol(params_swing(start_s + 0.75, 3), 0.25, 1e-12);
-        ck_assert_double_eq_tol(params_swing(start_s + 3, 3), 1, 1e-12);
-        ck_assert_double_eq_tol(params_swing(start_s + 3.75, 3), 0.75, 1e-12);
+        double whole_s = 0.5 + i % 5, start_s = 2 * whole_s * i;
+        ck_assert_double_eq_tol(params_swing(start_s, whole_s), 0, 1e-12);
+        ck_assert_double_eq_tol(params_swing(start_s + 0.25 * whole_s, whole_s), 0.25, 1e-12);
+        ck_assert_double_eq_tol(params_swing(start_s + whole_s, whole_s), 1, 1e-12);
+        ck_assert_double_eq_tol(params_swing(start_s + 1.25 * whole_s, whole_s), 0.75, 1e-12);
     }
 }
 END_TEST
