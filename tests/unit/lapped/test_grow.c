@@ -110,11 +110,39 @@ START_TEST(growth_fills_the_outline)
 }
 END_TEST
 
+/* Of random triangles: through the corners of an acute one; an obtuse one has the longest side for a diameter. */
+START_TEST(circles_enclose_triangles)
+{
+    uint32_t acute = 0;
+    for (uint64_t i = 0; i < 300; i++) {
+        double at[3][2], center[2], sides[3], longest = 0, squares = 0;
+        for (uint64_t k = 0; k < 6; k++)
+            at[k / 2][k % 2] = (double)hatch_random_unit(7, k, i) - 0.5;
+        double radius = hatch_patch_enclosing_circle((const double(*)[2])at, center);
+        for (int c = 0; c < 3; c++) {
+            sides[c] = side_length(at[c], at[(c + 1) % 3]);
+            longest = fmax(longest, sides[c]);
+            squares += sides[c] * sides[c];
+            ck_assert_double_le(side_length(center, at[c]), radius + 1e-9);
+        }
+        if (squares > 2 * longest * longest) {
+            for (int c = 0; c < 3; c++)
+                ck_assert_double_eq_tol(side_length(center, at[c]), radius, 1e-9);
+            acute++;
+        } else {
+            ck_assert_double_eq_tol(radius, longest / 2, 1e-9);
+        }
+    }
+    ck_assert(acute > 30 && acute < 270);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("lapped growth");
     TCase *tests = tcase_create("growth");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, circles_enclose_triangles);
     tcase_add_test(tests, growth_stops_at_its_limit);
     tcase_add_test(tests, growth_fills_the_outline);
     suite_add_tcase(suite, tests);

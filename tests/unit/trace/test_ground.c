@@ -38,6 +38,31 @@ static void check_near(const double *a, const double *b, double tolerance)
     ck_assert_msg(hatch_vec_distance(a, b) <= tolerance, "%g %g %g, want %g %g %g", a[0], a[1], a[2], b[0], b[1], b[2]);
 }
 
+/* Faces in any order are numbered along a curve: those with successive numbers are near each other. On a plane of edges
+ * of length 1 random faces would be some 20 apart. */
+START_TEST(successive_faces_are_near)
+{
+    struct field_case plane = case_of_shape(HATCH_SHAPE_PLANE, 3000, 1);
+    struct hatch_mesh mesh = plane.mesh;
+    for (uint32_t f = mesh.face_count - 1; f > 0; f--) {
+        uint32_t other = (uint32_t)(hatch_random_u64(5, 0, f) % (f + 1)), face[3];
+        memcpy(face, &mesh.indices[3 * f], sizeof face);
+        memcpy(&mesh.indices[3 * f], &mesh.indices[3 * other], sizeof face);
+        memcpy(&mesh.indices[3 * other], face, sizeof face);
+    }
+    struct field_case field = case_of(mesh);
+    set_direction(&field, 1, 0, 0);
+    struct hatch_trace_ground ground = lay_out(&field, 0, PI);
+    double sum = 0, before[3], at[3];
+    for (uint32_t f = 0; f < mesh.face_count; f++) {
+        hatch_vec_copy(&field.surface.points[3 * (size_t)field.surface.corners[3 * ground.source[f]]], at);
+        sum += f ? hatch_vec_distance(before, at) / mesh.face_count : 0;
+        hatch_vec_copy(at, before);
+    }
+    ck_assert_double_lt(sum, 3);
+}
+END_TEST
+
 /* Lengths and places are those in space, on faces of any form. */
 START_TEST(a_face_keeps_its_form)
 {
@@ -279,6 +304,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("trace ground");
     TCase *tests = tcase_create("ground");
     tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, successive_faces_are_near);
     tcase_add_test(tests, a_face_keeps_its_form);
     tcase_add_test(tests, the_direction_is_the_field_turned);
     tcase_add_test(tests, a_singularity_has_no_direction);

@@ -71,6 +71,29 @@ START_TEST(a_point_light_is_scaled_with_the_scene)
 }
 END_TEST
 
+/* The cone makes 0 of the cosine of the outer angle, and 1 of that of the inner one; a point light has 1 everywhere. */
+START_TEST(a_spot_has_a_cone)
+{
+    static const struct hatch_key_light key = {.replaces = false};
+    const float at[3] = {15, 20, 40};
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    for (int type = 0; type < 3; type++) {
+        struct hatch_light lamp = {.type = type ? HATCH_LIGHT_SPOT : HATCH_LIGHT_POINT,
+                                   .color = {1, 1, 1},
+                                   .intensity = 50,
+                                   .inner_cone_rad = type == 1 ? 0.3f : 0.6f,
+                                   .outer_cone_rad = 0.6f};
+        light_plane(lamp, at);
+        ck_assert_uint_eq(hatch_lights_fill(&unit.pose, &bounds, &view_facing, &key, 3, lights), 1);
+        const float *cone = lights[0].cone, inner = cosf(0.3f), outer = cosf(0.6f);
+        ck_assert_float_eq_tol(outer * cone[0] + cone[1], type ? 0 : 1, 1e-4f);
+        ck_assert_float_eq_tol(cone[0], type == 0 ? 0 : type == 1 ? 1 / (inner - outer) : 1000, 1e-3f);
+        ck_assert_float_eq(cone[2], 0);
+        ck_assert_float_eq_tol(lights[0].direction[2], -1, 1e-6f); /* a light shines along -z */
+    }
+}
+END_TEST
+
 START_TEST(lights_beyond_the_limit_are_counted)
 {
     static const struct hatch_key_light key = {.replaces = false};
@@ -147,6 +170,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_key_light_turns_with_the_camera);
     tcase_add_test(tests, a_point_light_is_scaled_with_the_scene);
+    tcase_add_test(tests, a_spot_has_a_cone);
     tcase_add_test(tests, lights_beyond_the_limit_are_counted);
     tcase_add_test(tests, the_exposure_makes_a_lit_plane_white);
     tcase_add_test(tests, the_exposure_of_grazing_light_is_known_down_to_the_first_bin);

@@ -1,5 +1,6 @@
-/* The descent over angles on a grid of nodes, whose minimum is known: all nodes have the angle of the one with data. */
+/* The solvers on a grid of nodes, whose minimum is known: all nodes have the value of the one with data. */
 #include <math.h>
+#include <string.h>
 
 #include "arenas.h"
 #include "base/random.h"
@@ -50,6 +51,34 @@ static struct grid *make_grid(void)
     return made;
 }
 
+START_TEST(all_nodes_take_the_value_of_the_data)
+{
+    struct grid *grid = make_grid();
+    struct hatch_field_convergence convergence = {.iterations = 3};
+    struct hatch_field_levels *levels;
+    double z[2 * NODES + 1] = {[2 * NODES] = 7}; /* the last one is not of a node */
+    memcpy(z, grid->z, sizeof grid->z);
+    HATCH_TEST_OK(hatch_field_coarsen(&grid->system, &keep, &levels, &err), &err);
+    for (int from_zero = 0; from_zero < 2; from_zero++) {
+        HATCH_TEST_OK(hatch_field_solve_multigrid(levels, 1e-8, 200, &scratch, z, &convergence, &err), &err);
+        for (uint32_t n = 0; n < NODES; n++) {
+            ck_assert_double_eq_tol(z[2 * n], cos(ANGLE), 1e-5);
+            ck_assert_double_eq_tol(z[2 * n + 1], sin(ANGLE), 1e-5);
+        }
+        ck_assert_double_eq(z[2 * NODES], 7);
+        memset(z, 0, sizeof grid->z);
+    }
+    ck_assert_uint_lt(convergence.iterations, 3 + 2 * 60);
+    memset(z, 0, sizeof grid->z);
+    HATCH_TEST_OK(hatch_field_solve_cholesky(&grid->system, (size_t)1 << 28, &scratch, z, &err), &err);
+    for (uint32_t n = 0; n < NODES; n++) {
+        ck_assert_double_eq_tol(z[2 * n], cos(ANGLE), 1e-9);
+        ck_assert_double_eq_tol(z[2 * n + 1], sin(ANGLE), 1e-9);
+    }
+    ck_assert_double_eq(z[2 * NODES], 7);
+}
+END_TEST
+
 START_TEST(all_nodes_take_the_angle_of_the_data)
 {
     struct grid *grid = make_grid();
@@ -82,9 +111,10 @@ END_TEST
 
 static Suite *suite(void)
 {
-    Suite *suite = suite_create("field descent");
-    TCase *tests = tcase_create("descent");
+    Suite *suite = suite_create("field solvers");
+    TCase *tests = tcase_create("solvers");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, all_nodes_take_the_value_of_the_data);
     tcase_add_test(tests, all_nodes_take_the_angle_of_the_data);
     tcase_add_test(tests, a_node_takes_25_numbers);
     suite_add_tcase(suite, tests);
