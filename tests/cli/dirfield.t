@@ -162,6 +162,32 @@ is "--arrows writes a rhombus for each point" "$(hatchstat mesh -q arrows.ply | 
     "$(printf 'vertices\tfaces\n%d\t%d' $((4 * $(column points 1 <report.tsv))) $((2 * $(column points 1 <report.tsv))))"
 cmp -s piped.glb max.glb
 is "arrows change nothing in the mesh" $? 0
+
+# A square of 2 x 2 units in the plane z = 0. Corners 0 and 2 of a rhombus are 0.8 edges apart, 1 and 3 across them 0.14,
+# and its middle is 0.04 above a vertex.
+{
+    for y in 0 1 2; do printf "v %d $y 0\n" 0 1 2; done
+    for v in 1 2 4 5; do echo "f $v $((v + 1)) $((v + 4)) $((v + 3))"; done
+} >square.obj
+dirfield -q square.obj --arrows square.ply -o square.glb
+cat >rhombi.pl <<'END'
+local $/;
+my ($data) = <> =~ /end_header\n(.*)/s;
+my (@middles, @wrong);
+for my $n (0 .. 8) {
+    my @at = map { [unpack 'f<3', substr $data, 60 * $n + 15 * $_, 12] } 0 .. 3;
+    my @long = map { $at[0][$_] - $at[2][$_] } 0 .. 2;
+    my @wide = map { $at[1][$_] - $at[3][$_] } 0 .. 2;
+    my ($length, $width) = map { sqrt($_->[0] ** 2 + $_->[1] ** 2) } \@long, \@wide;
+    push @wrong, "$n: $length x $width" unless $length >= 0.8 && $length <= 1 && abs($width / $length - 0.175) < 1e-5;
+    push @wrong, "$n: askew" unless abs($long[0] * $wide[0] + $long[1] * $wide[1]) < 1e-6;
+    push @wrong, "$n: at $_->[2]" for grep { abs($_->[2] - 0.05 * $length) > 1e-6 } @at;
+    push @middles, join ',', map { sprintf '%.0f', 1000 * ($at[0][$_] + $at[2][$_]) / 2 } 0, 1;
+}
+print join(' ', sort @middles), join('; ', '', @wrong), "\n";
+END
+is "rhombi lie over the vertices" "$(perl rhombi.pl square.ply)" \
+    "0,0 0,1000 0,2000 1000,0 1000,1000 1000,2000 2000,0 2000,1000 2000,2000"
 try dirfield torus.glb --arrows arrows.obj -o out.glb
 refused "--arrows to another format than PLY" 2 2
 try dirfield torus.glb --report /dev/full -o full.glb
