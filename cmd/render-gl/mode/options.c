@@ -204,6 +204,7 @@ static const struct cmd_rule rules[] = {
     {"exposure", "!light", "which replaces the scene's lights"},
     {"modulate", "!texture-tone", "give one of them"},
     {"turntable", "frames", NULL},
+    {"animate", "!time !probe", NULL},
     {"rate", "frames|window !turntable|animation|time-s", NULL},
     {"json", "time|probe", NULL},
     {"time", "!probe !window", NULL},
@@ -406,7 +407,7 @@ static void check_frames(const struct cmd_args *args)
     bool report = timed_frames || chosen.probe;
     if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
         cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png");
-    if (chosen.animate.count && (report || (frames < 2 && !chosen.window)))
+    if (chosen.animate.count && frames < 2 && !chosen.window)
         cmd_usage("--animate needs --frames 2 or more, or --window");
 }
 

@@ -44,6 +44,10 @@ refuses "--from with a camera of the scene" 2 2 "--from cannot be combined with 
     $draw torus.glb --tam map.exr --camera 0 --from 30:20
 refuses "a camera that is none" 2 2 "--camera front: want a number, frame, or X,Y,Z[:X,Y,Z]" \
     $draw torus.glb --tam map.exr --camera front
+refuses "--animate with --probe" 2 2 "--animate cannot be combined with --probe" \
+    $draw torus.glb --tam map.exr --animate zoom=1..2 --frames 2 --probe
+refuses "--animate with --time" 2 2 "--animate cannot be combined with --time" \
+    $draw torus.glb --tam map.exr --animate zoom=1..2 --frames 2 --time 1
 refuses "--time with --probe" 2 2 "--time cannot be combined with --probe" \
     $draw torus.glb --tam map.exr --time 1 --probe
 refuses "--modulate with --texture-tone" 2 2 "--modulate cannot be combined with --texture-tone: give one of them" \
@@ -168,6 +172,12 @@ is "--probe: the share of drawn pixels is plausible" \
     "$(awk -F'\t' '$1 == "drawn" {print ($3 > 0.1 && $3 < 0.9)}' probe.tsv)" 1
 is "--probe: no more texels are used than the map has" \
     "$(awk -F'\t' '$1 == "used" {u = $3} $1 == "map" {print (u > 0 && u <= $3)}' probe.tsv)" 1
+meshgen plane --faces 50 -o plane.glb
+for frames in 2 4; do
+    render-gl plane.glb --tam map.exr --size 64x48 --from 0:0 --probe --turntable --frames "$frames"
+done >plane.tsv
+is "--probe: the mean of all frames; a plane that turns is seen edge on in half of four" \
+    "$(awk -F'\t' '$1 == "drawn" {print $3 / first; first = $3}' first=1 plane.tsv | tail -1)" 0.5
 
 # A scene that cannot show anything is refused; a picture that shows nothing of it is warned of.
 echo '{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]}' >bare.gltf
