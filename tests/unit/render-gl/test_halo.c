@@ -256,6 +256,30 @@ START_TEST(short_lines_between_haloes_are_dropped)
 }
 END_TEST
 
+/* The border of a plane runs along the border of a smaller one before it. At a pixel's distance the nearer border is
+ * taken for the line itself, and leaves it; at 2.5 pixels its halo covers the line. */
+START_TEST(borders_in_the_halo_of_another_are_hidden)
+{
+    for (int apart = 0; apart < 2; apart++) {
+        struct hatch_image image;
+        double half = 0.35, apart_px = apart ? 2.5 : 1;
+        struct hatch_mesh near = plane_at(half, 0), far = plane_at(half + apart_px / (SIZE / 2), -1);
+        struct hatch_mesh mesh = both(&near, &far);
+        draw_lines(&mesh, 8, &image);
+        int border = (int)lround(half * SIZE / 2 + apart_px + LINE_PX / 2 - 1); /* of the farther line's outer pixel */
+        double dark = 0;
+        for (int x = -20; x < 20; x++) {
+            dark += 1 - light_at(&image, SIZE / 2 + x, SIZE / 2 + border);
+            dark += 1 - light_at(&image, SIZE / 2 + x, SIZE / 2 - 1 - border);
+            dark += 1 - light_at(&image, SIZE / 2 + border, SIZE / 2 + x);
+            dark += 1 - light_at(&image, SIZE / 2 - 1 - border, SIZE / 2 + x);
+        }
+        ck_assert_double_eq_tol(dark / 160, apart ? 0 : 1, 0.05);
+        frame_finish(&frame);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render halo");
@@ -267,6 +291,7 @@ static Suite *suite(void)
     tcase_add_test(tests, pictures_do_not_depend_on_earlier_sizes);
     tcase_add_test(tests, lines_behind_end_at_haloes);
     tcase_add_test(tests, short_lines_between_haloes_are_dropped);
+    tcase_add_test(tests, borders_in_the_halo_of_another_are_hidden);
     suite_add_tcase(made, tests);
     return made;
 }
