@@ -207,8 +207,8 @@ static uint32_t bc1_choose(uint8_t texels[TEXELS][4], uint32_t a, uint32_t b, ui
     return sum;
 }
 
-/* Fits the end points to the chosen indices by least squares; returns false where all texels have the same index. */
-static bool bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], float ends[2][3])
+/* Fits the end points to the chosen indices by least squares; leaves them where all texels have the same index. */
+static void bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], float ends[2][3])
 {
     static const float shares[] = {0, 1, 1.0f / 3, 2.0f / 3}; /* weight of the second end point, per index */
     float aa = 0, ab = 0, bb = 0, a[3] = {0}, b[3] = {0};
@@ -223,13 +223,10 @@ static bool bc1_fit(uint8_t texels[TEXELS][4], const uint8_t index[TEXELS], floa
         }
     }
     float determinant = aa * bb - ab * ab;
-    if (determinant < 1e-3f)
-        return false;
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 3 && determinant >= 1e-3f; c++) {
         ends[0][c] = (bb * a[c] - ab * b[c]) / determinant;
         ends[1][c] = (aa * b[c] - ab * a[c]) / determinant;
     }
-    return true;
 }
 
 void hatch_bc1_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
@@ -252,8 +249,9 @@ void hatch_bc1_encode(uint8_t texels[TEXELS][4], uint8_t block[8])
         chosen[0] = a;
         chosen[1] = b;
         memcpy(index, tried, sizeof index);
-        if (a == b || !bc1_fit(texels, index, ends))
+        if (a == b)
             break;
+        bc1_fit(texels, index, ends);
     }
     struct bits bits = {block, 0};
     memset(block, 0, 8);
