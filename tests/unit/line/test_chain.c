@@ -14,7 +14,7 @@ struct star {
     struct hatch_line_graph graph;
 };
 
-static void make_star(struct star *star, uint32_t lines, const uint32_t *order, uint32_t turned)
+static void make_star(struct star *star, uint32_t lines, const uint32_t *order, uint64_t turned)
 {
     *star = (struct star){.graph = {.node_count = 2 * lines + 1, .segment_count = 2 * lines}};
     star->graph.nodes = star->nodes;
@@ -26,7 +26,7 @@ static void make_star(struct star *star, uint32_t lines, const uint32_t *order, 
         at[1] = sign * sin(angle);
     }
     for (uint32_t s = 0; s < 2 * lines; s++) {
-        uint32_t turn = turned >> s & 1;
+        uint32_t turn = (uint32_t)(turned >> s & 1);
         star->ends[2 * s + turn] = 0;
         star->ends[2 * s + 1 - turn] = order[s] + 1;
     }
