@@ -119,6 +119,18 @@ START_TEST(factors_keep_to_the_limit_of_the_arena)
 }
 END_TEST
 
+/* Faces of negative weight make a matrix that has no factors, whatever is added to its diagonal. */
+START_TEST(a_patch_without_solution_is_refused)
+{
+    struct hatch_sparse_solver made = {.column = NULL};
+    for (uint32_t f = 0; f < FACES; f++)
+        solver.gradients[8 * f + 6] = -1;
+    ck_assert_int_eq(hatch_sparse_solver_make(&solver, &patch, &made, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "no solution for a patch of 1001 vertices: want a smaller size");
+    hatch_sparse_solver_free(&made);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("lapped solve");
@@ -126,6 +138,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin_star, end);
     tcase_add_test(tests, the_shortest_envelope_is_chosen);
     tcase_add_test(tests, factors_keep_to_the_limit_of_the_arena);
+    tcase_add_test(tests, a_patch_without_solution_is_refused);
     suite_add_tcase(suite, tests);
     return suite;
 }
