@@ -56,6 +56,23 @@ START_TEST(a_support_of_many_points_is_limited)
 }
 END_TEST
 
+/* Half the last place of a float at the largest coordinate, whichever that is. */
+START_TEST(rounding_errors_grow_with_the_largest_coordinate)
+{
+    for (uint32_t k = 0; k < 3; k++) {
+        struct field_case near = case_of_shape(HATCH_SHAPE_PLANE, 200, 1);
+        for (uint32_t v = 0; v < near.mesh.vertex_count; v++)
+            near.mesh.attributes[0].data[3 * v + k] += 1000;
+        struct field_case far = case_of(near.mesh);
+        for (uint32_t p = 0; p < far.surface.point_count; p++) {
+            double at[3], error = hatch_curvature_rounding_error(&far.surface, p);
+            hatch_surface_position(&far.surface, p, at);
+            ck_assert_double_eq_tol(error * far.surface.components[0].scale / (at[k] * 0x1p-25), 1, 1e-6);
+        }
+    }
+}
+END_TEST
+
 /* On planes and spheres no direction is certain, so that points take the mean of the fits around. */
 START_TEST(means_of_fits_have_the_curvature_of_the_shape)
 {
@@ -97,6 +114,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_support_holds_the_points_within_its_radius);
     tcase_add_test(tests, a_support_of_many_points_is_limited);
+    tcase_add_test(tests, rounding_errors_grow_with_the_largest_coordinate);
     tcase_add_test(tests, means_of_fits_have_the_curvature_of_the_shape);
     suite_add_tcase(suite, tests);
     return suite;
