@@ -86,6 +86,27 @@ START_TEST(a_jump_stays_where_much_is_gained)
 }
 END_TEST
 
+/* Axes with a standard error of 0.1 are half known, and a jump between two of them costs a quarter: 0.15 in all, which
+ * is gained at s = 0.86. */
+START_TEST(a_jump_costs_less_where_little_is_known)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 3000, 0);
+    struct hatch_curvature known = halves(&of, 1, 0.77), unknown = halves(&of, 1, 0.77), equal = halves(&of, 1, 0.95);
+    double odds = (HATCH_CURVATURE_HALF_CONFIDENCE_RAD / 0.1) * (HATCH_CURVATURE_HALF_CONFIDENCE_RAD / 0.1);
+    for (uint32_t p = 0; p < of.surface.point_count; p++)
+        if (fabs(of.surface.points[3 * (size_t)p]) < 2)
+            unknown.confidence[p] = equal.confidence[p] = odds / (1 + odds);
+    continue_axes(&of, &known);
+    continue_axes(&of, &unknown);
+    continue_axes(&of, &equal);
+    double share = (double)count_swapped(&of, &known) / of.surface.point_count;
+    ck_assert_double_gt(share, 0.4);
+    ck_assert_uint_eq(count_swapped(&of, &unknown), 0);
+    share = (double)count_swapped(&of, &equal) / of.surface.point_count;
+    ck_assert_double_gt(share, 0.4);
+}
+END_TEST
+
 START_TEST(surfaces_without_jumps_stay_as_they_are)
 {
     const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_CYLINDER, HATCH_SHAPE_ELLIPSOID,
@@ -128,6 +149,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, minimal_surfaces_and_saddles_have_no_jump);
     tcase_add_test(tests, a_jump_stays_where_much_is_gained);
+    tcase_add_test(tests, a_jump_costs_less_where_little_is_known);
     tcase_add_test(tests, surfaces_without_jumps_stay_as_they_are);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
