@@ -354,6 +354,36 @@ START_TEST(short_sides_become_curves)
 }
 END_TEST
 
+/* Every third segment is stored from its end to its start, with the surface on its other side. */
+START_TEST(refined_segments_run_along_their_chain)
+{
+    double places[40][2];
+    struct hatch_line_trace trace;
+    struct hatch_line_chains chains;
+    struct hatch_view view;
+    const struct hatch_line_eye eye = eye_above(&view);
+    for (int i = 0; i < 40; i++) {
+        places[i][0] = 40 * cos(0.13 * i);
+        places[i][1] = 40 * sin(0.13 * i);
+    }
+    chain_through((const double(*)[2])places, 40, &trace, &chains);
+    for (uint32_t s = 0; s < 39; s += 3) {
+        trace.ends[2 * s] = s + 1;
+        trace.ends[2 * s + 1] = s;
+        trace.surface[s] = -1;
+    }
+    chains = chains_of(&trace);
+    HATCH_TEST_OK(hatch_line_refine(&eye, &trace, &chains, &keep, &err), &err);
+    ck_assert_uint_gt(trace.segment_count, 100);
+    ck_assert_uint_eq(chains.count, 1);
+    for (uint32_t s = 0; s < trace.segment_count; s++) {
+        const double *a = &trace.nodes[3 * chains.nodes[s]], *b = &trace.nodes[3 * chains.nodes[s + 1]];
+        int left = a[0] * b[1] - a[1] * b[0] > 0 ? 1 : -1; /* the side on which the middle lies */
+        ck_assert_int_eq(trace.surface[chains.segments[s]], left);
+    }
+}
+END_TEST
+
 /* All nodes of a closed chain lie in one place: those of a sphere that is as good as a point. */
 START_TEST(chains_without_length_are_left_alone)
 {
@@ -414,6 +444,7 @@ static Suite *suite(void)
     tcase_add_test(tests, zigzags_below_a_pixel_become_straight);
     tcase_add_test(tests, corners_stay_in_their_places);
     tcase_add_test(tests, short_sides_become_curves);
+    tcase_add_test(tests, refined_segments_run_along_their_chain);
     tcase_add_test(tests, chains_without_length_are_left_alone);
     tcase_add_test(tests, tracing_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);

@@ -86,6 +86,36 @@ START_TEST(ends_that_are_too_far_apart_are_not_joined)
 }
 END_TEST
 
+static void check_alike(const struct hatch_vector_paths *a, const struct hatch_vector_paths *b)
+{
+    ck_assert_uint_eq(a->count, b->count);
+    for (uint32_t i = 0; i < a->count; i++) {
+        const struct hatch_vector_path *from = &a->paths[i], *to = &b->paths[i];
+        ck_assert(from->id == to->id && from->count == to->count && from->closed == to->closed);
+        for (uint32_t k = 0; k < from->count; k++)
+            for (int c = 0; c < 2; c++)
+                ck_assert_double_eq(hatch_vector_point(a, from, k)[c], hatch_vector_point(b, to, k)[c]);
+    }
+}
+
+/* Triangles far apart, some of them open; appended to other paths, they are the same again. */
+START_TEST(paths_that_meet_no_other_stay_as_they_are)
+{
+    struct hatch_vector_paths from, to;
+    for (uint32_t i = 0; i < 7; i++) {
+        const double corners[6] = {50.0 * i, 0, 50.0 * i + 9, 1, 50.0 * i + 3, 8};
+        add(i, corners, 3, i % 3 == 1);
+    }
+    from = hatch_vector_built(&builder);
+    HATCH_TEST_OK(hatch_vector_join(&from, 0.3, &keep, &scratch, &to, &err), &err);
+    check_alike(&from, &to);
+    struct hatch_vector_builder other = hatch_vector_builder_of(&keep);
+    HATCH_TEST_OK(hatch_vector_append(&other, &from, &err), &err);
+    struct hatch_vector_paths copy = hatch_vector_built(&other);
+    check_alike(&from, &copy);
+}
+END_TEST
+
 /* Lines in all directions, each with a copy beside it. */
 START_TEST(every_double_is_found)
 {
@@ -319,6 +349,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_line_beside_a_longer_one_is_dropped);
     tcase_add_test(tests, ends_that_meet_are_joined_the_straightest_first);
     tcase_add_test(tests, ends_that_are_too_far_apart_are_not_joined);
+    tcase_add_test(tests, paths_that_meet_no_other_stay_as_they_are);
     tcase_add_test(tests, every_double_is_found);
     tcase_add_test(tests, paths_of_two_layers_are_not_joined);
     tcase_add_test(tests, short_paths_that_meet_no_other_are_dropped);
