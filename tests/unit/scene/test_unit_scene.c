@@ -5,11 +5,12 @@
 static struct hatch_scene scene;
 static struct hatch_unit_scene unit;
 
-/* A torus in a node that is rotated, translated and scaled by `scale` along x. */
+/* A torus away from its mesh's origin, in a node that is rotated, translated and scaled by `scale` along x. */
 static struct hatch_mesh place_torus(float scale)
 {
-    const struct hatch_bounds bounds = {.center = {3, -2, 1}, .radius = 4};
+    const struct hatch_bounds bounds = {.center = {3, -2, 1}, .radius = 100};
     struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 100);
+    move(&torus, 1, 50);
     HATCH_TEST_OK(hatch_scene_of_mesh(&torus, &keep, &scene, &err), &err);
     struct hatch_node *node = &scene.nodes[0];
     node->translation[1] = 2.5f;
@@ -26,7 +27,11 @@ START_TEST(the_matrix_leads_to_the_unit_scene)
     const struct hatch_mesh torus = place_torus(3);
     const struct hatch_item *item = &unit.items[0];
     double *world = HATCH_NEW(&keep, double, 3 * (size_t)torus.vertex_count, &err);
+    double matrix[17] = {[16] = 7}; /* the last one is not of the matrix */
     ck_assert_uint_eq(unit.item_count, 1);
+    ck_assert_double_gt(unit.meshes[0].origin[0], 40);
+    hatch_pose_matrix(&unit.pose, 0, matrix);
+    ck_assert(matrix[16] == 7 && matrix[15] == 1 && matrix[13] == 2.5);
     hatch_pose_vertices(&unit.pose, 0, 0, world, NULL);
     for (size_t v = 0; v < torus.vertex_count; v++) {
         double want[3];
