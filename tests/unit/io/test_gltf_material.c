@@ -72,6 +72,9 @@ START_TEST(diffuse_colours_are_read)
     ck_assert_float_eq(m->base_color[1], 0);
     ck_assert(m->base.texture == 0 && m->base.texcoord == 1 && m->base.has_transform);
     ck_assert_float_eq(m->base.scale[1], 3);
+    reads(HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
+                       "\"diffuseTexture\":{\"index\":1}}}}]}");
+    ck_assert(scene.materials[0].base.texture == 0 && scene.materials[0].base.texcoord == 0);
     static const char astray[] =
         HEAD TEXTURE ",\"materials\":[{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{"
                      "\"diffuseTexture\":{\"index\":7}}}}]}";
