@@ -75,4 +75,25 @@ for line in "mesh mesh.stl" "ink picture.ppm" "ink picture.tga"; do
     hatchstat "$1" "fifo.${2##*.}" >by_pipe
     is "$2 through a FIFO" "$(wc -c <by_pipe | awk '{print ($1 > 0)}') $(cmp by_name by_pipe)" "1 "
 done
+
+# on_terminal COMMAND: prints a command's status and the first line that a terminal shows of it
+on_terminal() {
+    script -qec "$1" typed </dev/null >shown
+    echo "$? $(head -1 shown | tr -d '\r' | cut -c1-60)"
+}
+meshgen plane --faces 2 -o plane.glb
+if command -v script >/dev/null; then
+    for command in "meshgen plane" "tamgen --size 64" "tamgen --size 64 -o a.exr --contact-sheet -" "dirfield plane.glb" \
+        "lapped-param plane.glb" "strokegen plane.glb"; do
+        is "$command: a terminal gets no binary data" "$(on_terminal "$command")" \
+            "$(echo "2 ${command%% *}: binary data is not written to a terminal: use -o FILE" | cut -c1-62)"
+    done
+    is "the table of strokes on a terminal" "$(on_terminal 'tamgen --size 64 -o a.exr --strokes -' | cut -f1-3)" \
+        "$(printf '0 x\ty\tlength')"
+    is "seed sets on a terminal" "$(on_terminal 'seedgen -n 4' | cut -c1-21)" "0 # seedgen --count 4"
+    is "a plot on a terminal" "$(on_terminal 'seedgen -n 4 -o a.seeds --plot -' | cut -c1-6)" "0 <svg"
+    is "a report on a terminal" "$(on_terminal 'hatchstat mesh plane.glb' | cut -c1-10)" "0 vertices"
+else
+    skip "what a terminal gets" "no script(1)"
+fi
 finish
