@@ -26,9 +26,9 @@ static void begin_curves(void)
     curves_of[0] = (struct hatch_curve){0, 2, HATCH_CURVE_ID_MAX, 3};
     curves_of[1] = (struct hatch_curve){2, 3, 0x12345678, 1};
     curves_of[2] = (struct hatch_curve){5, 2, 7, 2};
-    sets[0] = (struct hatch_curve_set){0, 0, 0.5f, 1, 0, 2};
-    sets[1] = (struct hatch_curve_set){0, 3, 0.5f, 0.125f, 2, 0};
-    sets[2] = (struct hatch_curve_set){2, 1, -1, 0.5f, 2, 1};
+    sets[0] = (struct hatch_curve_set){0, 0, 0.5f, 1, 0, 2, 40, 0.7f};
+    sets[1] = (struct hatch_curve_set){0, 3, 0.5f, 0.125f, 2, 0, 40, 0.7f};
+    sets[2] = (struct hatch_curve_set){2, 1, -1, 0.5f, 2, 1, 40, 0.7f};
     curves = (struct hatch_curves){3, 3, 7, sets, curves_of, points};
 }
 
@@ -98,9 +98,10 @@ END_TEST
 START_TEST(a_bad_set_is_named)
 {
     static const struct hatch_curve_set bad[] = {
-        {8, 0, 0, 1, 2, 1},        {UINT32_MAX, 0, 0, 1, 2, 1}, {2, 16, 0, 1, 2, 1},  {0, 3, 0, 1, 2, 1},
-        {0, 1, 0, 1, 2, 1},        {2, 0, 0, 0, 2, 1},          {2, 0, 0, -1, 2, 1},  {2, 0, 0, NAN, 2, 1},
-        {2, 0, 0, INFINITY, 2, 1}, {2, 0, NAN, 1, 2, 1},        {2, 0, 200, 1, 2, 1},
+        {8, 0, 0, 1, 2, 1, 40, 0.7f},   {UINT32_MAX, 0, 0, 1, 2, 1, 40, 0.7f}, {2, 16, 0, 1, 2, 1, 40, 0.7f},
+        {0, 3, 0, 1, 2, 1, 40, 0.7f},   {0, 1, 0, 1, 2, 1, 40, 0.7f},          {2, 0, 0, 0, 2, 1, 40, 0.7f},
+        {2, 0, 0, -1, 2, 1, 40, 0.7f},  {2, 0, 0, NAN, 2, 1, 40, 0.7f},        {2, 0, 0, INFINITY, 2, 1, 40, 0.7f},
+        {2, 0, NAN, 1, 2, 1, 40, 0.7f}, {2, 0, 200, 1, 2, 1, 40, 0.7f},
     };
     static const char *const texts[] = {"want at most 7 and 15", "want at most 7 and 15", "want at most 7 and 15",
                                         "is out of order",       "is out of order",       "out of range",
@@ -110,7 +111,7 @@ START_TEST(a_bad_set_is_named)
         sets[2] = bad[i];
         check_refused(texts[i]);
     }
-    sets[2] = (struct hatch_curve_set){7, 15, -6, 1, 2, 1};
+    sets[2] = (struct hatch_curve_set){7, 15, -6, 1, 2, 1, 40, 0.7f};
     HATCH_TEST_OK(hatch_curves_check(&curves, &mesh, &err), &err);
     sets[0].family = 1; /* before a set of family 0 */
     check_refused("strokes: family 0, level 3 is out of order");
