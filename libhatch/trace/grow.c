@@ -10,6 +10,7 @@
 #define LEGS_KEPT 6u    /* legs of a round that are kept; longer rounds are walked again */
 #define LEG_MIN 1e-6    /* of the gap: shorter legs lead nowhere, and are no pieces */
 #define IDLE_MAX 8u     /* legs that lead nowhere after which a stroke ends */
+#define INWARD 1e-5     /* share of the way to the middle of a face */
 
 /* A round of an end. */
 struct stride {
@@ -54,6 +55,22 @@ static void give_up(struct stride *stride)
     stride->goes_on = stride->bound = false;
 }
 
+/* Walks a leg along the field. A place that gets nowhere between two faces, as on an edge that the field follows, is
+ * moved a little into its face.
+ *   idle  in, out: legs that led nowhere, up to here */
+static bool walk_leg(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double length, uint32_t *idle,
+                     struct hatch_trace_leg *leg)
+{
+    const struct hatch_trace_face *face = &tracer->ground.faces[place->face];
+    if (*idle == IDLE_MAX / 2) {
+        place->x += INWARD * (((double)face->x1 + (double)face->x2) / 3 - place->x);
+        place->y += INWARD * ((double)face->y2 / 3 - place->y);
+    }
+    bool goes_on = hatch_trace_walk(&tracer->ground, place, length, HATCH_TRACE_ALONG, leg);
+    *idle = leg->length > LEG_MIN * tracer->gap ? 0 : *idle + 1;
+    return goes_on;
+}
+
 /* Walks one round from the stroke's end; leg_count is 0 where another stroke blocks the way. */
 static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
 {
@@ -71,8 +88,7 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
             return;
         }
         const struct hatch_trace_origin origin = origin_of(tracer, stride->half, walked, 0);
-        stride->goes_on = hatch_trace_walk(&tracer->ground, &stride->to, fmin(length - walked, tracer->leg_max),
-                                           HATCH_TRACE_ALONG, &leg);
+        stride->goes_on = walk_leg(tracer, &stride->to, fmin(length - walked, tracer->leg_max), &idle, &leg);
         stride->bound = !stride->goes_on;
         bool left = tracer->region && !hatch_trace_region_has(tracer->region, &stride->to);
         if (left || (leg.length > least && hatch_trace_look(tracer, &leg, &origin) < HUGE_VAL)) {
@@ -83,7 +99,6 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
         if (leg.length > least && stride->leg_count < LEGS_KEPT)
             stride->legs[stride->leg_count] = leg;
         stride->leg_count += leg.length > least;
-        idle = leg.length > least ? 0 : idle + 1;
     }
     if (stride->leg_count > 0 && is_blocked(tracer, stride, walked))
         give_up(stride);
@@ -103,6 +118,7 @@ static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride
     struct hatch_trace_stroke *stroke = &tracer->strokes[stride->half / 2];
     uint32_t way = stride->half % 2;
     struct hatch_trace_place place = stroke->end[way];
+    uint32_t idle = 0;
     double length = HATCH_TRACE_STEP * tracer->gap, walked = 0; /* as in walk_stride, to the last bit */
     double least = LEG_MIN * tracer->gap;
     for (uint32_t i = 0; i < stride->leg_count;) {
@@ -110,7 +126,7 @@ static enum hatch_status commit(struct hatch_tracer *tracer, const struct stride
         if (stride->leg_count <= LEGS_KEPT)
             leg = stride->legs[i];
         else
-            hatch_trace_walk(&tracer->ground, &place, fmin(length - walked, tracer->leg_max), HATCH_TRACE_ALONG, &leg);
+            walk_leg(tracer, &place, fmin(length - walked, tracer->leg_max), &idle, &leg);
         i += leg.length > least;
         walked += leg.length;
         if (leg.length > least)

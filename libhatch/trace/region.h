@@ -26,9 +26,12 @@ bool hatch_trace_window_cut(struct hatch_trace_window *window, const struct hatc
 /* Returns whether a place is in a region. */
 bool hatch_trace_region_has(const struct hatch_trace_region *region, const struct hatch_trace_place *place);
 
+#define HATCH_TRACE_DETOUR 1.4
+
 /* Makes the region of all places within a distance of some windows, and of some more.
  *   windows   in any order, also several of a face
- *   distance  along the ground, in surface units, at least 0
+ *   distance  in surface units, at least 0, along ways from side to side of the faces, which are up to
+ *             HATCH_TRACE_DETOUR times as long as straight ones
  *   region    out: in arena */
 enum hatch_status hatch_trace_region_around(const struct hatch_trace_ground *ground,
                                             const struct hatch_trace_window *windows, uint32_t count, double distance,

@@ -35,10 +35,10 @@ try strokegen $coarse torus.glb -o /dev/null
 is "without it, nothing is said" "$(cat .err)" ""
 
 # The diagonal of the torus is 4.03321.
-is "each family has a set for each level, with half the gap" "$(sets alone.glb)" "0 0 0 0.604981601
-0 1 0 0.302490801
-1 0 1.04719758 0.604981601
-1 1 1.04719758 0.302490801"
+is "each family has a set for each level, with half the gap" "$(sets alone.glb)" "0 0 0 0.604981601 40 0.69813168
+0 1 0 0.302490801 40 0.69813168
+1 0 1.04719758 0.604981601 40 0.69813168
+1 1 1.04719758 0.302490801 40 0.69813168"
 strokegen --gap 0.3 --levels 3 --angles=-45,0.5,360 torus.glb -o three.glb
 is "as many families as angles" "$(sets three.glb | cut -d' ' -f1,3 | uniq -c | xargs)" \
     "3 0 -0.785398185 3 1 0.00872664619 3 2 6.28318548"

@@ -154,8 +154,9 @@ static enum hatch_status make_plan(struct hatch_store *store, uint32_t level, co
     HATCH_TRY(join(store, shown, next, &windows, &count, err));
     if (count == 0)
         return HATCH_OK;
-    HATCH_TRY(hatch_trace_region_around(&store->ground, windows, count, store->options.length / 2 * gap, plans,
-                                        &store->scratch, &around, err));
+    HATCH_TRY(hatch_trace_region_around(&store->ground, windows, count,
+                                        HATCH_TRACE_DETOUR * store->options.length / 2 * gap, plans, &store->scratch,
+                                        &around, err));
     HATCH_TRY(list_missing(store, level, side, &around, &plan->tiles, &plan->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(&store->scratch, &windows, plan->count, err));
     for (uint32_t i = 0; i < plan->count; i++)

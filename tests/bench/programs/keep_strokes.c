@@ -23,7 +23,8 @@ static void cut_curve(const struct hatch_curves *from, const struct hatch_curve 
             last++;
         if (last < first + 2)
             continue;
-        to->curves[to->count++] = (struct hatch_curve){to->point_count, last - first, curve->id};
+        to->curves[to->count++] = (struct hatch_curve){
+            .first = to->point_count, .count = last - first, .id = curve->id, .free_ends = curve->free_ends};
         for (uint32_t i = first; i < last; i++)
             to->points[to->point_count++] = from->points[i];
     }

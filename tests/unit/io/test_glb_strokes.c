@@ -33,10 +33,10 @@ static void add_strokes(uint32_t m)
         curves[m][c] = (struct hatch_curve){first, counts[c], 0x1e3779b9u * (c + 1) & HATCH_CURVE_ID_MAX, c + m};
         first += counts[c];
     }
-    sets[m][0] = (struct hatch_curve_set){0, 0, 0, 0.5f, 0, 0};
-    sets[m][1] = (struct hatch_curve_set){0, 1, 0, 0.25f, 0, 1};
-    sets[m][2] = (struct hatch_curve_set){1, 0, 1.0f / 3, 0.5f, 1, 2};
-    sets[m][3] = (struct hatch_curve_set){1, 1, 1.0f / 3, 0.25f, 3, 0};
+    sets[m][0] = (struct hatch_curve_set){0, 0, 0, 0.5f, 0, 0, 40, 0.7f};
+    sets[m][1] = (struct hatch_curve_set){0, 1, 0, 0.25f, 0, 1, 40, 0.7f};
+    sets[m][2] = (struct hatch_curve_set){1, 0, 1.0f / 3, 0.5f, 1, 2, 40, 0.7f};
+    sets[m][3] = (struct hatch_curve_set){1, 1, 1.0f / 3, 0.25f, 3, 0, 40, 0.7f};
     meshes[m].curves = (struct hatch_curves){4, 3, POINTS, sets[m], curves[m], points[m]};
 }
 

@@ -29,7 +29,8 @@ static GLuint width_program(void)
                               "void main()\n"
                               "{\n"
                               "    vec4 at = places[gl_GlobalInvocationID.x];\n"
-                              "    widths[gl_GlobalInvocationID.x] = width_px(pen, at.x, at.y, at.z, at.w);\n"
+                              "    vec3 law = width_law(pen, at.x, at.y, at.z, at.w, WIDEST);\n"
+                              "    widths[gl_GlobalInvocationID.x] = law.x * law.y;\n"
                               "}\n";
     const struct shader_file *law = shader_files;
     while (law->name && strcmp(law->name, "traced/width.glsl") != 0)

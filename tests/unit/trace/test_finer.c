@@ -134,7 +134,7 @@ START_TEST(as_many_strokes_are_drawn_as_are_wanted)
     struct finer_case plane;
     make_plane(&plane);
     struct hatch_finer *finer = open_finer(&plane);
-    for (int octave = 2; octave <= 9; octave += 7) {
+    for (int octave = 2; octave <= 5; octave += 3) {
         double sum = 0, side = ldexp(1, -octave), gap = side / 30;
         for (int place = 0; place < 3; place++) {
             double x = 0.6 * (place & 1) - 0.31, y = 0.53 * (place >> 1) - 0.23;
@@ -191,10 +191,9 @@ START_TEST(the_way_to_a_view_does_not_matter)
     struct hatch_finer_found found = find(direct, &wanted);
     uint32_t finest = 0;
     plane.source.keep_bytes = (size_t)1 << 30;
-    for (int way = 0; way < 3; way++) {
+    for (int way = 0; way < 2; way++) {
         struct hatch_finer *finer = open_finer(&plane);
-        struct hatch_finer_view before =
-            view_of(0.3 + (way == 0 ? 0.02 : 0), 0.2 + (way == 1 ? 0.02 : 0), 0.03, way == 2 ? 0.002 : 0.001);
+        struct hatch_finer_view before = way == 0 ? view_of(0.32, 0.21, 0.03, 0.001) : view_of(0.3, 0.2, 0.03, 0.002);
         find(finer, &before);
         wanted = view_of(0.3, 0.2, 0.03, 0.001);
         struct hatch_finer_found there = find(finer, &wanted);

@@ -13,9 +13,7 @@ static struct hatch_trace_ground lay_out(const struct field_case *field, double 
 
 static void place_at(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double at[3])
 {
-    float position[3];
-    hatch_trace_position(&ground->poses[place->face], place->x, place->y, position);
-    hatch_vec_of(position, at);
+    hatch_trace_position(&ground->poses[place->face], place->x, place->y, at);
 }
 
 static void heading_of(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double at[3])
