@@ -28,6 +28,7 @@ mkdir in
     dirfield torus.glb -o field.glb
     lapped-param --mask-size 64 field.glb -o lapped.glb
     strokegen -g 0.5 -l 2 torus.glb -o strokes.glb
+    strokegen -g 0.1 -l 1 torus.glb -o sparse.glb
     seedgen -n 16 -l 2 -o two.seeds
 ) || exit 1
 

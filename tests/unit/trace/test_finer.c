@@ -1,6 +1,5 @@
 /* Strokes that near views add to those of a mesh. */
 #include "curve/density.h"
-#include "fail_alloc.h"
 #include "trace/finer.h"
 #include "trace_make.h"
 
@@ -99,8 +98,7 @@ START_TEST(nothing_is_traced_where_the_strokes_suffice)
 }
 END_TEST
 
-/* Returns the length of strokes in a square whose threshold is at most a limit, per area.
- *   least  out: least distance of a point from the square's middle at which the threshold is over 0 */
+/* Returns the length of strokes in a square, per area, where their threshold is at most a limit. */
 static double drawn_length(const struct hatch_finer_found *found, const struct hatch_mesh *mesh, double x, double y,
                            double side, double limit)
 {
