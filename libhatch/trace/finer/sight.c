@@ -9,7 +9,7 @@
 #define DEPTH_PX 4.0      /* side of a pixel of the picture of depths */
 #define DEPTHS_MAX 4096.0 /* pixels along its sides */
 #define CORNERS_MAX 12    /* of a triangle cut by six planes, and one to spare */
-#define LEAST 0.6         /* least threshold of a level's strokes, times its gap */
+#define LEAST 0.5         /* least threshold of a level's strokes, as they are drawn, times its gap */
 
 /* A corner of the visible part of a face. */
 struct corner {

@@ -98,6 +98,10 @@ ok "the same finer strokes with another number of threads" cmp -s finer.exr $fil
 draw torus.glb --size 160x120 --zoom 512 --tone-range .4:.4 --finer 0
 is "no finer strokes" "$(awk -v ink="$(ink)" 'BEGIN {print (ink < .05)}')" 1
 
+# Inside of the torus, faces meet in hollows: strokes do not pass under them.
+draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
+near "the torus from inside" "$(ink)" .4 .05
+
 # Strokes follow skins and nodes: the moved surfaces keep their tone.
 perl "$TOP/tests/bytes/scenes.pl"
 for scene in skinned nodes; do

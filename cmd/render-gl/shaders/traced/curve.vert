@@ -29,6 +29,7 @@ void main()
     vec3 end = length / max(length + length_after, 1e-20) * (after.xyz - from.xyz);
     vec3 here = rest * rest * ((1.0 + 2.0 * part) * from.xyz + part * start) +
                 part * part * ((1.0 + 2.0 * rest) * to.xyz - rest * end);
+    here.z = max(here.z, mix(from.z, to.z, part)); // where faces meet in a hollow, splines pass under them
     vec2 way = 6.0 * part * rest * (to.xy - from.xy) + rest * (1.0 - 3.0 * part) * start.xy +
                part * (1.0 - 3.0 * rest) * end.xy;
     vec4 more = mix(from_more, to_more, part);
