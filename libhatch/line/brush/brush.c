@@ -11,7 +11,7 @@
 #define POINTED 0.15f /* width of a pointed end, as a share of the line's */
 #define CHANNELS 4
 
-/* What varies along a line, each -1 .. 1: its width, its ink, its place across and up. */
+/* Noises along a line, each -1 .. 1: of its width, its ink, its place across and up. */
 struct noise {
     float value[CHANNELS];
 };

@@ -6,7 +6,7 @@
 #include "line/strip.h"
 #include "scene/unit_scene.h"
 
-/* Computes how a brush touches the picture along strips. What varies along a line depends on its place on the item, so
+/* Computes how a brush touches the picture along strips. Width and ink vary with the place on the item, so
  * that lines are steady from frame to frame.
  *   item     that the strips belong to
  *   visible  per piece, from hatch_line_strips_smooth

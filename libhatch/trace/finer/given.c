@@ -6,8 +6,6 @@
 
 #define LEGS_MAX 4096u /* from a point to the next */
 #define DETOUR 2.0     /* longest way to the next point, in distances */
-#define LN_2 0.69314718055994530942
-#define DRIFT_LOW 0.35 /* thresholds times the finest gap from which on, for an octave, the drift is measured */
 
 struct placing {
     struct hatch_store *store;
@@ -136,14 +134,13 @@ static void find_drift(struct hatch_store *store, const struct hatch_finer_sourc
 {
     const struct hatch_curves *curves = source->curves;
     double count[HATCH_STORE_DRIFTS] = {0};
-    double low = log(DRIFT_LOW / ldexp(store->options.gap, 1 - (int)store->level_count));
     for (uint32_t s = 0; s < curves->set_count; s++) {
         const struct hatch_curve_set *set = &curves->sets[s];
         if (set->family != store->family || set->count == 0)
             continue;
         const struct hatch_curve *last = &curves->curves[set->first + set->count - 1];
         for (uint32_t i = curves->curves[set->first].first; i < last->first + last->count; i++) {
-            double own = log((double)curves->points[i].threshold), part = (own - low) / LN_2;
+            double own = log((double)curves->points[i].threshold), part = hatch_store_octaves(store, own);
             if (part < 0 || part >= 1)
                 continue;
             uint32_t bin = (uint32_t)(part * HATCH_STORE_DRIFTS);

@@ -11,8 +11,6 @@
 #define QUANTUM 14          /* binary places of the gap in coordinates */
 #define RUN_MAX 32u         /* pieces that a line may replace */
 #define LENGTH_MIN 1.0      /* of the gap: shorter strokes are left out */
-#define LN_2 0.69314718055994530942
-#define DRIFT_LOW 0.35 /* as in given.c */
 
 /* A stroke that is being laid in the region. */
 struct laying {
@@ -86,8 +84,8 @@ static enum hatch_status lay_batch(const struct hatch_store_batch *batch, struct
 /* Returns the logarithm of the threshold with which a stroke is drawn. */
 static double drawn(const struct hatch_store *store, double log_threshold)
 {
-    double low = log(DRIFT_LOW / ldexp(store->options.gap, 1 - (int)store->level_count));
-    double octaves = (log_threshold - low) / LN_2, part = (octaves - floor(octaves)) * HATCH_STORE_DRIFTS - 0.5;
+    double octaves = hatch_store_octaves(store, log_threshold);
+    double part = (octaves - floor(octaves)) * HATCH_STORE_DRIFTS - 0.5;
     double before = floor(part), drifts[2];
     for (int i = 0; i < 2; i++)
         drifts[i] = store->drift[((int)before + i + (int)HATCH_STORE_DRIFTS) % (int)HATCH_STORE_DRIFTS];

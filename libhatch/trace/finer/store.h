@@ -70,6 +70,9 @@ struct hatch_store_windows {
 /* Returns the gap of a level, in surface units. */
 double hatch_store_gap(const struct hatch_store *store, uint32_t level, const struct hatch_component *component);
 
+/* Returns how many octaves a threshold is above the beginning of the last octave that the mesh came with completely. */
+double hatch_store_octaves(const struct hatch_store *store, double log_threshold);
+
 /* Appends a piece to the last line of a batch. */
 enum hatch_status hatch_store_add_piece(struct hatch_store_batch *batch, struct hatch_arena *arena,
                                         const struct hatch_store_piece *piece, struct hatch_err *err) HATCH_MUST_USE;

@@ -9,6 +9,7 @@
 #include "trace/finer/store.h"
 
 #define STREAM_FINER 12
+#define OCTAVE_LOW 0.35     /* threshold, times the finest gap, at which the last complete octave begins */
 #define LENGTH_DEFAULT 40.0 /* where the strokes do not say what they were traced with */
 #define HARD_DEFAULT 0.69813170079773183
 
@@ -27,6 +28,12 @@ struct hatch_finer {
     struct hatch_arena seen[HATCH_CURVE_FAMILIES_MAX];
     struct hatch_store_windows windows[HATCH_CURVE_FAMILIES_MAX][HATCH_FINER_LEVELS_MAX + 1];
 };
+
+double hatch_store_octaves(const struct hatch_store *store, double log_threshold)
+{
+    double finest = ldexp(store->options.gap, 1 - (int)store->level_count);
+    return (log_threshold - log(OCTAVE_LOW / finest)) / log(2);
+}
 
 enum hatch_status hatch_store_add_line(struct hatch_store_batch *batch, struct hatch_arena *arena,
                                        const struct hatch_store_line *line, struct hatch_err *err)

@@ -34,7 +34,7 @@ struct shot {
     struct hatch_occluders occluders;
 };
 
-/* What has been measured. */
+/* Sums over the pixels of all frames. */
 struct sums {
     double difference;
     uint64_t shown, compared;
