@@ -1,0 +1,129 @@
+#include "fit/cubic.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MOMENTS 7u
+#define GRID                                                                                                           \
+    1048576.0f /* polynomials are rounded to multiples of its inverse, so that doubles hold their sums exactly,        \
+                  in any order */
+#define WEIGHTS 65536.0f /* weights are rounded to multiples of its inverse, for the same reason */
+#define PIVOT_LEAST 1e-3 /* share of a polynomial's sum of squares that the lower ones must leave unexplained */
+
+/* Sums over the fragments of a stroke. */
+struct sums {
+    double moments[MOMENTS]; /* of Legendre polynomials 0 to 6 */
+    double places[2][HATCH_CUBIC_TERMS];
+};
+
+/* Computes the first Legendre polynomials at u. */
+static void legendre(float u, uint32_t count, float *values)
+{
+    values[0] = 1;
+    values[1] = u;
+    for (uint32_t k = 2; k < count; k++)
+        values[k] = ((float)(2 * k - 1) * u * values[k - 1] - (float)(k - 1) * values[k - 2]) / (float)k;
+}
+
+static void find_range(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
+{
+    double weight = 0;
+    *cubic = (struct hatch_cubic){.t = {fragments->t, fragments->t}, .origin = {fragments->x, fragments->y}};
+    for (size_t i = 0; i < count; i++) {
+        const struct hatch_fragment *f = &fragments[i];
+        cubic->t[0] = fminf(cubic->t[0], f->t);
+        cubic->t[1] = fmaxf(cubic->t[1], f->t);
+        cubic->origin[0] = fminf(cubic->origin[0], f->x);
+        cubic->origin[1] = fminf(cubic->origin[1], f->y);
+        weight += (double)rintf(f->weight * WEIGHTS);
+    }
+    cubic->weight = (float)(weight / (double)WEIGHTS);
+}
+
+static void add(const struct hatch_cubic *cubic, const struct hatch_fragment *fragment, struct sums *sums)
+{
+    const float from[2] = {fragment->x - cubic->origin[0], fragment->y - cubic->origin[1]};
+    float values[MOMENTS];
+    legendre(hatch_cubic_u(cubic, fragment->t), MOMENTS, values);
+    for (uint32_t k = 0; k < MOMENTS; k++) {
+        double value = (double)(rintf(values[k] * GRID) / GRID);
+        sums->moments[k] += value;
+        for (int axis = 0; axis < 2 && k < HATCH_CUBIC_TERMS; axis++)
+            sums->places[axis][k] += value * (double)from[axis];
+    }
+}
+
+/* Computes the sums of products of two of the first four polynomials from the moments, by Adams's formula. */
+static void products(const double m[MOMENTS], double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS])
+{
+    for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
+        product[k][0] = m[k];
+    product[1][1] = (2 * m[2] + m[0]) / 3;
+    product[2][1] = (3 * m[3] + 2 * m[1]) / 5;
+    product[3][1] = (4 * m[4] + 3 * m[2]) / 7;
+    product[2][2] = 18 * m[4] / 35 + 2 * m[2] / 7 + m[0] / 5;
+    product[3][2] = 10 * m[5] / 21 + 4 * m[3] / 15 + 9 * m[1] / 35;
+    product[3][3] = 100 * m[6] / 231 + 18 * m[4] / 77 + 4 * m[2] / 21 + m[0] / 7;
+}
+
+/* Factors the system as L D L^T, up to the first polynomial that the lower ones nearly explain, and solves it. */
+static void solve(const struct sums *sums, struct hatch_cubic *cubic)
+{
+    double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], pivots[HATCH_CUBIC_TERMS];
+    uint32_t n = 0;
+    products(sums->moments, a);
+    for (; n < HATCH_CUBIC_TERMS; n++) {
+        double whole = a[n][n];
+        for (uint32_t j = 0; j < n; j++) {
+            for (uint32_t k = 0; k < j; k++)
+                a[n][j] -= a[n][k] * pivots[k] * a[j][k];
+            a[n][j] /= pivots[j];
+            a[n][n] -= a[n][j] * a[n][j] * pivots[j];
+        }
+        pivots[n] = a[n][n];
+        if (!(pivots[n] > PIVOT_LEAST * whole))
+            break;
+    }
+    cubic->terms = n;
+    for (int axis = 0; axis < 2; axis++) {
+        double x[HATCH_CUBIC_TERMS];
+        memcpy(x, sums->places[axis], sizeof x);
+        for (uint32_t i = 0; i < n; i++)
+            for (uint32_t j = 0; j < i; j++)
+                x[i] -= a[i][j] * x[j];
+        for (uint32_t i = n; i-- > 0;) {
+            x[i] /= pivots[i];
+            for (uint32_t j = i + 1; j < n; j++)
+                x[i] -= a[j][i] * x[j];
+        }
+        for (uint32_t i = 0; i < n; i++)
+            cubic->factor[axis][i] = (float)x[i];
+    }
+}
+
+void hatch_cubic_fit(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
+{
+    struct sums sums = {.moments = {0}};
+    find_range(fragments, count, cubic);
+    for (size_t i = 0; i < count; i++)
+        add(cubic, &fragments[i], &sums);
+    solve(&sums, cubic);
+}
+
+float hatch_cubic_u(const struct hatch_cubic *cubic, float t)
+{
+    float half = 0.5f * (cubic->t[1] - cubic->t[0]);
+    return half > 0 ? (t - cubic->t[0]) / half - 1 : 0;
+}
+
+void hatch_cubic_at(const struct hatch_cubic *cubic, float u, float place[2])
+{
+    float values[HATCH_CUBIC_TERMS], inside = fmaxf(-1, fminf(u, 1));
+    legendre(inside, HATCH_CUBIC_TERMS, values);
+    const float slopes[HATCH_CUBIC_TERMS] = {0, 1, 3 * inside, 7.5f * inside * inside - 1.5f};
+    for (int axis = 0; axis < 2; axis++) {
+        place[axis] = cubic->origin[axis];
+        for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
+            place[axis] += cubic->factor[axis][k] * (values[k] + (u - inside) * slopes[k]);
+    }
+}
