@@ -57,6 +57,19 @@ static void put_seed(const struct hatch_rptam_layer *layer, const struct hatch_r
     to[3] = own->next_level;
 }
 
+/* Returns an entry of seed_numbers. Seed point i of a level is seed point i - 1 of the next. */
+static uint32_t numbers_of(const struct hatch_rptam_layer *layer, uint32_t seed)
+{
+    uint32_t numbers = seed;
+    for (uint32_t k = 0; k < HATCH_RPTAM_CRUMBS; k++, seed = (seed + layer->count - 1) % layer->count) {
+        uint32_t crumb = 0;
+        while (crumb < 3 && layer->life[4 * seed + crumb] != HATCH_LIFE_STAYS)
+            crumb++;
+        numbers |= crumb << (16 + 2 * k);
+    }
+    return numbers;
+}
+
 static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch_coverage *coverage,
                        struct hatch_rptam_packed *packed)
 {
@@ -64,8 +77,7 @@ static void pack_lists(const struct hatch_rptam_layer *layer, const struct hatch
     for (size_t t = 0; t < texels; t++) {
         packed->lists[2 * packed->list_count] = (int32_t)packed->seed_count;
         for (uint32_t i = coverage->first[t]; i < coverage->first[t + 1]; i++) {
-            if (packed->seed_numbers)
-                packed->seed_numbers[packed->seed_count] = (uint16_t)coverage->copies[i].seed;
+            packed->seed_numbers[packed->seed_count] = numbers_of(layer, coverage->copies[i].seed);
             put_seed(layer, packed->lives, &coverage->copies[i], packed->seeds + 4 * packed->seed_count++);
         }
         packed->lists[2 * packed->list_count++ + 1] = (int32_t)packed->seed_count;
@@ -121,7 +133,7 @@ static void pack_layer(const struct hatch_rptam *rptam, uint32_t index, const st
                shared ? packed->block.layers[other].at[2] : (int32_t)packed->stroke_count,
                style->varied ? (int32_t)(layer->images << HATCH_RPTAM_IMAGES_SHIFT | layer->count) : 0},
         .thin = {(float)fmin(1, HATCH_RPTAM_THIN_PX / style->length_px),
-                 (float)fmin(1, HATCH_RPTAM_THIN_PX / style->width_px)}};
+                 (float)fmin(1, HATCH_RPTAM_THIN_PX / style->width_px), (float)layer->count}};
     if (!shared)
         pack_stroke(layer, packed);
     make_lives(layer, weighted, packed->lives);
@@ -168,10 +180,10 @@ static enum hatch_status pack(const struct hatch_rptam *rptam, const struct hatc
     packed->seeds = packed->lives ? HATCH_NEW_UNSET(scratch, uint32_t, 4 * seeds, err) : NULL;
     packed->lists = packed->seeds ? HATCH_NEW_UNSET(scratch, int32_t, 2 * lists, err) : NULL;
     packed->strokes = packed->lists ? HATCH_NEW_UNSET(scratch, uint8_t, 4 * strokes, err) : NULL;
-    if (packed->strokes && varied)
-        packed->seed_numbers = HATCH_NEW_UNSET(scratch, uint16_t, seeds, err);
-    if (!packed->strokes || (varied && !packed->seed_numbers))
+    packed->seed_numbers = packed->strokes ? HATCH_NEW_UNSET(scratch, uint32_t, seeds, err) : NULL;
+    if (!packed->seed_numbers)
         return HATCH_LIMIT;
+    packed->varied = varied;
     for (uint32_t i = 0; i < rptam->layer_count; i++)
         pack_layer(rptam, i, all ? &all[i] : NULL, packed);
     for (uint32_t i = 0; i < HATCH_RPTAM_TONE_STEPS; i++) {

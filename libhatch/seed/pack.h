@@ -7,6 +7,8 @@
 /* Position of the number of images in at[3] below; the lower bits hold the number of seed points. */
 #define HATCH_RPTAM_IMAGES_SHIFT 16
 
+#define HATCH_RPTAM_CRUMBS 8u
+
 /* A layer, std140, 80 bytes. */
 struct hatch_rptam_layer_block {
     float turn[4];   /* x, y: cosine and sine of the strokes' direction; z: tile_px²; w: ink */
@@ -15,7 +17,8 @@ struct hatch_rptam_layer_block {
     float stroke[4]; /* x, y: texels per pixel, along and across; z, w: texels of one image minus 1, along and across */
     int32_t at[4];   /* x: first list; y: lists along the tile's side; z: first texel of the stroke's images; w: for a
                         varied layer, number of images << HATCH_RPTAM_IMAGES_SHIFT | number of seed points, else 0 */
-    float thin[4];   /* x, y: least factors of a stroke's length and width when it fades by size */
+    float thin[4];   /* x, y: least factors of a stroke's length and width when it fades by size; z: number of seed
+                        points */
 };
 
 /* All layers and the law of fading, std140. */
@@ -37,9 +40,12 @@ struct hatch_rptam_packed {
     uint32_t *seeds;        /* 4 per entry of a list: u and v (as bits of floats), lives, lives in the next level */
     int32_t *lists;         /* 2 per list: its first entry in seeds, and one past its last */
     uint8_t *strokes;       /* 4 per texel of a stroke's image: alpha there, to the right, below, and below right */
-    uint16_t *seed_numbers; /* per entry of seeds: number of its seed point; NULL if no layer is varied */
+    uint32_t *seed_numbers; /* per entry of seeds: the number of its seed point in the lower 16 bits; above them
+                               HATCH_RPTAM_CRUMBS crumbs, lowest first: crumb k is 2 v + u for the position, modulo 2,
+                               of those tiles whose stroke stays at the level after the next k */
     float progress[2 * HATCH_RPTAM_TONE_STEPS]; /* 2 per step of tone: its progress, and the difference to that of the
                                                    next step */
+    bool varied;                                /* some layer is */
     struct hatch_rptam_lives *lives;            /* scratch while packing: 16 per seed point of a layer */
     size_t seed_count, list_count;              /* number of entries of seeds; of lists */
     size_t stroke_count;                        /* number of texels of strokes */

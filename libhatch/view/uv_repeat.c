@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "mesh/fans.h"
+#include "scene/uv_charts.h"
 
 /* A connected part of a surface in texture space. */
 struct chart {
@@ -21,49 +22,6 @@ struct survey {
     double seen_weight, seen_log; /* over visible faces: sums of weight, and of weight times log2 of pixels per unit */
     double all_weight, all_log;   /* the same sums over all faces */
 };
-
-/* A vertex, to be sorted by point and texture coordinates. */
-struct texture_vertex {
-    uint32_t point, vertex;
-    float u, v;
-};
-
-static int compare_vertices(const void *a, const void *b)
-{
-    const struct texture_vertex *x = a, *y = b;
-    if (x->point != y->point)
-        return x->point < y->point ? -1 : 1;
-    if (x->u < y->u || x->u > y->u)
-        return x->u < y->u ? -1 : 1;
-    return (x->v > y->v) - (x->v < y->v);
-}
-
-/* Joins the vertices of each chart into a set: those of one face, and those that are equal in position and texture
- * coordinates. */
-static enum hatch_status join_charts(struct survey *survey, struct hatch_arena *scratch, struct hatch_err *err)
-{
-    const struct hatch_mesh *mesh = survey->mesh;
-    uint32_t point_count;
-    uint32_t *points;
-    struct texture_vertex *sorted;
-    HATCH_TRY(HATCH_ALLOC(scratch, &points, mesh->vertex_count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &sorted, mesh->vertex_count, err));
-    HATCH_TRY(hatch_mesh_weld(mesh, scratch, points, &point_count, err));
-    hatch_sets_init(survey->parent, mesh->vertex_count);
-    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        sorted[v] =
-            (struct texture_vertex){points[v], v, survey->texcoord[2 * (size_t)v], survey->texcoord[2 * (size_t)v + 1]};
-    }
-    qsort(sorted, mesh->vertex_count, sizeof *sorted, compare_vertices);
-    for (uint32_t i = 1; i < mesh->vertex_count; i++)
-        if (compare_vertices(&sorted[i - 1], &sorted[i]) == 0)
-            hatch_sets_join(survey->parent, sorted[i - 1].vertex, sorted[i].vertex);
-    for (size_t i = 0; i < 3 * (size_t)mesh->face_count; i += 3) {
-        hatch_sets_join(survey->parent, mesh->indices[i], mesh->indices[i + 1]);
-        hatch_sets_join(survey->parent, mesh->indices[i], mesh->indices[i + 2]);
-    }
-    return HATCH_OK;
-}
 
 /* Measures a face; returns false if its texture coordinates or its corners are collinear.
  *   p     positions of its corners
@@ -201,7 +159,7 @@ static enum hatch_status set_item(struct hatch_unit_scene *scene, const struct h
     HATCH_TRY(make_survey(scene, item, scratch, &survey, err));
     if (!survey.texcoord)
         return HATCH_OK;
-    HATCH_TRY(join_charts(&survey, scratch, err));
+    HATCH_TRY(hatch_uv_charts_join(survey.mesh, survey.texcoord, scratch, survey.parent, err));
     for (size_t face = 0; face < survey.mesh->face_count; face++)
         add_face(&survey, face, how);
     if (!(survey.all_weight > 0))

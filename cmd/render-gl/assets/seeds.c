@@ -11,12 +11,11 @@ static enum hatch_status upload(const struct hatch_rptam_packed *packed, struct 
         const void *data;
         size_t size_bytes;
         GLenum format;
-    } views[SEEDS_VIEWS] = {
-        {packed->strokes, 4 * packed->stroke_count, GL_RGBA8},
-        {packed->seeds, 4 * sizeof *packed->seeds * packed->seed_count, GL_RGBA32UI},
-        {packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I},
-        {packed->progress, sizeof packed->progress, GL_RG32F},
-        {packed->seed_numbers, packed->seed_numbers ? sizeof *packed->seed_numbers * packed->seed_count : 0, GL_R16UI}};
+    } views[SEEDS_VIEWS] = {{packed->strokes, 4 * packed->stroke_count, GL_RGBA8},
+                            {packed->seeds, 4 * sizeof *packed->seeds * packed->seed_count, GL_RGBA32UI},
+                            {packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I},
+                            {packed->progress, sizeof packed->progress, GL_RG32F},
+                            {packed->seed_numbers, sizeof *packed->seed_numbers * packed->seed_count, GL_R32UI}};
     GLint limit;
     glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     size_t texels = packed->seed_count > packed->list_count ? packed->seed_count : packed->list_count;
@@ -41,7 +40,7 @@ enum hatch_status seeds_upload(const struct hatch_rptam *rptam, bool all, struct
     enum hatch_status status = hatch_rptam_pack(rptam, all, scratch, &packed, err);
     if (status == HATCH_OK)
         status = upload(&packed, &made, err);
-    made.vary = status == HATCH_OK && packed.seed_numbers;
+    made.vary = status == HATCH_OK && packed.varied;
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *seeds = made;

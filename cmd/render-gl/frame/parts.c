@@ -11,6 +11,7 @@ void frame_use_item(const struct scene *scene, uint32_t index, float lightness, 
         glBindTextureUnit(UNIT_BASE, item->base_texture);
     if (item->normals)
         glBindTextureUnit(UNIT_NORMALS, item->normals);
+    glUniform1ui(UNIFORM_ITEM, index);
     glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
     glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);
     glUniformMatrix3fv(UNIFORM_NORMAL_FROM_MESH, 1, GL_FALSE, unit->normal);

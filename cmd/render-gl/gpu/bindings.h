@@ -27,6 +27,12 @@
 #define STORAGE_PLACED 1
 #define STORAGE_POINTS 2
 #define STORAGE_RIBBON 3
+#define STORAGE_FRAGMENTS 4
+#define STORAGE_SLOTS 5
+#define STORAGE_SORTED 6
+
+/* Points of a fitted stroke's ribbon */
+#define RIBBON_POINTS 17
 
 /* Images that compute stages write */
 #define IMAGE_OUTPUT 0
@@ -43,6 +49,8 @@
 #define UNIFORM_LIFT 10
 #define UNIFORM_INK 11
 #define UNIFORM_DENSEST 12
+#define UNIFORM_ITEM 13 /* index of the item */
+#define UNIFORM_OVERDRAW 14
 #define UNIFORM_CLIP_FROM_CAMERA 20
 #define UNIFORM_PIECES 21
 
@@ -65,6 +73,7 @@
 #define ATTRIBUTE_ALONG_V 7
 #define ATTRIBUTE_TANGENT 8
 #define ATTRIBUTE_NORMAL_TEXCOORD 9
+#define ATTRIBUTE_CHART 10
 
 /* Vertex attributes of overlays, per instance */
 #define ATTRIBUTE_LINE_ENDS 0

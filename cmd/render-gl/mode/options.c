@@ -349,14 +349,6 @@ bool options_draw_lines(const struct options *options, const struct technique *d
     return options->line_kinds != HATCH_LINES_NONE && (has_lines(drawn) || options->lines_given || options->vectors);
 }
 
-static bool has_option(const struct technique *owner, const struct cmd_option *option)
-{
-    const struct cmd_option *row = owner->options;
-    while (row && row->name && strcmp(row->name, option->name) != 0)
-        row++;
-    return row && row->name;
-}
-
 /* Refuses options of techniques other than the chosen one, except with a window, which may switch to them; and those
  * of all techniques for a drawing without strokes. */
 static void check_owners(void)
@@ -366,7 +358,7 @@ static void check_owners(void)
             if (options_is_given(row->name) && chosen.vectors && !chosen.technique->curves)
                 cmd_usage("--%s cannot be combined with --output *.%s: a drawing has lines alone", row->name,
                           chosen.script ? "tsv" : "svg");
-            else if (options_is_given(row->name) && !has_option(chosen.technique, row))
+            else if (options_is_given(row->name) && !technique_has_option(chosen.technique, row->name))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
                           chosen.technique->name);
 }

@@ -49,7 +49,7 @@ bool params_are_used(const struct param *param, const struct technique *techniqu
     case PARAM_STROKES:
         return technique->features & TECHNIQUE_STROKES;
     case PARAM_TECHNIQUE:
-        return param->owner == technique;
+        return technique_has_option(technique, param->option->name);
     default:
         return true;
     }

@@ -3,9 +3,11 @@
 #include <math.h>
 
 #include "base/random.h"
+#include "mesh/fans.h"
 #include "mesh/uv_tangents.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
+#include "scene/uv_charts.h"
 
 static void upload_repeats(const struct scene *scene, uint32_t index)
 {
@@ -92,6 +94,42 @@ enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena 
             HATCH_TRY(make_patch_tones(patches, scratch, mesh, err));
         gpu_array_attach(scene->items[i].vertex_array, SCENE_SLOT_PATCHES, mesh->patch_tones, sizeof(float), &attribute,
                          1);
+    }
+    return HATCH_OK;
+}
+
+static enum hatch_status make_charts(const struct hatch_unit_mesh *unit, struct hatch_arena *scratch,
+                                     struct scene_mesh *mesh, struct hatch_err *err)
+{
+    const float *texcoord = hatch_mesh_find(unit->mesh, "TEXCOORD_0", 2);
+    const uint32_t count = unit->mesh->vertex_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *charts;
+    if (!texcoord || mesh->charts)
+        return HATCH_OK;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &charts, count, err));
+    if (!unit->patches)
+        HATCH_TRY(hatch_uv_charts_join(unit->mesh, texcoord, scratch, charts, err));
+    for (uint32_t v = 0; !unit->patches && v < count; v++)
+        charts[v] = hatch_sets_find(charts, v);
+    for (uint32_t patch = 0; unit->patches && patch < unit->patches->patch_count; patch++)
+        for (uint32_t v = unit->patches->first_vertex[patch]; v < unit->patches->first_vertex[patch + 1]; v++)
+            charts[v] = patch;
+    mesh->charts = gpu_buffer_make(charts, sizeof *charts * count);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+enum hatch_status scene_set_charts(struct scene *scene, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    static const struct gpu_attribute attribute = {ATTRIBUTE_CHART, 1, GL_UNSIGNED_INT, 0};
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const uint32_t index = scene->unit.items[i].mesh;
+        struct scene_mesh *mesh = &scene->meshes[index];
+        HATCH_TRY(make_charts(&scene->unit.meshes[index], scratch, mesh, err));
+        if (mesh->charts)
+            gpu_array_attach(scene->items[i].vertex_array, SCENE_SLOT_CHARTS, mesh->charts, sizeof(uint32_t),
+                             &attribute, 1);
     }
     return HATCH_OK;
 }

@@ -22,4 +22,9 @@ enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena 
 enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
+/* Uploads the number of each vertex's chart (scene/uv_charts.h) or, of lapped meshes, of its patch. Meshes without
+ * TEXCOORD_0 are skipped. Repeated calls upload nothing. */
+enum hatch_status scene_set_charts(struct scene *scene, struct hatch_arena *scratch,
+                                   struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

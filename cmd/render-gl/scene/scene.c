@@ -141,8 +141,9 @@ void scene_free(struct scene *scene)
     }
     for (uint32_t i = 0; scene->meshes && i < scene->unit.scene->mesh_count; i++) {
         const struct scene_mesh *mesh = &scene->meshes[i];
-        const GLuint buffers[] = {mesh->vertices, mesh->indices, mesh->surface_indices, mesh->patch_tones};
-        glDeleteBuffers(4, buffers);
+        const GLuint buffers[] = {mesh->vertices, mesh->indices, mesh->surface_indices, mesh->patch_tones,
+                                  mesh->charts};
+        glDeleteBuffers(5, buffers);
     }
     *scene = (struct scene){.meshes = NULL};
 }

@@ -18,7 +18,14 @@ struct scene_vertex {
 };
 
 /* Buffer slots of an item's vertex arrays (gpu_array_attach). */
-enum { SCENE_SLOT_VERTICES, SCENE_SLOT_REPEATS, SCENE_SLOT_PATCHES, SCENE_SLOT_UV_TANGENTS, SCENE_SLOT_TANGENTS };
+enum {
+    SCENE_SLOT_VERTICES,
+    SCENE_SLOT_REPEATS,
+    SCENE_SLOT_PATCHES,
+    SCENE_SLOT_UV_TANGENTS,
+    SCENE_SLOT_TANGENTS,
+    SCENE_SLOT_CHARTS
+};
 
 /* Buffers of a mesh. */
 struct scene_mesh {
@@ -27,6 +34,7 @@ struct scene_mesh {
     uint32_t index_count;
     GLuint surface_indices; /* for a lapped mesh: indices of the surface below the patches; else 0 */
     GLuint patch_tones;     /* for a lapped mesh: tone per vertex, 0 .. 1; 0: not made */
+    GLuint charts;          /* number of each vertex's chart, or of its patch; 0: not made */
 };
 
 /* Vertex arrays, buffers and textures of an item. */

@@ -17,7 +17,8 @@
     X(volume)                                                                                                          \
     X(threshold)                                                                                                       \
     X(threshold_soft)                                                                                                  \
-    X(traced)
+    X(traced)                                                                                                          \
+    X(strokes)
 
 /* Declares a variable technique_NAME for each NAME of the list. It is defined in technique/NAME.c. */
 #define TECHNIQUE_DECLARE(name) extern const struct technique technique_##name;

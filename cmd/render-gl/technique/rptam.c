@@ -19,8 +19,8 @@ static enum hatch_status prepare_shader(struct technique_context *context, struc
     return shaded_prepare_with(context, instance, defines, err);
 }
 
-static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
-                                 struct hatch_err *err)
+enum hatch_status rptam_prepare(struct technique_context *context, struct technique_instance *instance,
+                                struct hatch_err *err)
 {
     struct rptam_state *state = instance->state;
     struct hatch_arena *scratch = &context->args->scratch;
@@ -38,8 +38,8 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     return shaded_draw(context, instance, err);
 }
 
-static enum hatch_status changed(struct technique_context *context, struct technique_instance *instance,
-                                 struct hatch_err *err)
+enum hatch_status rptam_changed(struct technique_context *context, struct technique_instance *instance,
+                                struct hatch_err *err)
 {
     struct rptam_state *state = instance->state;
     struct seeds fresh;
@@ -52,13 +52,13 @@ static enum hatch_status changed(struct technique_context *context, struct techn
     return prepare_shader(context, instance, err);
 }
 
-static double darkest(const struct technique_instance *instance)
+double rptam_darkest(const struct technique_instance *instance)
 {
     const struct rptam_state *state = instance->state;
     return state->model->darkest;
 }
 
-static void free_state(struct technique_instance *instance)
+void rptam_free(struct technique_instance *instance)
 {
     struct rptam_state *state = instance->state;
     seeds_free(&state->seeds);
@@ -79,11 +79,11 @@ const struct technique technique_rptam = {
                 .pieces = true,
                 .passes = {{.name = "strokes", .depth = FRAME_DEPTH_NEARER}}},
     .read = rptam_read,
-    .prepare = prepare,
+    .prepare = rptam_prepare,
     .draw = draw,
-    .changed = changed,
-    .darkest = darkest,
-    .free = free_state,
+    .changed = rptam_changed,
+    .darkest = rptam_darkest,
+    .free = rptam_free,
 };
 
 const struct technique technique_rptam_places = {
@@ -95,7 +95,7 @@ const struct technique technique_rptam_places = {
                 .pieces = true,
                 .patches = FRAME_PATCHES_COVER,
                 .passes = {{.name = "places", .depth = FRAME_DEPTH_NEARER}}},
-    .prepare = prepare,
+    .prepare = rptam_prepare,
     .draw = draw,
-    .free = free_state,
+    .free = rptam_free,
 };

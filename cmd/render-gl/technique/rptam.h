@@ -59,6 +59,15 @@ struct rptam_state {
  * message on failure. */
 void rptam_read(struct technique_context *context, struct technique_instance *instance);
 
+/* The members prepare, changed, darkest and free of technique_rptam, for techniques whose state begins with a struct
+ * rptam_state. */
+enum hatch_status rptam_prepare(struct technique_context *context, struct technique_instance *instance,
+                                struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status rptam_changed(struct technique_context *context, struct technique_instance *instance,
+                                struct hatch_err *err) HATCH_MUST_USE;
+double rptam_darkest(const struct technique_instance *instance);
+void rptam_free(struct technique_instance *instance);
+
 /* Makes the model from the source and the options' values. On failure the old model stays in use. */
 enum hatch_status rptam_make_model(struct cmd_args *args, struct rptam_state *state,
                                    struct hatch_err *err) HATCH_MUST_USE;

@@ -3,6 +3,16 @@
 #include <stdio.h>
 #include <string.h>
 
+bool technique_has_option(const struct technique *technique, const char *name)
+{
+    const struct cmd_option *const tables[] = {technique->options, technique->shared};
+    for (int i = 0; i < 2; i++)
+        for (const struct cmd_option *row = tables[i]; row && row->name; row++)
+            if (strcmp(row->name, name) == 0)
+                return true;
+    return false;
+}
+
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
                                  struct cmd_args *args, struct hatch_err *err)
 {

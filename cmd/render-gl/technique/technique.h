@@ -59,6 +59,7 @@ struct technique {
     const char *name;
     const char *summary;                  /* one line, for the window's list of techniques */
     const struct cmd_option *options;     /* its own options, ended by one without a name; NULL: none */
+    const struct cmd_option *shared;      /* options of another technique that it has, too; NULL: none */
     const struct technique_param *params; /* its options that may change from frame to frame; NULL: none */
     const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
     uint32_t features;                    /* bits of enum technique_feature */
@@ -96,6 +97,9 @@ struct technique {
     /* Releases what the state owns outside args->keep. */
     void (*free)(struct technique_instance *instance);
 };
+
+/* Returns whether an option is one of a technique. */
+bool technique_has_option(const struct technique *technique, const char *name);
 
 /* Makes an instance of a technique; its state is in args->keep. HATCH_LIMIT when memory does not suffice. */
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,

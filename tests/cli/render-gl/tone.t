@@ -80,6 +80,11 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         squares .35 0 1
         lit .01 .01 .6
         ;;
+    strokes) # as wide as the strokes of rptam
+        squares .01 .01 0 .04 .16666667 .25 .5 .6
+        squares .35 0 1
+        lit .02 .02 .6
+        ;;
     volume) # has a slice for each of the 64 tones
         asset=volume.ktx2
         squares .005 .005 $ends $columns $between

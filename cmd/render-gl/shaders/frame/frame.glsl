@@ -25,5 +25,6 @@ layout(location = UNIFORM_UNIT_FROM_MESH) uniform mat4 unit_from_mesh;
 layout(location = UNIFORM_NORMAL_FROM_MESH) uniform mat3 normal_from_mesh;
 layout(location = UNIFORM_SIDE) uniform float side;
 layout(location = UNIFORM_PASS) uniform int pass;
+layout(location = UNIFORM_ITEM) uniform uint item; // index of the item
 layout(location = UNIFORM_BASE) uniform vec4 base; // material's lightness; mip level for vertices; alpha cutoff
 layout(binding = UNIT_BASE) uniform sampler2D base_texture;

@@ -1,4 +1,5 @@
-// Passes on the tone, the texture coordinates, and the derivatives of the surface along u and v.
+// Passes on the tone, the texture coordinates, and the derivatives of the surface along u and v; with GATHERS, the
+// number of the chart, too.
 #include "frame/vertex.glsl"
 
 #ifdef PIECES
@@ -8,6 +9,10 @@ layout(location = ATTRIBUTE_ALONG_U) in vec3 a_along_u;
 layout(location = ATTRIBUTE_ALONG_V) in vec3 a_along_v;
 #endif
 
+#ifdef GATHERS
+layout(location = ATTRIBUTE_CHART) in uint a_chart;
+flat out uint v_chart;
+#endif
 out vec2 v_texcoord;
 out vec3 v_along_u, v_along_v;
 #ifdef BASE_TEXTURE
@@ -33,6 +38,9 @@ void show_vertex()
     vec3 u = mat3(unit_from_mesh) * a_along_u / a_repeat.x, v = mat3(unit_from_mesh) * a_along_v / a_repeat.y;
     float square = dot(hatch.xy, hatch.xy);
     v_texcoord = hatch_texcoord();
+#ifdef GATHERS
+    v_chart = a_chart;
+#endif
     v_along_u = (hatch.x * u - hatch.y * v) / square;
     v_along_v = (hatch.y * u + hatch.x * v) / square;
 #ifdef BASE_TEXTURE

@@ -9,7 +9,7 @@ struct SeedLayer {
     vec4 stroke; // texels per pixel of the stroke's image, along and across; its width and height in texels, minus 1
     ivec4 at;    // first coverage list; lists along a side of the tile; first texel of the image; number of images
                  // times 2^16 plus number of seed points if strokes differ, else 0
-    vec4 thin;   // x, y: smallest factors to which a stroke's length and width shrink
+    vec4 thin;   // x, y: smallest factors to which a stroke's length and width shrink; z: number of seed points
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
@@ -20,8 +20,9 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform SeedLayers {
     SeedLayer layers[64];
 };
 // stroke_texels: alpha of a texel, and of its neighbours right, below and below right. seeds: u, v as bits of floats, 4
-// lives, 4 lives in the next level. lists: first entry of a coverage list in seeds, one past its last. numbers: for an
-// entry of seeds, the seed point's index in its set. ways: for a step of tone, its way and the difference to the next.
+// lives, 4 lives in the next level. lists: first entry of a coverage list in seeds, one past its last. numbers:
+// for an entry of seeds, seed_numbers of libhatch/seed/pack.h. ways: for a step of tone, its way and the difference to
+// the next.
 layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer stroke_texels;
 layout(binding = UNIT_TECHNIQUE + 1) uniform usamplerBuffer seeds;
 layout(binding = UNIT_TECHNIQUE + 2) uniform isamplerBuffer lists;
@@ -54,7 +55,7 @@ float fade_front(float q)
 uint look_of(int seed, int level, SeedLayer layer)
 {
     int count = layer.at.w & 0xffff;
-    return uint((int(texelFetch(numbers, seed).r) + level + 128 * count) % count) * 2654435769u >> 28;
+    return uint((int(texelFetch(numbers, seed).r & 0xffffu) + level + 128 * count) % count) * 2654435769u >> 28;
 }
 #endif
 
@@ -70,6 +71,12 @@ float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
     vec2 row = mix(alpha.xz, alpha.yw, share.x);
     return mix(row.x, row.y, share.y);
 }
+
+#ifdef GATHERS
+// Is called for each stroke that may cover the fragment. seed: its entry in seeds; tile: the one that its seed point is
+// in; place: along its image, in texels from the middle; covered: share of the fragment
+void gather(SeedLayer layer, int seed, ivec2 tile, float place, float covered, int level);
+#endif
 
 // Returns the transmittance of a layer, 0 .. 1. at: place in the pattern, in tiles; px: side of a tile in pixels; q:
 // as in fade_front(); level: nesting level of the seed points.
@@ -109,7 +116,11 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
             place.y = look < 8u ? place.y : -place.y;
         }
 #endif
-        paper *= 1.0 - layer.turn.w * weight * stroke_alpha(place, row, layer);
+        float covered = weight * stroke_alpha(place, row, layer);
+#ifdef GATHERS
+        gather(layer, i, ivec2(floor(at)) + ivec2(floor(uintBitsToFloat(s.xy))), place.x, covered, level);
+#endif
+        paper *= 1.0 - layer.turn.w * covered;
     }
     return paper;
 }

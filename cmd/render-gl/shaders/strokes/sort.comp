@@ -1,0 +1,17 @@
+// Puts the fragments of each stroke side by side.
+#include "strokes/fragments.glsl"
+
+layout(local_size_x = 64) in;
+struct Slot {
+    uint low, high, count, first;
+};
+layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; };
+layout(std430, binding = STORAGE_SORTED) writeonly buffer Sorted { uvec2 sorted[]; }; // z and w of fragments
+layout(location = UNIFORM_COUNT) uniform uint count;
+
+void main()
+{
+    uint i = gl_GlobalInvocationID.x;
+    if (i < count && fragments[i].x < uint(slots.length()))
+        sorted[slots[fragments[i].x].first + fragments[i].y] = fragments[i].zw;
+}

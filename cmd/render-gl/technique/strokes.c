@@ -1,0 +1,151 @@
+#include "render-gl/technique/strokes/strokes.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "placement/style.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+#include "render-gl/scene/attributes.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/traced/traced.h"
+
+static double overdraw_px = 4;
+
+static const struct cmd_option options[] = {
+    {0, "overdraw", CMD_REAL, 0, 1024, "PX",
+     "+strokes: length by which strokes go on where they are cut off (default 4)", &overdraw_px, NULL, NULL},
+    {0},
+};
+static const struct technique_param params[] = {{"overdraw", false, 1}, {0}};
+
+const struct frame_shading strokes_paper = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},
+                                            .patches = FRAME_PATCHES_UNSEEN,
+                                            .passes = {{.name = "paper", .depth = FRAME_DEPTH_NEARER}}};
+
+static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    static const struct gpu_stages route = {.compute = "strokes/route.comp"};
+    static const struct gpu_stages sort = {.compute = "strokes/sort.comp"};
+    static const struct gpu_stages fit = {.compute = "strokes/fit.comp"};
+    static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
+    struct gpu_programs *programs = &context->frame->programs;
+    struct strokes_state *state = instance->state;
+    HATCH_TRY(gpu_program_get(programs, &route, "", &state->route, err));
+    HATCH_TRY(gpu_program_get(programs, &sort, "", &state->sort, err));
+    HATCH_TRY(gpu_program_get(programs, &fit, "", &state->fit, err));
+    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbon, err));
+    HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
+    if (!state->array)
+        glCreateVertexArrays(1, &state->array);
+    HATCH_TRY(scene_set_charts(context->frame->scene, &context->args->scratch, err));
+    return rptam_prepare(context, instance, err);
+}
+
+static void set_style(const struct frame *frame, struct strokes_state *state)
+{
+    const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
+    float width_px = (float)rptam_options.stroke_px[1];
+    struct traced_block block = {
+        .pen = {width_px, 1, (float)frame->request.canvas->side, 0},
+        .hand = {pen->vary, pen->pressure, pen->wobble_px,
+                 fmaxf(pen->taper_px * width_px / state->seeds.source.drawing.width_px, 1e-3f)},
+        .ink = {(float)rptam_options.ink, pen->grain}};
+    gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
+}
+
+/* Makes the indices of the triangles of at least so many ribbons. */
+static enum hatch_status make_indices(struct strokes_state *state, uint32_t count, struct hatch_arena *scratch,
+                                      struct hatch_err *err)
+{
+    const size_t each = 6 * (RIBBON_POINTS - 1);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *indices;
+    if (state->indices.size_bytes >= sizeof *indices * each * count)
+        return HATCH_OK;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, each * count, err));
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++) {
+            uint32_t left = 2 * (i * RIBBON_POINTS + k);
+            const uint32_t two[6] = {left, left + 1, left + 2, left + 2, left + 1, left + 3};
+            memcpy(indices + each * i + 6 * (size_t)k, two, sizeof two);
+        }
+    strokes_reserve(&state->indices, sizeof *indices * each * count);
+    gpu_buffer_update(state->indices.name, indices, sizeof *indices * each * count);
+    hatch_arena_rewind(scratch, mark);
+    return gpu_check_memory(err, "%u strokes", count);
+}
+
+static void draw_ribbons(const struct frame *frame, const struct strokes_state *state)
+{
+    const struct frame_pass pass = {
+        .name = "strokes", .target = &frame->request.canvas->samples, .blend = FRAME_BLEND_OVER_COLOR};
+    const uint32_t each = 6 * (RIBBON_POINTS - 1);
+    frame_pass_begin(&pass);
+    glUseProgram(state->ribbon->name);
+    gpu_texture_bind(UNIT_TECHNIQUE, state->points_view, 0);
+    glVertexArrayElementBuffer(state->array, state->indices.name);
+    glBindVertexArray(state->array);
+    for (int ink = 0; ink < 2; ink++) {
+        uint32_t first = ink ? state->counts[0] : 0;
+        glUniform1i(UNIFORM_INK, ink);
+        if (state->counts[ink])
+            glDrawElements(GL_TRIANGLES, (GLsizei)(each * state->counts[ink]), GL_UNSIGNED_INT,
+                           (const void *)(sizeof(uint32_t) * each * first));
+    }
+    frame_pass_end(&pass, frame->timer);
+}
+
+static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    struct frame *frame = context->frame;
+    HATCH_TRY(strokes_gather(context, instance, err));
+    HATCH_TRY(frame_draw_items(frame, &frame->request.canvas->samples, &strokes_paper, "", &state->paper, err));
+    uint32_t count = state->counts[0] + state->counts[1];
+    if (!count)
+        return HATCH_OK;
+    set_style(frame, state);
+    glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
+    HATCH_TRY(strokes_fit(frame, state, err));
+    HATCH_TRY(make_indices(state, count, &context->args->scratch, err));
+    draw_ribbons(frame, state);
+    return HATCH_OK;
+}
+
+static void free_state(struct technique_instance *instance)
+{
+    struct strokes_state *state = instance->state;
+    const GLuint buffers[] = {state->fragments.name, state->table.name,   state->sorted.name, state->found.name,
+                              state->points.name,    state->indices.name, state->block_buffer};
+    glDeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
+    glDeleteTextures(1, &state->points_view);
+    glDeleteVertexArrays(1, &state->array);
+    rptam_free(instance);
+}
+
+/* Tonal art maps with image-space strokes (Szécsi, Szirányi & Kacsó 2016). */
+const struct technique technique_strokes = {
+    .name = "strokes",
+    .summary = "curves fitted to the strokes of a texture: whole strokes, by any brush",
+    .options = options,
+    .shared = rptam_option_table,
+    .params = params,
+    .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .reach_px = 256,
+    .state_size = sizeof(struct strokes_state),
+    .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "strokes/gather.frag"},
+                .defines = "#define GATHERS 1\n",
+                .pixel_light = true,
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "gather", .depth = FRAME_DEPTH_EQUAL}}},
+    .read = rptam_read,
+    .prepare = prepare,
+    .draw = draw,
+    .changed = rptam_changed,
+    .darkest = rptam_darkest,
+    .free = free_state,
+};

@@ -1,0 +1,189 @@
+/* From surfaces to strokes: fragments are gathered in a pass over the items, and sorted by stroke. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "render-gl/frame/parts.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/technique/strokes/strokes.h"
+
+#define FRAGMENT_BYTES 16u
+#define SLOTS_LEAST 65536u
+#define SLOTS_MOST (1u << 22)
+
+void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
+{
+    if (buffer->name && buffer->size_bytes >= size_bytes)
+        return;
+    glDeleteBuffers(1, &buffer->name);
+    buffer->name = gpu_buffer_make(NULL, size_bytes);
+    buffer->size_bytes = size_bytes;
+}
+
+/* Draws the items into a target with one sample per pixel.
+ *   count  out: number of fragments found, which may exceed the capacity of the buffer */
+static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
+                                        uint32_t *count, struct hatch_err *err)
+{
+    static const float far = 0;
+    static const struct strokes_fragments_head none = {0};
+    struct strokes_state *state = instance->state;
+    struct frame *frame = context->frame;
+    const struct canvas *canvas = frame->request.canvas;
+    const struct gpu_target_form form = {
+        .width = canvas->width, .height = canvas->height, .depth = GL_DEPTH_COMPONENT32F};
+    const struct gpu_target *target;
+    struct strokes_fragments_head head;
+    HATCH_TRY(frame_target(&frame->targets, &form, &target, err));
+    const struct frame_pass clear = {.name = "clear", .target = target, .clear_depth = &far};
+    frame_pass_begin(&clear);
+    HATCH_TRY(frame_draw_items(frame, target, &strokes_paper, "", &state->paper, err));
+    gpu_buffer_update(state->fragments.name, &none, sizeof none);
+    gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
+    seeds_use(&state->seeds.seeds);
+    HATCH_TRY(frame_draw_items(frame, target, &instance->technique->shading, state->seeds.shaded.defines,
+                               &state->seeds.shaded.shader, err));
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gpu_buffer_read(state->fragments.name, &head, sizeof head);
+    *count = head.count;
+    return HATCH_OK;
+}
+
+/* Draws the fragments, again with a larger buffer if they do not all find room. */
+static enum hatch_status find_fragments(struct technique_context *context, struct technique_instance *instance,
+                                        uint32_t *count, struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    struct frame *frame = context->frame;
+    const struct canvas *canvas = frame->request.canvas;
+    if (state->capacity < (size_t)canvas->width * canvas->height)
+        state->capacity = (size_t)canvas->width * canvas->height;
+    frame_block_set_view(&frame->block, &frame->view, frame->request.tile, 1);
+    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
+    for (;;) {
+        strokes_reserve(&state->fragments,
+                        sizeof(struct strokes_fragments_head) + (size_t)FRAGMENT_BYTES * state->capacity);
+        HATCH_TRY(gpu_check_memory(err, "%zu fragments of strokes", state->capacity));
+        HATCH_TRY(draw_fragments(context, instance, count, err));
+        if (*count <= state->capacity)
+            break;
+        state->capacity = *count;
+    }
+    frame_block_set_view(&frame->block, &frame->view, frame->request.tile, canvas->side);
+    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
+    return HATCH_OK;
+}
+
+static void dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
+{
+    const struct frame_dispatch pass = {.name = name,
+                                        .program = program,
+                                        .groups = {(count + 63) / 64, 1, 1},
+                                        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
+    glProgramUniform1ui(program->name, UNIFORM_COUNT, count);
+    frame_dispatch(&pass, frame->timer);
+}
+
+/* Orders strokes by ink, layer and id. */
+static int compare(const void *a, const void *b)
+{
+    const struct strokes_slot *first = a, *second = b;
+    uint32_t kind = first->id[0] & 127, other = second->id[0] & 127;
+    if ((kind & 1) != (other & 1))
+        return (kind & 1) > (other & 1) ? 1 : -1;
+    if (kind != other)
+        return kind > other ? 1 : -1;
+    if (first->id[0] != second->id[0])
+        return first->id[0] > second->id[0] ? 1 : -1;
+    return first->id[1] > second->id[1] ? 1 : first->id[1] < second->id[1] ? -1 : 0;
+}
+
+/* Gives each stroke its range of the sorted fragments, and lists the strokes.
+ *   slots  the table; out: with the ranges
+ *   found  out: the slots in use, sorted
+ * Returns their number. */
+static uint32_t list_strokes(struct strokes_slot *slots, uint32_t slot_count, struct strokes_slot *found)
+{
+    uint32_t count = 0, first = 0;
+    for (uint32_t i = 0; i < slot_count; i++)
+        if (slots[i].count > 0) {
+            slots[i].first = first;
+            first += slots[i].count;
+            found[count++] = slots[i];
+        }
+    qsort(found, count, sizeof *found, compare);
+    return count;
+}
+
+/* Routes the fragments to the slots of their strokes.
+ *   slots  out: the table, in the scratch arena
+ *   routed out: number of fragments that found a slot */
+static enum hatch_status route(const struct frame *frame, struct strokes_state *state, uint32_t count,
+                               struct strokes_slot **slots, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    size_t size_bytes;
+    if (!state->slot_count)
+        state->slot_count = SLOTS_LEAST;
+    size_bytes = sizeof **slots * state->slot_count;
+    HATCH_TRY(HATCH_ALLOC(scratch, slots, state->slot_count, err));
+    strokes_reserve(&state->table, size_bytes);
+    glClearNamedBufferData(state->table.name, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
+    gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
+    gpu_storage_bind(STORAGE_SLOTS, state->table.name);
+    dispatch(frame, state->route, "route", count);
+    gpu_buffer_read(state->table.name, *slots, size_bytes);
+    return gpu_check_memory(err, "%u strokes", state->slot_count);
+}
+
+enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    const struct frame *frame = context->frame;
+    struct hatch_arena *scratch = &context->args->scratch;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct strokes_slot *slots, *found;
+    uint32_t count = 0, strokes;
+    state->counts[0] = state->counts[1] = 0;
+    HATCH_TRY(find_fragments(context, instance, &count, err));
+    if (!count)
+        return HATCH_OK;
+    HATCH_TRY(route(frame, state, count, &slots, scratch, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &found, state->slot_count, err));
+    strokes = list_strokes(slots, state->slot_count, found);
+    for (uint32_t i = 0; i < strokes; i++)
+        state->counts[found[i].id[0] & 1]++;
+    gpu_buffer_update(state->table.name, slots, sizeof *slots * state->slot_count);
+    strokes_reserve(&state->sorted, 8 * (size_t)count);
+    strokes_reserve(&state->found, sizeof *found * strokes);
+    gpu_buffer_update(state->found.name, found, sizeof *found * strokes);
+    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    dispatch(frame, state->sort, "sort", count);
+    hatch_arena_rewind(scratch, mark);
+    return gpu_check_memory(err, "%u fragments of strokes", count);
+}
+
+enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct hatch_err *err)
+{
+    uint32_t count = state->counts[0] + state->counts[1];
+    size_t bytes = (size_t)48 * RIBBON_POINTS * count, before = state->points.size_bytes;
+    if (!count)
+        return HATCH_OK;
+    strokes_reserve(&state->points, bytes);
+    if (state->points.size_bytes != before) {
+        glDeleteTextures(1, &state->points_view);
+        glCreateTextures(GL_TEXTURE_BUFFER, 1, &state->points_view);
+        glTextureBuffer(state->points_view, GL_RGBA32F, state->points.name);
+    }
+    HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
+    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    gpu_storage_bind(STORAGE_SLOTS, state->found.name);
+    gpu_storage_bind(STORAGE_RIBBON, state->points.name);
+    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, count);
+    frame_dispatch(&(struct frame_dispatch){.name = "fit",
+                                            .program = state->fit,
+                                            .groups = {(count + 31) / 32, 1, 1},
+                                            .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
+                   frame->timer);
+    return HATCH_OK;
+}
