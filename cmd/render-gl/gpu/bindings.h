@@ -30,6 +30,7 @@
 #define STORAGE_FRAGMENTS 4
 #define STORAGE_SLOTS 5
 #define STORAGE_SORTED 6
+#define STORAGE_MISSED 7
 
 /* Points of a fitted stroke's ribbon */
 #define RIBBON_POINTS 17

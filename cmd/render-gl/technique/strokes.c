@@ -78,24 +78,43 @@ static enum hatch_status make_indices(struct strokes_state *state, uint32_t coun
     return gpu_check_memory(err, "%u strokes", count);
 }
 
-static void draw_ribbons(const struct frame *frame, const struct strokes_state *state)
+static void draw_ribbons(const struct frame *frame, const struct strokes_state *state, const struct strokes_list *list)
 {
     const struct frame_pass pass = {
         .name = "strokes", .target = &frame->request.canvas->samples, .blend = FRAME_BLEND_OVER_COLOR};
     const uint32_t each = 6 * (RIBBON_POINTS - 1);
+    uint32_t first = 0;
     frame_pass_begin(&pass);
     glUseProgram(state->ribbon->name);
     gpu_texture_bind(UNIT_TECHNIQUE, state->points_view, 0);
     glVertexArrayElementBuffer(state->array, state->indices.name);
     glBindVertexArray(state->array);
-    for (int ink = 0; ink < 2; ink++) {
-        uint32_t first = ink ? state->counts[0] : 0;
-        glUniform1i(UNIFORM_INK, ink);
-        if (state->counts[ink])
-            glDrawElements(GL_TRIANGLES, (GLsizei)(each * state->counts[ink]), GL_UNSIGNED_INT,
-                           (const void *)(sizeof(uint32_t) * each * first));
+    for (uint32_t ink = 0; ink < 2; ink++) {
+        uint32_t end = first;
+        while (end < list->count && (list->strokes[end].id[0] & 1) == ink)
+            end++;
+        glUniform1i(UNIFORM_INK, (GLint)ink);
+        glDrawElements(GL_TRIANGLES, (GLsizei)(each * (end - first)), GL_UNSIGNED_INT,
+                       (const void *)(sizeof(uint32_t) * each * first));
+        first = end;
     }
     frame_pass_end(&pass, frame->timer);
+}
+
+/* Finds the strokes of the frame and computes their ribbons.
+ *   list  out: in the scratch arena */
+static enum hatch_status find_strokes(struct technique_context *context, struct technique_instance *instance,
+                                      struct strokes_list *list, struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    struct hatch_arena *scratch = &context->args->scratch;
+    HATCH_TRY(strokes_gather(context, instance, list, err));
+    if (!list->count)
+        return HATCH_OK;
+    set_style(context->frame, state);
+    glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
+    HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
+    return make_indices(state, list->count, scratch, err);
 }
 
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
@@ -103,24 +122,22 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
 {
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
-    HATCH_TRY(strokes_gather(context, instance, err));
+    struct hatch_arena *scratch = &context->args->scratch;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct strokes_list list;
     HATCH_TRY(frame_draw_items(frame, &frame->request.canvas->samples, &strokes_paper, "", &state->paper, err));
-    uint32_t count = state->counts[0] + state->counts[1];
-    if (!count)
-        return HATCH_OK;
-    set_style(frame, state);
-    glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
-    HATCH_TRY(strokes_fit(frame, state, err));
-    HATCH_TRY(make_indices(state, count, &context->args->scratch, err));
-    draw_ribbons(frame, state);
-    return HATCH_OK;
+    enum hatch_status status = find_strokes(context, instance, &list, err);
+    if (status == HATCH_OK && list.count)
+        draw_ribbons(frame, state, &list);
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }
 
 static void free_state(struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
-    const GLuint buffers[] = {state->fragments.name, state->table.name,   state->sorted.name, state->found.name,
-                              state->points.name,    state->indices.name, state->block_buffer};
+    const GLuint buffers[] = {state->fragments.name, state->table.name,  state->sorted.name,  state->found.name,
+                              state->missed.name,    state->points.name, state->indices.name, state->block_buffer};
     glDeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
     glDeleteTextures(1, &state->points_view);
     glDeleteVertexArrays(1, &state->array);

@@ -7,10 +7,11 @@
 
 layout(local_size_x = 32) in;
 struct Slot {
-    uint low, high, count, first;
+    uint low, high, count, first, joined; // bits 4, 8: the stroke goes on before the start, after the end
 };
 layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; }; // without free ones
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
+layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
 
@@ -35,18 +36,21 @@ void measure(Cubic cubic, float from, float to, out Path path)
 }
 
 // Computes the width of the visible part at evenly spaced u: the area of the fragments around there by the length.
-// Fragments that the curve does not reach have no part in it.
-void find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POINTS])
+// Fragments that the curve does not reach have no part in it; returns their share of the weight.
+float find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POINTS])
 {
-    uint areas[RIBBON_POINTS]; // integers, whose sums do not depend on the order of the fragments
+    uint far = 0u, all = 0u, areas[RIBBON_POINTS]; // integers, whose sums do not depend on the order of the fragments
     for (int k = 0; k <= LAST; k++)
         areas[k] = 0u;
     for (uint i = slot.first; i < slot.first + slot.count; i++) {
         float u = u_of(cubic, t_of(sorted[i])), at = clamp(0.5 + 0.5 * u, 0.0, 1.0) * float(LAST);
-        if (distance(place_on(cubic, u), pixel_of(sorted[i])) > REACH * pen.x + 1.0)
-            continue;
         int low = min(int(at), LAST - 1);
         uint share = uint((at - float(low)) * 16.0 + 0.5), weight = sorted[i].y >> 24;
+        all += weight;
+        if (distance(place_on(cubic, u), pixel_of(sorted[i])) > REACH * pen.x + 1.0) {
+            far += weight;
+            continue;
+        }
         areas[low] += weight * (16u - share);
         areas[low + 1] += weight * share;
     }
@@ -54,6 +58,7 @@ void find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POIN
         float span = 0.5 * (path.lengths[min(k + 1, LAST)] - path.lengths[max(k - 1, 0)]);
         widths[k] = float(areas[k]) / (16.0 * 255.0) / max(span, SHORTEST_PX / float(LAST));
     }
+    return float(far) / float(max(all, 1u));
 }
 
 float width_at(float widths[RIBBON_POINTS], float u)
@@ -69,7 +74,7 @@ float width_at(float widths[RIBBON_POINTS], float u)
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
 // end, which thins it out before; short parts go on by less.
-vec2 with_overdraw(Cubic cubic, float widths[RIBBON_POINTS], float length_px)
+vec2 with_overdraw(Slot slot, Cubic cubic, float widths[RIBBON_POINTS], float length_px)
 {
     float mean = 0.0;
     for (int k = 0; k <= LAST; k++)
@@ -77,6 +82,7 @@ vec2 with_overdraw(Cubic cubic, float widths[RIBBON_POINTS], float length_px)
     vec2 thick = vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
     float speed = max(0.5 * length_px, 1.0); // pixels per u
     vec2 further = clamp(2.0 * thick - 1.0, 0.0, 1.0) * min(overdraw, 0.5 * length_px) / speed;
+    further *= vec2((slot.joined & 4u) == 0u, (slot.joined & 8u) == 0u);
     vec2 own = vec2(u_of(cubic, 0.0), u_of(cubic, 1.0));
     return vec2(max(-1.0 - further.x, own.x), min(1.0 + further.y, own.y));
 }
@@ -91,12 +97,12 @@ void main()
     Path path;
     float widths[RIBBON_POINTS];
     measure(cubic, -1.0, 1.0, path);
-    find_widths(slot, cubic, path, widths);
-    vec2 ends = with_overdraw(cubic, widths, path.lengths[LAST]);
+    missed[i] = find_widths(slot, cubic, path, widths);
+    vec2 ends = with_overdraw(slot, cubic, widths, path.lengths[LAST]);
     measure(cubic, ends.x, ends.y, path);
     float whole = max(path.lengths[LAST], SHORTEST_PX);
     // An end of its own tapers as the texture's stroke does.
-    uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u);
+    uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u) | slot.joined;
     for (int k = 0; k <= LAST; k++) {
         vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);

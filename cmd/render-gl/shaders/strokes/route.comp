@@ -5,8 +5,8 @@
 layout(local_size_x = 64) in;
 struct Slot { // struct strokes_slot of technique/strokes/strokes.h
     uint low, high; // id; 0: free
-    uint count;
-    uint first;
+    uint count, first;
+    uint joined;
 };
 layout(std430, binding = STORAGE_SLOTS) buffer Slots { Slot slots[]; }; // a power of two
 layout(location = UNIFORM_COUNT) uniform uint count;

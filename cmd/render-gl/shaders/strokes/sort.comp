@@ -3,7 +3,7 @@
 
 layout(local_size_x = 64) in;
 struct Slot {
-    uint low, high, count, first;
+    uint low, high, count, first, joined;
 };
 layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; };
 layout(std430, binding = STORAGE_SORTED) writeonly buffer Sorted { uvec2 sorted[]; }; // z and w of fragments

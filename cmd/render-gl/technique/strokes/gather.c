@@ -84,8 +84,7 @@ static void dispatch(const struct frame *frame, const struct gpu_program *progra
     frame_dispatch(&pass, frame->timer);
 }
 
-/* Orders strokes by ink, layer and id. */
-static int compare(const void *a, const void *b)
+int strokes_compare(const void *a, const void *b)
 {
     const struct strokes_slot *first = a, *second = b;
     uint32_t kind = first->id[0] & 127, other = second->id[0] & 127;
@@ -111,7 +110,7 @@ static uint32_t list_strokes(struct strokes_slot *slots, uint32_t slot_count, st
             first += slots[i].count;
             found[count++] = slots[i];
         }
-    qsort(found, count, sizeof *found, compare);
+    qsort(found, count, sizeof *found, strokes_compare);
     return count;
 }
 
@@ -136,54 +135,24 @@ static enum hatch_status route(const struct frame *frame, struct strokes_state *
 }
 
 enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
-                                 struct hatch_err *err)
+                                 struct strokes_list *list, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
     const struct frame *frame = context->frame;
     struct hatch_arena *scratch = &context->args->scratch;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct strokes_slot *slots, *found;
-    uint32_t count = 0, strokes;
-    state->counts[0] = state->counts[1] = 0;
+    struct strokes_slot *slots;
+    uint32_t count = 0;
+    *list = (struct strokes_list){.count = 0};
     HATCH_TRY(find_fragments(context, instance, &count, err));
     if (!count)
         return HATCH_OK;
     HATCH_TRY(route(frame, state, count, &slots, scratch, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &found, state->slot_count, err));
-    strokes = list_strokes(slots, state->slot_count, found);
-    for (uint32_t i = 0; i < strokes; i++)
-        state->counts[found[i].id[0] & 1]++;
+    HATCH_TRY(HATCH_ALLOC(scratch, &list->strokes, state->slot_count, err));
+    list->count = list_strokes(slots, state->slot_count, list->strokes);
+    list->fragments = count;
     gpu_buffer_update(state->table.name, slots, sizeof *slots * state->slot_count);
-    strokes_reserve(&state->sorted, 8 * (size_t)count);
-    strokes_reserve(&state->found, sizeof *found * strokes);
-    gpu_buffer_update(state->found.name, found, sizeof *found * strokes);
+    strokes_reserve(&state->sorted, STROKES_FRAGMENT_BYTES * (size_t)count);
     gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
     dispatch(frame, state->sort, "sort", count);
-    hatch_arena_rewind(scratch, mark);
     return gpu_check_memory(err, "%u fragments of strokes", count);
-}
-
-enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct hatch_err *err)
-{
-    uint32_t count = state->counts[0] + state->counts[1];
-    size_t bytes = (size_t)48 * RIBBON_POINTS * count, before = state->points.size_bytes;
-    if (!count)
-        return HATCH_OK;
-    strokes_reserve(&state->points, bytes);
-    if (state->points.size_bytes != before) {
-        glDeleteTextures(1, &state->points_view);
-        glCreateTextures(GL_TEXTURE_BUFFER, 1, &state->points_view);
-        glTextureBuffer(state->points_view, GL_RGBA32F, state->points.name);
-    }
-    HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
-    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
-    gpu_storage_bind(STORAGE_SLOTS, state->found.name);
-    gpu_storage_bind(STORAGE_RIBBON, state->points.name);
-    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, count);
-    frame_dispatch(&(struct frame_dispatch){.name = "fit",
-                                            .program = state->fit,
-                                            .groups = {(count + 31) / 32, 1, 1},
-                                            .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
-                   frame->timer);
-    return HATCH_OK;
 }

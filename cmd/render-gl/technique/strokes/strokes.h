@@ -17,7 +17,10 @@ struct strokes_buffer {
 struct strokes_slot {
     uint32_t id[2]; /* of [0], bit 0 is the index of the ink, and the six bits above are the layer */
     uint32_t count, first;
+    uint32_t joined; /* bits STROKES_JOINED_..., of parts of a divided stroke */
 };
+#define STROKES_JOINED_START 4u /* it goes on before its start, after its end */
+#define STROKES_JOINED_END 8u
 
 /* std430: the head of the buffer of fragments, which are 4 words each. */
 struct strokes_fragments_head {
@@ -28,25 +31,38 @@ struct strokes_state {
     struct rptam_state seeds;  /* first: functions of the technique rptam find it there */
     struct frame_shader paper; /* programs that draw bare paper */
     const struct gpu_program *route, *sort, *fit, *ribbon;
-    struct strokes_buffer fragments, table, sorted, found, points, indices;
+    struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
     size_t capacity;     /* fragments that the buffer holds */
     uint32_t slot_count; /* of the table, a power of two */
     GLuint points_view;  /* texture through which the points are read */
     GLuint array, block_buffer;
-    uint32_t counts[2]; /* strokes of the frame, by ink */
 };
+
+/* A fragment in the buffer `sorted`: as shaders/strokes/fragments.glsl has it, without the id. */
+#define STROKES_FRAGMENT_BYTES (2 * sizeof(uint32_t))
+
+/* The strokes of a frame, ordered by strokes_compare. */
+struct strokes_list {
+    struct strokes_slot *strokes; /* in the scratch arena */
+    uint32_t count;
+    uint32_t fragments; /* of all strokes together */
+};
+
+/* Orders strokes by ink, layer and id. */
+int strokes_compare(const void *a, const void *b);
 
 /* Draws the surfaces as bare paper. */
 extern const struct frame_shading strokes_paper;
 
-/* Finds the fragments of the frame and the strokes that they belong to: the slots of `found`, sorted by ink, layer and
- * id, and the fragments of each side by side. */
+/* Finds the fragments of the frame and the strokes that they belong to, and puts the fragments of each side by side in
+ * the buffer `sorted`. */
 enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
-                                 struct hatch_err *err) HATCH_MUST_USE;
+                                 struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fits the strokes and computes the points of their ribbons. */
-enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state,
-                              struct hatch_err *err) HATCH_MUST_USE;
+/* Fits the strokes and computes the points of their ribbons. Strokes that no cubic follows are divided.
+ *   list  in, out: with the parts of divided strokes */
+enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
+                              struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a buffer at least as large as wanted; its content is lost if it grows. */
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes);

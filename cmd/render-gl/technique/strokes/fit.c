@@ -1,0 +1,124 @@
+/* From fragments to ribbons: a compute pass fits a cubic to each stroke; the few strokes that no cubic follows are
+ * divided on the processor and fitted again. */
+#include <stdlib.h>
+
+#include "fit/split.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+#include "render-gl/technique/strokes/strokes.h"
+
+#define MISSED_MOST 0.05f /* share of a stroke's weight that its curve may miss */
+#define REACH 1.5f        /* as in shaders/strokes/fit.comp */
+#define POINT_BYTES (12 * sizeof(float))
+
+/* Fits the strokes of a list.
+ *   missed  out: for each, the share of its weight that its curve misses; NULL: not wanted */
+static enum hatch_status fit(const struct frame *frame, struct strokes_state *state, const struct strokes_list *list,
+                             float *missed, struct hatch_err *err)
+{
+    const size_t bytes = POINT_BYTES * RIBBON_POINTS * list->count, before = state->points.size_bytes;
+    strokes_reserve(&state->points, bytes);
+    if (state->points.size_bytes != before) {
+        glDeleteTextures(1, &state->points_view);
+        state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
+    }
+    strokes_reserve(&state->found, sizeof *list->strokes * list->count);
+    strokes_reserve(&state->missed, sizeof *missed * list->count);
+    HATCH_TRY(gpu_check_memory(err, "%u strokes", list->count));
+    gpu_buffer_update(state->found.name, list->strokes, sizeof *list->strokes * list->count);
+    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    gpu_storage_bind(STORAGE_SLOTS, state->found.name);
+    gpu_storage_bind(STORAGE_RIBBON, state->points.name);
+    gpu_storage_bind(STORAGE_MISSED, state->missed.name);
+    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, list->count);
+    frame_dispatch(&(struct frame_dispatch){.name = "fit",
+                                            .program = state->fit,
+                                            .groups = {(list->count + 31) / 32, 1, 1},
+                                            .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
+                   frame->timer);
+    if (missed)
+        gpu_buffer_read(state->missed.name, missed, sizeof *missed * list->count);
+    return HATCH_OK;
+}
+
+static struct hatch_fragment fragment_of(const uint32_t words[2])
+{
+    return (struct hatch_fragment){.t = (float)(words[1] & 0xffff) / 65535,
+                                   .x = (float)(words[0] & 0xffff) + 0.5f,
+                                   .y = (float)(words[0] >> 16) + 0.5f,
+                                   .weight = (float)(words[1] >> 16) / 65535};
+}
+
+static void put_fragment(const struct hatch_fragment *fragment, uint32_t words[2])
+{
+    words[0] = (uint32_t)fragment->x | (uint32_t)fragment->y << 16;
+    words[1] = (uint32_t)(fragment->t * 65535 + 0.5f) | (uint32_t)(fragment->weight * 65535 + 0.5f) << 16;
+}
+
+/* Divides a stroke.
+ *   words  its fragments; reordered
+ *   parts  out: HATCH_FIT_PARTS_MAX at most, count of them */
+static enum hatch_status divide(const struct strokes_slot *stroke, uint32_t (*words)[2], struct hatch_arena *scratch,
+                                struct strokes_slot *parts, uint32_t *count, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    double reach_px = (double)REACH * rptam_options.stroke_px[1] + 1;
+    struct hatch_fragment *fragments;
+    struct hatch_stroke_part found[HATCH_FIT_PARTS_MAX];
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &fragments, stroke->count, err));
+    for (uint32_t i = 0; i < stroke->count; i++)
+        fragments[i] = fragment_of(words[i]);
+    HATCH_TRY(hatch_fragments_split(fragments, stroke->count, reach_px, scratch, found, count, err));
+    for (uint32_t i = 0; i < stroke->count; i++)
+        put_fragment(&fragments[i], words[i]);
+    for (uint32_t i = 0; i < *count; i++) {
+        uint32_t begin = i > 0 ? found[i - 1].end : 0;
+        parts[i] = *stroke;
+        parts[i].id[1] += 0x9e3779b9u * i;
+        parts[i].first += begin;
+        parts[i].count = found[i].end - begin;
+        parts[i].joined =
+            (i > 0 && found[i - 1].goes_on ? STROKES_JOINED_START : 0) | (found[i].goes_on ? STROKES_JOINED_END : 0);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+/* Divides the strokes of a list whose curves miss too much. */
+static enum hatch_status divide_all(struct strokes_state *state, const float *missed, struct strokes_list *list,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct strokes_slot *strokes;
+    uint32_t(*words)[2], poor = 0, count = 0;
+    for (uint32_t i = 0; i < list->count; i++)
+        poor += missed[i] > MISSED_MOST;
+    if (!poor)
+        return HATCH_OK;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, list->count + (size_t)HATCH_FIT_PARTS_MAX * poor, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &words, list->fragments, err));
+    gpu_buffer_read(state->sorted.name, words, sizeof *words * list->fragments);
+    for (uint32_t i = 0; i < list->count; i++) {
+        const struct strokes_slot *stroke = &list->strokes[i];
+        uint32_t parts = 1;
+        strokes[count] = *stroke;
+        if (missed[i] > MISSED_MOST)
+            HATCH_TRY(divide(stroke, words + stroke->first, scratch, strokes + count, &parts, err));
+        count += parts;
+    }
+    gpu_buffer_update(state->sorted.name, words, sizeof *words * list->fragments);
+    list->strokes = strokes;
+    list->count = count;
+    return HATCH_OK;
+}
+
+enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
+                              struct hatch_arena *scratch, struct hatch_err *err)
+{
+    uint32_t before = list->count;
+    float *missed;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
+    HATCH_TRY(fit(frame, state, list, missed, err));
+    HATCH_TRY(divide_all(state, missed, list, scratch, err));
+    return list->count == before ? HATCH_OK : fit(frame, state, list, NULL, err);
+}
