@@ -164,6 +164,11 @@ static bool has_curves(const struct technique *drawn)
     return drawn->curves != NULL;
 }
 
+static bool has_pattern(const struct technique *drawn)
+{
+    return draws_strokes(drawn) && has_curves(drawn);
+}
+
 static bool has_lines(const struct technique *drawn)
 {
     return drawn->features & (TECHNIQUE_STROKES | TECHNIQUE_LINES);
@@ -179,13 +184,15 @@ static bool reads_six_columns(const struct technique *drawn)
     return drawn->asset == &asset_six_columns;
 }
 
-#define PICTURE_OPTIONS "tam samples hatch-turn hatch-scale show haloes uv-scale anisotropy window"
+#define PICTURE_OPTIONS "tam samples show haloes uv-scale anisotropy window"
+#define PATTERN_OPTIONS "hatch-turn hatch-scale"
 #define TONE_OPTIONS                                                                                                   \
     "tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir"
 
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
  * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
-static char strokes[256], assets[256], six_columns[256], lined[320], timed[320], inked[320], scripted[320];
+static char strokes[256], assets[256], six_columns[256], lined[320], timed[320], inked[320], scripted[320],
+    patterned[320], patterned_script[320];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},
@@ -210,7 +217,9 @@ static const struct cmd_rule rules[] = {
     {"page margin pen hidden sort", "output=*.svg,*.tsv !time !probe", "it shapes a drawing"},
     {"time probe " PICTURE_OPTIONS, "output!=*.svg", "a drawing consists of lines"},
     {PICTURE_OPTIONS, "output!=*.tsv|time|probe", "a drawing consists of lines"},
-    {TONE_OPTIONS, inked, "a drawing without traced strokes has no tone"},
+    {PATTERN_OPTIONS, patterned, "a drawing consists of lines"},
+    {PATTERN_OPTIONS, patterned_script, "a drawing consists of lines"},
+    {TONE_OPTIONS, inked, "a drawing without strokes has no tone"},
     {"paper " TONE_OPTIONS, scripted, "a stroke script of lines alone has neither paper nor tone"},
     {"margin", "page", "the page without it is as large as the picture"},
     {"pen", "!line-width", "give one of them"},
@@ -279,6 +288,8 @@ static void make_rules(void)
     make_condition(has_lines, "|lines|window|!time", timed, sizeof timed);
     make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
     make_condition(has_curves, "|output!=*.tsv|time|probe", scripted, sizeof scripted);
+    make_condition(has_pattern, "|output!=*.svg", patterned, sizeof patterned);
+    make_condition(has_pattern, "|output!=*.tsv|time|probe", patterned_script, sizeof patterned_script);
 }
 
 /* Joins the rows of the command and of all techniques into one table. */

@@ -1,4 +1,4 @@
-/* Writes drawings for pens: the feature lines of frames, and their traced strokes, as SVG files or stroke scripts. The
+/* Writes drawings for pens: the feature lines of frames, and their strokes, as SVG files or stroke scripts. The
  * visible parts of lines are computed on the processor, so that lines alone need no context. */
 #include <string.h>
 
@@ -84,7 +84,10 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
     struct hatch_vector_paths visible;
     HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request,
                                     drawing->pen_mm / drawing->pixel_mm, arena, &strokes, err));
-    HATCH_TRY(hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
+    visible = strokes.paths;
+    if (strokes.curves.count)
+        HATCH_TRY(
+            hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
     hatch_page_place(&drawing->page, options->width, options->height, drawing->pixel_mm, &visible);
     HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, strokes.shortest_px * drawing->pixel_mm, scratch, err));
     for (uint32_t i = 0; i < visible.count; i++)

@@ -44,13 +44,15 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     return rptam_prepare(context, instance, err);
 }
 
-static void set_style(const struct frame *frame, struct strokes_state *state)
+/* Writes the block of the style.
+ *   even  all strokes are alike, as a pen draws them */
+static void set_style(const struct frame *frame, bool even, struct strokes_state *state)
 {
     const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
     float width_px = (float)rptam_options.stroke_px[1];
     struct traced_block block = {
         .pen = {width_px, 1, (float)frame->request.canvas->side, 0},
-        .hand = {pen->vary, pen->pressure, pen->wobble_px,
+        .hand = {even ? 0 : pen->vary, even ? 0 : pen->pressure, pen->wobble_px,
                  fmaxf(pen->taper_px * width_px / state->seeds.source.drawing.width_px, 1e-3f)},
         .ink = {(float)rptam_options.ink, pen->grain}};
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
@@ -101,20 +103,30 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
     frame_pass_end(&pass, frame->timer);
 }
 
-/* Finds the strokes of the frame and computes their ribbons.
- *   list  out: in the scratch arena */
-static enum hatch_status find_strokes(struct technique_context *context, struct technique_instance *instance,
-                                      struct strokes_list *list, struct hatch_err *err)
+/* Makes the strokes of the texture as wide as a pen. */
+static enum hatch_status take_pen(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                  struct hatch_err *err)
+{
+    double *width_px = &rptam_options.stroke_px[1];
+    if (!(pen_px < *width_px || pen_px > *width_px))
+        return HATCH_OK;
+    *width_px = pen_px;
+    return rptam_changed(context, instance, err);
+}
+
+enum hatch_status strokes_find(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                               struct strokes_list *list, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
     struct hatch_arena *scratch = &context->args->scratch;
+    if (pen_px > 0)
+        HATCH_TRY(take_pen(context, instance, pen_px, err));
     HATCH_TRY(strokes_gather(context, instance, list, err));
     if (!list->count)
         return HATCH_OK;
-    set_style(context->frame, state);
+    set_style(context->frame, pen_px > 0, state);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
-    HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
-    return make_indices(state, list->count, scratch, err);
+    return strokes_fit(context->frame, state, list, scratch, err);
 }
 
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
@@ -126,7 +138,9 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct strokes_list list;
     HATCH_TRY(frame_draw_items(frame, &frame->request.canvas->samples, &strokes_paper, "", &state->paper, err));
-    enum hatch_status status = find_strokes(context, instance, &list, err);
+    enum hatch_status status = strokes_find(context, instance, 0, &list, err);
+    if (status == HATCH_OK)
+        status = make_indices(state, list.count, scratch, err);
     if (status == HATCH_OK && list.count)
         draw_ribbons(frame, state, &list);
     hatch_arena_rewind(scratch, mark);
@@ -162,6 +176,7 @@ const struct technique technique_strokes = {
     .read = rptam_read,
     .prepare = prepare,
     .draw = draw,
+    .curves = strokes_curves,
     .changed = rptam_changed,
     .darkest = rptam_darkest,
     .free = free_state,

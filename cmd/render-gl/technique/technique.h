@@ -9,6 +9,7 @@
 #include "render-gl/assets/asset.h"
 #include "render-gl/frame/items.h"
 #include "vector/curves.h"
+#include "vector/paths.h"
 
 #define SHADED_DEFINES_BYTES 256u
 
@@ -52,6 +53,7 @@ struct technique_curves {
     double shortest_px;                /* shorter visible parts are left out */
     struct hatch_vector_curves curves; /* with widths and faces */
     struct hatch_vector_pen pen;       /* that draws them; its width is in pixels */
+    struct hatch_vector_paths paths;   /* or what a pen draws of them in the picture; then curves.count is 0 */
 };
 
 /* A description of a technique. Any function may be NULL. */

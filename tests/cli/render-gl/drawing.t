@@ -82,7 +82,7 @@ refuses "a margin without a page" "--margin needs --page" --margin 5 -o a.svg
 refuses "a pen without width" "--pen 0: want a length from 0.01 to 100 mm" --pen 0 -o a.svg
 refuses "a page for a picture" "--page needs --output *.svg or *.tsv: it shapes a drawing" -t gouraud --page a4 -o a.png
 refuses "shadows in a drawing" \
-    "--shadows cannot be combined with --output *.svg without --technique traced: a drawing without traced strokes" \
+    "--shadows cannot be combined with --output *.svg without --technique traced or strokes: a drawing without strokes" \
     --shadows 0.1 -o a.svg
 refuses "samples of a drawing" "--samples cannot be combined with --output *.svg: a drawing consists of lines" \
     --samples 4 -o a.svg

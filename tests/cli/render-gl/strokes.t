@@ -41,4 +41,31 @@ ok "overdraw adds ink: $none, $some" awk -v a="$none" -v b="$some" 'BEGIN {exit 
 file=films%d.exr
 draw plane.glb --size 64x64 --frames 2 --animate stroke=20x1..40x2
 ok "its options may change" test -s films0.exr -a -s films1.exr
+
+# Drawings: ink of the paths of a plane, from their length and the pen's width; overlaps are few in light tones.
+drawn() {
+    render-gl -q -t strokes --lines none --size 400x400 --camera 0,0,2.4:0,0,0 --tone-range "$1:$1" -o plane.svg plane.glb
+    perl -ne 'BEGIN {$pen = 0} $pen = $1 if /stroke-width="([\d.]+)"/; $area = $1 * $2 if /viewBox="0 0 ([\d.]+) ([\d.]+)"/;
+        next unless / d="M([^"]*)"/;
+        my @n = split /[ ML]+/, $1;
+        for ($i = 2; $i + 1 < @n; $i += 2) {$way += sqrt(($n[$i] - $n[$i - 2]) ** 2 + ($n[$i + 1] - $n[$i - 1]) ** 2)}
+        END {printf "%.4f\n", $way * $pen / $area}' plane.svg
+}
+for tone in .1 .2; do
+    ink=$(drawn $tone)
+    ok "a drawing of a plane has the tone $tone: $ink" \
+        awk -v ink="$ink" -v tone=$tone 'BEGIN {exit !(ink > .9 * tone && ink < 1.2 * tone)}'
+done
+ok "each seed set has a layer" grep -q 'id="strokes-1"' plane.svg
+for n in 1 2; do
+    LP_NUM_THREADS=$n render-gl -q -t strokes --size 320x240 --hatch-turn 30 -o torus$n.svg torus.glb
+done
+ok "drawings have the same bytes with another number of threads" cmp torus1.svg torus2.svg
+is "no point lies beyond the page" "$(perl -ne '($w, $h) = ($1, $2) if /viewBox="0 0 ([\d.]+) ([\d.]+)"/;
+    next unless / d="M([^"]*)"/;
+    my @n = split /[ ML]+/, $1;
+    for ($i = 0; $i + 1 < @n; $i += 2) {print "$n[$i] $n[$i + 1]\n" if $n[$i] < 0 || $n[$i] > $w || $n[$i + 1] < 0 || $n[$i + 1] > $h}
+    ' torus1.svg)" ""
+render-gl -q -t strokes --size 320x240 -o torus.tsv torus.glb
+ok "a stroke script has the strokes" test "$(wc -l <torus.tsv)" -gt 100
 finish

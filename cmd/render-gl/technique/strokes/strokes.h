@@ -64,6 +64,17 @@ enum hatch_status strokes_gather(struct technique_context *context, struct techn
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
                               struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Finds the strokes of the frame and computes their ribbons.
+ *   pen_px  width of a pen that draws all strokes alike; 0: strokes as the options say
+ *   list    out: in the scratch arena */
+enum hatch_status strokes_find(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                               struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds the strokes of a frame as paths: the function `curves` of the technique. */
+enum hatch_status strokes_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                 struct hatch_arena *arena, struct technique_curves *curves,
+                                 struct hatch_err *err) HATCH_MUST_USE;
+
 /* Makes a buffer at least as large as wanted; its content is lost if it grows. */
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes);
 
