@@ -6,7 +6,8 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #define SHORTEST_PX 2.0 /* shorter parts of strokes are left out */
-#define THINNEST 0.58   /* width, in those of the pen, from which on the pen draws a stroke */
+#define DRAWN 0.70      /* mean width, in those of the pen, from which on the pen draws a stroke, */
+#define THIN 0.3        /* where it is this wide, in its mean widths */
 
 /* A point of a ribbon: places in pixels, and half the width. */
 struct point {
@@ -15,7 +16,8 @@ struct point {
 
 /* What a pen draws of the segments of ribbons. */
 struct drawing {
-    double half_pen_px, limits[2]; /* limits: width and height of the picture */
+    double half_px;   /* half the width from which on the stroke is drawn */
+    double limits[2]; /* width and height of the picture */
     struct hatch_vector_builder paths;
     bool drawing; /* a path has begun */
 };
@@ -44,8 +46,7 @@ static enum hatch_status add_segment(struct drawing *drawing, const struct hatch
 {
     const double from[2] = {(double)a->x, (double)a->y}, to[2] = {(double)b->x, (double)b->y};
     double range[2] = {0, 1};
-    narrow((double)a->half_width - THINNEST * drawing->half_pen_px,
-           (double)b->half_width - THINNEST * drawing->half_pen_px, range);
+    narrow((double)a->half_width - drawing->half_px, (double)b->half_width - drawing->half_px, range);
     for (int k = 0; k < 2; k++) {
         narrow(from[k], to[k], range);
         narrow(drawing->limits[k] - from[k], drawing->limits[k] - to[k], range);
@@ -64,22 +65,37 @@ static enum hatch_status add_segment(struct drawing *drawing, const struct hatch
     return range[1] < 1 ? end_path(drawing, err) : HATCH_OK;
 }
 
+/* Returns half the mean width of a stroke. */
+static double mean_half_width(const struct point *points)
+{
+    double area = 0, length = 0;
+    for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++) {
+        double step = hypot((double)(points[k + 1].x - points[k].x), (double)(points[k + 1].y - points[k].y));
+        area += step * (double)(points[k].half_width + points[k + 1].half_width) / 2;
+        length += step;
+    }
+    return area / fmax(length, 1e-12);
+}
+
 /* Adds the paths of all strokes of the first ink.
  *   layer_count  out */
-static enum hatch_status add_strokes(struct drawing *drawing, const struct strokes_list *list,
+static enum hatch_status add_strokes(struct drawing *drawing, const struct strokes_list *list, double pen_px,
                                      const struct point *points, uint32_t *layer_count, struct hatch_err *err)
 {
     *layer_count = 0;
-    for (uint32_t i = 0; i < list->count && !(list->strokes[i].id[0] & 1); i++) {
+    for (uint32_t i = 0; i < list->count && !(list->strokes[i].id[0] & 1); i++, points += RIBBON_POINTS) {
         uint32_t layer = list->strokes[i].id[0] >> 1 & 63;
         if (layer >= HATCH_CURVE_FAMILIES_MAX)
             layer = HATCH_CURVE_FAMILIES_MAX - 1;
         const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[1]};
-        for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++)
-            HATCH_TRY(
-                add_segment(drawing, &like, &points[i * RIBBON_POINTS + k], &points[i * RIBBON_POINTS + k + 1], err));
-        HATCH_TRY(end_path(drawing, err));
+        const double mean = mean_half_width(points);
         *layer_count = layer + 1;
+        if (2 * mean < DRAWN * pen_px)
+            continue;
+        drawing->half_px = THIN * mean;
+        for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++)
+            HATCH_TRY(add_segment(drawing, &like, &points[k], &points[k + 1], err));
+        HATCH_TRY(end_path(drawing, err));
     }
     return HATCH_OK;
 }
@@ -89,9 +105,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
 {
     const struct hatch_tile *tile = context->frame->request.tile;
     const struct strokes_state *state = instance->state;
-    struct drawing drawing = {.half_pen_px = 0.5 * pen_px,
-                              .limits = {tile->full_width, tile->full_height},
-                              .paths = hatch_vector_builder_of(arena)};
+    struct drawing drawing = {.limits = {tile->full_width, tile->full_height}, .paths = hatch_vector_builder_of(arena)};
     struct strokes_list list;
     struct point *points;
     *curves = (struct technique_curves){.shortest_px = SHORTEST_PX};
@@ -99,7 +113,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
     if (list.count) {
         HATCH_TRY(HATCH_ALLOC_UNSET(arena, &points, (size_t)RIBBON_POINTS * list.count, err));
         gpu_buffer_read(state->points.name, points, sizeof *points * RIBBON_POINTS * list.count);
-        HATCH_TRY(add_strokes(&drawing, &list, points, &curves->layer_count, err));
+        HATCH_TRY(add_strokes(&drawing, &list, pen_px, points, &curves->layer_count, err));
     }
     curves->paths = hatch_vector_built(&drawing.paths);
     return HATCH_OK;
