@@ -59,6 +59,10 @@ struct rptam_state {
  * message on failure. */
 void rptam_read(struct technique_context *context, struct technique_instance *instance);
 
+/* Returns the mean ink of a stroke in its rectangle.
+ *   grain  NULL, or without pixels: the stroke has none */
+double rptam_mean_ink(const struct hatch_image *alpha, const struct hatch_image *grain);
+
 /* The members prepare, changed, darkest and free of technique_rptam, for techniques whose state begins with a struct
  * rptam_state. */
 enum hatch_status rptam_prepare(struct technique_context *context, struct technique_instance *instance,

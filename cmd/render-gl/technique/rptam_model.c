@@ -115,12 +115,17 @@ static void set_stroke(const struct rptam_stroke *stroke, struct hatch_rptam_lay
     layer->varied = stroke->varied;
 }
 
+double rptam_mean_ink(const struct hatch_image *alpha, const struct hatch_image *grain)
+{
+    return mean_of(alpha) * (grain && grain->pixels ? mean_of(grain) : 1);
+}
+
 /* Returns the side of the tile at which all layers together have the tone DARKEST, assuming that strokes overlap at
  * random. The tile is larger if a layer would otherwise have more ink than LAYER_INK. */
 static double tile_for(const struct rptam_source *source, const struct hatch_rptam_layer_style *strokes)
 {
     uint32_t layers = source->layers.count ? source->layers.count : source->sets.layer_count;
-    double ink = strokes->ink * mean_of(strokes->stroke) * (strokes->grain ? mean_of(strokes->grain) : 1);
+    double ink = strokes->ink * rptam_mean_ink(strokes->stroke, strokes->grain);
     double share = fmin(-log(1 - DARKEST) / layers, LAYER_INK);
     double tile_px = sqrt(source->sets.layers[0].count * ink * strokes->length_px * strokes->width_px / share);
     return fmin(fmax(tile_px, 8), 8192);

@@ -103,14 +103,19 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
     frame_pass_end(&pass, frame->timer);
 }
 
-/* Makes the strokes of the texture as wide as a pen. */
+/* Makes the texture's strokes those of a pen, which draws a stroke whole or not at all: they fade one by one, and have
+ * the pen's ink, although they taper and have a grain. */
 static enum hatch_status take_pen(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                   struct hatch_err *err)
 {
+    const struct rptam_stroke *stroke = &((struct strokes_state *)instance->state)->seeds.source.stroke;
     double *width_px = &rptam_options.stroke_px[1];
-    if (!(pen_px < *width_px || pen_px > *width_px))
+    double wanted_px = pen_px / fmax(rptam_mean_ink(&stroke->alpha, &stroke->grain), 1e-3);
+    if (!(fabs(wanted_px - *width_px) > 1e-9 * wanted_px) && !(rptam_options.overlap > 0))
         return HATCH_OK;
-    *width_px = pen_px;
+    *width_px = wanted_px;
+    rptam_options.overlap = 0;
+    rptam_options.ink = 1;
     return rptam_changed(context, instance, err);
 }
 

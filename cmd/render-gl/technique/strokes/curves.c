@@ -6,8 +6,7 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #define SHORTEST_PX 2.0 /* shorter parts of strokes are left out */
-#define DRAWN 0.70      /* mean width, in those of the pen, from which on the pen draws a stroke, */
-#define THIN 0.3        /* where it is this wide, in its mean widths */
+#define DRAWN 0.5       /* mean width, in those of the texture's strokes, from which on the pen draws a stroke */
 
 /* A point of a ribbon: places in pixels, and half the width. */
 struct point {
@@ -79,7 +78,7 @@ static double mean_half_width(const struct point *points)
 
 /* Adds the paths of all strokes of the first ink.
  *   layer_count  out */
-static enum hatch_status add_strokes(struct drawing *drawing, const struct strokes_list *list, double pen_px,
+static enum hatch_status add_strokes(struct drawing *drawing, const struct strokes_list *list,
                                      const struct point *points, uint32_t *layer_count, struct hatch_err *err)
 {
     *layer_count = 0;
@@ -90,9 +89,9 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct strok
         const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[1]};
         const double mean = mean_half_width(points);
         *layer_count = layer + 1;
-        if (2 * mean < DRAWN * pen_px)
+        if (2 * mean < DRAWN * rptam_options.stroke_px[1])
             continue;
-        drawing->half_px = THIN * mean;
+        drawing->half_px = STROKES_THIN * mean;
         for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++)
             HATCH_TRY(add_segment(drawing, &like, &points[k], &points[k + 1], err));
         HATCH_TRY(end_path(drawing, err));
@@ -113,7 +112,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
     if (list.count) {
         HATCH_TRY(HATCH_ALLOC_UNSET(arena, &points, (size_t)RIBBON_POINTS * list.count, err));
         gpu_buffer_read(state->points.name, points, sizeof *points * RIBBON_POINTS * list.count);
-        HATCH_TRY(add_strokes(&drawing, &list, pen_px, points, &curves->layer_count, err));
+        HATCH_TRY(add_strokes(&drawing, &list, points, &curves->layer_count, err));
     }
     curves->paths = hatch_vector_built(&drawing.paths);
     return HATCH_OK;

@@ -64,6 +64,9 @@ enum hatch_status strokes_gather(struct technique_context *context, struct techn
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
                               struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
+/* A pen draws a stroke where it is this wide, in its mean widths. */
+#define STROKES_THIN 0.3
+
 /* Finds the strokes of the frame and computes their ribbons.
  *   pen_px  width of a pen that draws all strokes alike; 0: strokes as the options say
  *   list    out: in the scratch arena */
