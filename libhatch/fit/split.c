@@ -8,6 +8,7 @@
 #define TOUCH_PX 2          /* fragments whose columns and rows differ by no more touch each other, */
 #define TOUCH_T 0.2f        /* if their parameters differ by no more */
 #define MISSED_MOST 0.05    /* share of a part's weight that may be out of reach */
+#define END 0.1             /* parameter at which slivers begin: they have no ends of a stroke */
 #define HALVINGS 3u         /* greatest number of times that a part is halved */
 #define HALVED_LEAST 8u     /* fragments of the smallest part that is halved */
 #define BOX_MOST (1u << 22) /* pixels of the largest box around a stroke whose fragments are told apart */
@@ -18,6 +19,7 @@ struct division {
     double reach_px;
     struct hatch_stroke_part *parts;
     uint32_t count;
+    struct hatch_fragment *room; /* for as many */
 };
 
 double hatch_cubic_missed(const struct hatch_cubic *cubic, const struct hatch_fragment *fragments, size_t count,
@@ -139,18 +141,61 @@ static enum hatch_status find_components(const struct hatch_fragment *fragments,
     return HATCH_OK;
 }
 
+/* Computes the middle of fragments and the unit direction in which they spread most. */
+static void find_axis(const struct hatch_fragment *fragments, uint32_t count, double middle[2], double axis[2])
+{
+    double xx = 0, xy = 0, yy = 0;
+    middle[0] = middle[1] = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        middle[0] += (double)fragments[i].x / count;
+        middle[1] += (double)fragments[i].y / count;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        double x = (double)fragments[i].x - middle[0], y = (double)fragments[i].y - middle[1];
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+    }
+    double angle = 0.5 * atan2(2 * xy, xx - yy);
+    axis[0] = cos(angle);
+    axis[1] = sin(angle);
+}
+
+/* Gives fragments parameters along the direction in which they spread most, from END to 1 - END, if a curve then
+ * follows them: at rims a stroke is smeared to a sliver along the rim, across its own direction. */
+static bool turn(struct hatch_fragment *fragments, uint32_t count, double reach_px, struct hatch_fragment *turned)
+{
+    double middle[2], axis[2], low = HUGE_VAL, high = -HUGE_VAL;
+    struct hatch_cubic cubic;
+    find_axis(fragments, count, middle, axis);
+    for (int write = 0; write < 2; write++)
+        for (uint32_t i = 0; i < count; i++) {
+            double at = axis[0] * ((double)fragments[i].x - middle[0]) + axis[1] * ((double)fragments[i].y - middle[1]);
+            low = fmin(low, at);
+            high = fmax(high, at);
+            turned[i] = fragments[i];
+            turned[i].t = (float)(END + (1 - 2 * END) * (at - low) / fmax(high - low, 1e-9));
+        }
+    hatch_cubic_fit(turned, count, &cubic);
+    if (hatch_cubic_missed(&cubic, turned, count, reach_px) > MISSED_MOST)
+        return false;
+    memcpy(fragments, turned, sizeof *turned * count);
+    return true;
+}
+
 /* Halves a range of fragments, sorted by parameter, until its curve follows it. Parts beyond the last allowed one
  * remain in it. */
 static void halve(struct division *division, uint32_t first, uint32_t end, uint32_t halvings)
 {
-    const struct hatch_fragment *from = division->fragments + first;
+    struct hatch_fragment *from = division->fragments + first;
     struct hatch_cubic cubic;
     uint32_t middle = first;
     hatch_cubic_fit(from, end - first, &cubic);
     while (middle < end && hatch_cubic_u(&cubic, division->fragments[middle].t) < 0)
         middle++;
     bool follows = halvings == 0 || end - first < HALVED_LEAST || middle == first || middle == end ||
-                   hatch_cubic_missed(&cubic, from, end - first, division->reach_px) <= MISSED_MOST;
+                   hatch_cubic_missed(&cubic, from, end - first, division->reach_px) <= MISSED_MOST ||
+                   turn(from, end - first, division->reach_px, division->room);
     if (!follows) {
         halve(division, first, middle, halvings - 1);
         division->parts[division->count - 1].goes_on = true;
@@ -169,6 +214,7 @@ static enum hatch_status split(struct division *division, uint32_t count, struct
     uint32_t *component, components, at = 0;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &component, count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &sorted, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &division->room, count, err));
     qsort(fragments, count, sizeof *fragments, compare);
     HATCH_TRY(find_components(fragments, count, scratch, component, &components, err));
     memcpy(sorted, fragments, sizeof *sorted * count);

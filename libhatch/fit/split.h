@@ -21,9 +21,10 @@ double hatch_cubic_missed(const struct hatch_cubic *cubic, const struct hatch_fr
                           double reach_px);
 
 /* Divides the fragments of a stroke into parts that cubics follow: those that touch each other, each halved until
- * nearly all of its weight is within reach, up to three times. The result does not depend on the order of the
+ * nearly all of its weight is within reach, up to three times. A part that a curve follows in another direction than
+ * that of its parameters gets parameters in that direction. The result does not depend on the order of the
  * fragments, which are reordered on failure, too.
- *   fragments  in, out: count of them; reordered, so that each part is contiguous
+ *   fragments  in, out: count of them; reordered, so that each part is contiguous; their parameters may change
  *   reach_px   greatest distance of fragments from the curve of their part
  *   parts      out: part_count of them, 1 .. HATCH_FIT_PARTS_MAX
  * HATCH_LIMIT when memory does not suffice. */

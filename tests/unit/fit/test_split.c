@@ -79,6 +79,23 @@ START_TEST(parameters_that_jump_divide)
 }
 END_TEST
 
+/* The parameters of a sliver run across it, from row to row. */
+START_TEST(a_sliver_gets_parameters_along_itself)
+{
+    for (uint32_t x = 0; x < 60; x++)
+        for (int y = 0; y < 3; y++)
+            add(0.3 + 0.15 * y, 100 + x, 50 + y);
+    split();
+    ck_assert_uint_eq(part_count, 1);
+    for (uint32_t i = 0; i < count; i++) {
+        double along = 0.1 + 0.8 * ((double)fragments[i].x - 100.5) / 59;
+        ck_assert_double_eq_tol(fmin(fabs((double)fragments[i].t - along), fabs(1 - (double)fragments[i].t - along)), 0,
+                                0.02);
+    }
+    ck_assert_double_le(missed(), 0);
+}
+END_TEST
+
 START_TEST(a_ring_is_halved_until_cubics_follow)
 {
     const double radius = 40;
@@ -157,6 +174,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_line_stays_whole);
     tcase_add_test(tests, parts_that_lie_apart_are_told_apart);
     tcase_add_test(tests, parameters_that_jump_divide);
+    tcase_add_test(tests, a_sliver_gets_parameters_along_itself);
     tcase_add_test(tests, a_ring_is_halved_until_cubics_follow);
     tcase_add_test(tests, the_order_of_fragments_does_not_matter);
     tcase_add_test(tests, there_are_at_most_so_many_parts);

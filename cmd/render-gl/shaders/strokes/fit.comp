@@ -100,7 +100,7 @@ void main()
     missed[i] = find_widths(slot, cubic, path, widths);
     vec2 ends = with_overdraw(slot, cubic, widths, path.lengths[LAST]);
     measure(cubic, ends.x, ends.y, path);
-    float whole = max(path.lengths[LAST], SHORTEST_PX);
+    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = 1.0 + 0.5 * whole; // a short part is no blot
     // An end of its own tapers as the texture's stroke does.
     uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u) | slot.joined;
     for (int k = 0; k <= LAST; k++) {
@@ -108,7 +108,7 @@ void main()
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
         float u = mix(ends.x, ends.y, float(k) / float(LAST));
         float at = TURNS * mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u);
-        float thickness = width_at(widths, u) * (1.0 + hand.x * wave_noise(slot.high, at));
+        float thickness = min(width_at(widths, u), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
         float aside = hand.z * wave_noise(slot.high ^ 0x5bd1e995u, at);
         float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(slot.high ^ 0x27d4eb2fu, at)));
         uint bits = (slot.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + tapered;
