@@ -19,7 +19,7 @@ WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := engraving teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
 all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png \
-    $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png
+    $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png $(OUT)/fitted-texture.png $(OUT)/fitted.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -56,6 +56,13 @@ $(OUT)/replay.png: $(DRAWING)
 $(OUT)/zoom-0.png:
 	$(MAKE) -f "$(here)rptam.mk" OUT=$(WORK) OPTIONS='--seed-tile 160 --stroke 56x1.7'
 	[ $(WORK) = $(OUT) ] || mv $(WORK)/zoom-?.png $(OUT)
+
+$(OUT)/fitted-texture.png:
+	mkdir -p $(OUT)
+	meshgen teapot | render-gl - --technique rptam --size 640x400 -o $@
+$(OUT)/fitted.png:
+	mkdir -p $(OUT)
+	meshgen teapot | render-gl - --technique strokes --overdraw 6 --size 640x400 -o $@
 
 $(OUT)/fine-volume.png:
 	$(MAKE) -f "$(here)fine-tone.mk" OUT=$(WORK) SIZE=480x480

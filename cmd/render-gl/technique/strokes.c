@@ -163,7 +163,7 @@ static void free_state(struct technique_instance *instance)
     rptam_free(instance);
 }
 
-/* Tonal art maps with image-space strokes (Szécsi, Szirányi & Kacsó 2016). */
+/* Tonal art maps with image-space strokes (Szécsi, Szirányi & Kacsó). */
 const struct technique technique_strokes = {
     .name = "strokes",
     .summary = "curves fitted to the strokes of a texture: whole strokes, by any brush",
