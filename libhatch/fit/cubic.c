@@ -1,14 +1,18 @@
 #include "fit/cubic.h"
 
 #include <math.h>
-#include <string.h>
 
 #define MOMENTS 7u
-#define GRID                                                                                                           \
-    1048576.0f /* polynomials are rounded to multiples of its inverse, so that doubles hold their sums exactly,        \
-                  in any order */
-#define WEIGHTS 65536.0f /* weights are rounded to multiples of its inverse, for the same reason */
-#define PIVOT_LEAST 1e-3 /* share of a polynomial's sum of squares that the lower ones must leave unexplained */
+#define PASSES 3u
+
+/* Polynomials and weights are rounded to multiples of the inverses, so that doubles hold their sums exactly, in any
+ * order: a sum of 2^20 polynomials times whole numbers up to 2^14 stays within 2^53 of these multiples. */
+#define GRID 524288.0f
+#define WEIGHTS 65536.0f
+
+/* Sum of squares of each polynomial, over the fragments and orthogonal to the lower ones, that counts as much as the
+ * penalty on its factor. The second one only keeps the solution finite where all fragments have one parameter. */
+static const double penalty[HATCH_CUBIC_TERMS] = {0, 1e-9, 1.5, 3};
 
 /* Sums over the fragments of a stroke. */
 struct sums {
@@ -66,38 +70,45 @@ static void products(const double m[MOMENTS], double product[HATCH_CUBIC_TERMS][
     product[3][3] = 100 * m[6] / 231 + 18 * m[4] / 77 + 4 * m[2] / 21 + m[0] / 7;
 }
 
-/* Factors the system as L D L^T, up to the first polynomial that the lower ones nearly explain, and solves it. */
+/* Factors a symmetric matrix, whose lower half is given, as L D L^T. */
+static void factorize(double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], double pivots[HATCH_CUBIC_TERMS])
+{
+    for (uint32_t i = 0; i < HATCH_CUBIC_TERMS; i++) {
+        for (uint32_t j = 0; j < i; j++) {
+            for (uint32_t k = 0; k < j; k++)
+                a[i][j] -= a[i][k] * pivots[k] * a[j][k];
+            a[i][j] /= pivots[j];
+            a[i][i] -= a[i][j] * a[i][j] * pivots[j];
+        }
+        pivots[i] = a[i][i];
+    }
+}
+
+/* Solves the system several times; each time the penalties are on the distance from the last solution. Factors that
+ * the fragments determine converge to those of least squares, and the others stay small. */
 static void solve(const struct sums *sums, struct hatch_cubic *cubic)
 {
     double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], pivots[HATCH_CUBIC_TERMS];
-    uint32_t n = 0;
     products(sums->moments, a);
-    for (; n < HATCH_CUBIC_TERMS; n++) {
-        double whole = a[n][n];
-        for (uint32_t j = 0; j < n; j++) {
-            for (uint32_t k = 0; k < j; k++)
-                a[n][j] -= a[n][k] * pivots[k] * a[j][k];
-            a[n][j] /= pivots[j];
-            a[n][n] -= a[n][j] * a[n][j] * pivots[j];
-        }
-        pivots[n] = a[n][n];
-        if (!(pivots[n] > PIVOT_LEAST * whole))
-            break;
-    }
-    cubic->terms = n;
+    for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
+        a[k][k] += penalty[k];
+    factorize(a, pivots);
     for (int axis = 0; axis < 2; axis++) {
-        double x[HATCH_CUBIC_TERMS];
-        memcpy(x, sums->places[axis], sizeof x);
-        for (uint32_t i = 0; i < n; i++)
-            for (uint32_t j = 0; j < i; j++)
-                x[i] -= a[i][j] * x[j];
-        for (uint32_t i = n; i-- > 0;) {
-            x[i] /= pivots[i];
-            for (uint32_t j = i + 1; j < n; j++)
-                x[i] -= a[j][i] * x[j];
+        double x[HATCH_CUBIC_TERMS] = {0};
+        for (uint32_t pass = 0; pass < PASSES; pass++) {
+            for (uint32_t i = 0; i < HATCH_CUBIC_TERMS; i++) {
+                x[i] = sums->places[axis][i] + penalty[i] * x[i];
+                for (uint32_t j = 0; j < i; j++)
+                    x[i] -= a[i][j] * x[j];
+            }
+            for (uint32_t i = HATCH_CUBIC_TERMS; i-- > 0;) {
+                x[i] /= pivots[i];
+                for (uint32_t j = i + 1; j < HATCH_CUBIC_TERMS; j++)
+                    x[i] -= a[j][i] * x[j];
+            }
         }
-        for (uint32_t i = 0; i < n; i++)
-            cubic->factor[axis][i] = (float)x[i];
+        for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
+            cubic->factor[axis][k] = (float)x[k];
     }
 }
 

@@ -2,7 +2,9 @@
  * §2.2). A fragment is a pixel that a stroke covers; it has a place in the picture and a parameter t along the stroke.
  * The cubic is the least-squares solution of equation (1), but in Legendre polynomials of u, which runs from -1 to 1
  * over the part of the stroke that is in sight, instead of powers of t: however short that part is, the system stays
- * well conditioned. Where fragments have fewer than four different parameters, the curve has a lower degree.
+ * well conditioned. Penalties on the polynomials of degrees 2 and 3 (iterated Tikhonov regularization) keep the curve
+ * near a line where its fragments do not determine a cubic: few different parameters, a large gap, or a part that is
+ * shorter than wide. Where they do, the penalties change nearly nothing. docs/notes/fit.md has the figures.
  * shaders/strokes/cubic.glsl of render-gl computes the same. */
 #ifndef HATCH_FIT_CUBIC_H
 #define HATCH_FIT_CUBIC_H
@@ -15,7 +17,7 @@
 /* A pixel of a stroke. */
 struct hatch_fragment {
     float t;      /* along the stroke, 0 .. 1 */
-    float x, y;   /* middle of the pixel, in pixels, 0 .. 16384 */
+    float x, y;   /* middle of the pixel, in pixels: a whole number and a half, 0 .. 16384 */
     float weight; /* share of the pixel that the stroke covers, 0 .. 1 */
 };
 
@@ -24,12 +26,11 @@ struct hatch_cubic {
     float t[2];                         /* least and greatest parameter of the fragments */
     float origin[2];                    /* least x and y of the fragments */
     float factor[2][HATCH_CUBIC_TERMS]; /* of Legendre polynomials 0 to 3 of u, for x and y from the origin */
-    uint32_t terms; /* polynomials that the fragments determine, 1 .. 4; the others' factors are 0 */
-    float weight;   /* sum over the fragments: the area of the stroke, in pixels */
+    float weight;                       /* sum over the fragments: the area of the stroke, in pixels */
 };
 
 /* Fits a cubic. The result does not depend on the order of the fragments, to the last bit.
- *   fragments  count of them, at most 2^20; finite */
+ *   fragments  count of them, 1 .. 2^20; finite */
 void hatch_cubic_fit(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic);
 
 /* Returns u for a parameter t, or 0 if the curve is a point: -1 and 1 are the ends of the range, and others lie beyond
