@@ -10,9 +10,10 @@
 #define GRID 524288.0f
 #define WEIGHTS 65536.0f
 
-/* Sum of squares of each polynomial, over the fragments and orthogonal to the lower ones, that counts as much as the
- * penalty on its factor. The second one only keeps the solution finite where all fragments have one parameter. */
-static const double penalty[HATCH_CUBIC_TERMS] = {0, 1e-9, 1.5, 3};
+/* Penalty on the factor of degree 2 of a very short stroke, in the unit of the polynomial's sum of squares over the
+ * fragments. A stroke of SHORT_PX pixels has half of it, and longer ones have less, by the square of their length. */
+#define PENALTY 2.0
+#define SHORT_PX 50.0
 
 /* Sums over the fragments of a stroke. */
 struct sums {
@@ -70,6 +71,22 @@ static void products(const double m[MOMENTS], double product[HATCH_CUBIC_TERMS][
     product[3][3] = 100 * m[6] / 231 + 18 * m[4] / 77 + 4 * m[2] / 21 + m[0] / 7;
 }
 
+/* Computes the penalties on the factors, from the length of the line through the fragments. The one on the line itself
+ * only keeps the solution finite where all fragments have one parameter. */
+static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], const struct sums *sums,
+                           double penalty[HATCH_CUBIC_TERMS])
+{
+    double share = product[1][0] / product[0][0], half[2];
+    penalty[0] = 0;
+    penalty[1] = 1e-9;
+    for (int axis = 0; axis < 2; axis++)
+        half[axis] = (sums->places[axis][1] - share * sums->places[axis][0]) /
+                     (product[1][1] - share * product[1][0] + penalty[1]);
+    double square = 4 * (half[0] * half[0] + half[1] * half[1]);
+    penalty[2] = PENALTY / (1 + square / (SHORT_PX * SHORT_PX));
+    penalty[3] = 3 * penalty[2];
+}
+
 /* Factors a symmetric matrix, whose lower half is given, as L D L^T. */
 static void factorize(double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], double pivots[HATCH_CUBIC_TERMS])
 {
@@ -88,8 +105,9 @@ static void factorize(double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], double piv
  * the fragments determine converge to those of least squares, and the others stay small. */
 static void solve(const struct sums *sums, struct hatch_cubic *cubic)
 {
-    double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], pivots[HATCH_CUBIC_TERMS];
+    double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], penalty[HATCH_CUBIC_TERMS], pivots[HATCH_CUBIC_TERMS];
     products(sums->moments, a);
+    find_penalties(a, sums, penalty);
     for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
         a[k][k] += penalty[k];
     factorize(a, pivots);

@@ -12,6 +12,27 @@ enum { STEPS = 64, MOST = 1 << 20, COMPARED = 4000 };
 static struct hatch_fragment many[MOST];
 static struct fit_stroke stroke;
 
+/* Largest distances of strokes from the curves that they should have, in pixels. */
+struct distances {
+    size_t count;
+    struct hatch_weighted of[COMPARED];
+};
+
+static void note(struct distances *distances, double largest)
+{
+    distances->of[distances->count++] = (struct hatch_weighted){largest, 1};
+}
+
+static void check_distances(struct distances *distances, double median, double most)
+{
+    static const double shares[] = {0.5, 1};
+    double found[2];
+    hatch_percentiles(distances->of, distances->count, shares, 2, found);
+    ck_assert_uint_gt(distances->count, 500);
+    ck_assert_double_lt(found[0], median);
+    ck_assert_double_lt(found[1], most);
+}
+
 /* How a curve lies to its fragments, in pixels. */
 struct manner {
     double out;   /* largest distance of the curve from the box of the fragments, over its range */
@@ -46,12 +67,12 @@ static struct manner manner_of(const struct hatch_cubic *cubic, const struct hat
     return manner;
 }
 
-static void check_manner(const struct hatch_fragment *fragments, size_t count, double apart)
+static void check_manner(const struct hatch_fragment *fragments, size_t count, double out, double apart)
 {
     struct hatch_cubic cubic;
     hatch_cubic_fit(fragments, count, &cubic);
     struct manner manner = manner_of(&cubic, fragments, count);
-    ck_assert_double_le(manner.out, 1);
+    ck_assert_double_le(manner.out, out);
     ck_assert_double_le(manner.apart, apart);
 }
 
@@ -88,33 +109,64 @@ START_TEST(two_or_three_parameters_make_a_line_or_an_arc)
             size_t count = 0;
             add(&count, times[i], 0.3f, 7.5f, 9.5f);
             add(&count, times[j], 0.3f + 0x1p-16f, 70.5f, 61.5f);
-            check_manner(many, count, 0.001);
+            check_manner(many, count, 1, 0.001);
             count = 0;
             add(&count, times[i], 0.3f, 7.5f, 9.5f);
             add(&count, times[j], 0.55f, 40.5f, 21.5f);
             add(&count, times[i], 0.8f, 70.5f, 61.5f);
-            check_manner(many, count, i < 2 || j < 2 ? 14 : 0.1);
+            check_manner(many, count, 1, i < 2 || j < 2 ? 14 : 0.1);
         }
     for (size_t i = 1; i < 5; i++) { /* two places side by side at one end, nearly at one parameter */
         size_t count = 0;
         add(&count, i, 0.3f, 7.5f, 9.5f);
         add(&count, i, 0.799f, 70.5f, 61.5f);
         add(&count, i, 0.8f, 72.5f, 57.5f);
-        check_manner(many, count, 3);
+        check_manner(many, count, 1, 3);
     }
 }
 END_TEST
 
+/* A curved stroke bulges in a gap, as it should; a line may bulge by a hundredth of its length in a large one. */
 START_TEST(no_curve_has_a_spike)
 {
     for (uint64_t index = 0; index < 2000; index++) {
         const enum fit_kind kind = (enum fit_kind)(index % FIT_KINDS);
-        /* A curve bulges in a gap, as it should; a line must not. */
-        const struct fit_way way = fit_draw_way(kind, index, kind == FIT_GAP ? 0 : kind == FIT_HOLES ? 0.2 : 0.8);
+        const bool half = kind == FIT_GAP && index % 2 == 0;
+        struct fit_way way = fit_draw_way(kind, index, kind == FIT_GAP ? 0 : kind == FIT_HOLES ? 0.2 : 0.8);
+        if (half) {
+            way.hidden[0][0] = 0.25;
+            way.hidden[0][1] = 0.75;
+        }
         fit_fragments(&way, &stroke);
         if (stroke.count > 0)
-            check_manner(stroke.fragments, stroke.count, 0.5 * way.width_px + 1.5);
+            check_manner(stroke.fragments, stroke.count, kind == FIT_GAP && !half ? fmax(1, 0.01 * way.length_px) : 1,
+                         0.5 * way.width_px + 1.5);
     }
+}
+END_TEST
+
+/* A twentieth at each end determines a cubic well enough to follow it in between. */
+START_TEST(a_hidden_middle_is_where_the_ends_point)
+{
+    static struct distances off;
+    for (uint64_t index = 0; index < 1000; index++) {
+        struct fit_way way = fit_draw_way(FIT_WHOLE, index, 0.8);
+        double most = 0;
+        way.length_px = fit_between(index, 6, 0, 100, 400);
+        way.hidden[0][0] = 0.05;
+        way.hidden[0][1] = 0.95;
+        fit_fragments(&way, &stroke);
+        struct hatch_cubic cubic;
+        hatch_cubic_fit(stroke.fragments, stroke.count, &cubic);
+        for (int i = 0; i <= STEPS; i++) {
+            double t = (double)i / STEPS, place[2], at[3][2];
+            fit_curve_at(&cubic, t, place);
+            fit_bezier_at(&stroke.middle, t, at);
+            most = fmax(most, hypot(place[0] - at[0][0], place[1] - at[0][1]));
+        }
+        note(&off, most);
+    }
+    check_distances(&off, 1, 8);
 }
 END_TEST
 
@@ -142,33 +194,12 @@ START_TEST(a_million_fragments_have_a_curve)
 }
 END_TEST
 
-/* Largest distances of strokes from the reference, in pixels. */
-struct distances {
-    size_t count;
-    struct hatch_weighted of[COMPARED];
-};
-
-static void note(struct distances *distances, double largest)
-{
-    distances->of[distances->count++] = (struct hatch_weighted){largest, 1};
-}
-
 static double off_reference(const struct hatch_cubic *cubic, const struct fit_reference *reference, double t)
 {
     double here[2], there[2];
     fit_curve_at(cubic, t, here);
     fit_reference_at(reference, t, there);
     return hypot(here[0] - there[0], here[1] - there[1]);
-}
-
-static void check_distances(struct distances *distances, double median, double most)
-{
-    static const double shares[] = {0.5, 1};
-    double found[2];
-    hatch_percentiles(distances->of, distances->count, shares, 2, found);
-    ck_assert_uint_gt(distances->count, 500);
-    ck_assert_double_lt(found[0], median);
-    ck_assert_double_lt(found[1], most);
 }
 
 /* At the fragments of strokes with gaps or slivers, the curve may differ by about half a width: the reference goes
@@ -210,6 +241,7 @@ static Suite *suite(void)
     tcase_add_test(tests, one_parameter_makes_a_point);
     tcase_add_test(tests, two_or_three_parameters_make_a_line_or_an_arc);
     tcase_add_test(tests, no_curve_has_a_spike);
+    tcase_add_test(tests, a_hidden_middle_is_where_the_ends_point);
     tcase_add_test(tests, a_million_fragments_have_a_curve);
     tcase_add_test(tests, curves_agree_with_the_pseudo_inverse);
     suite_add_tcase(made, tests);
