@@ -8,7 +8,9 @@ struct Cubic {
 
 layout(std430, binding = STORAGE_SORTED) readonly buffer Sorted { uvec2 sorted[]; };
 
-const float GRID = 1048576.0, PIVOT_LEAST = 1e-3;
+const float GRID = 524288.0;
+const double PENALTY = 2.0, SHORT_PX = 50.0;
+const int PASSES = 3;
 
 float t_of(uvec2 fragment)
 {
@@ -71,11 +73,9 @@ void add_all(uint first, uint count, Cubic cubic, out double moments[7], out dou
     }
 }
 
-// Factors the system as L D L^T and solves it, up to the first polynomial that the lower ones nearly explain.
-void solve(double m[7], inout double x[4], inout double y[4])
+// Computes the sums of products of the first four polynomials from the moments; the lower half.
+void products(double m[7], out double a[4][4])
 {
-    double a[4][4], pivots[4];
-    int n = 0;
     for (int k = 0; k < 4; k++)
         a[k][0] = m[k];
     a[1][1] = (2.0 * m[2] + m[0]) / 3.0;
@@ -84,42 +84,67 @@ void solve(double m[7], inout double x[4], inout double y[4])
     a[2][2] = 18.0 * m[4] / 35.0 + 2.0 * m[2] / 7.0 + m[0] / 5.0;
     a[3][2] = 10.0 * m[5] / 21.0 + 4.0 * m[3] / 15.0 + 9.0 * m[1] / 35.0;
     a[3][3] = 100.0 * m[6] / 231.0 + 18.0 * m[4] / 77.0 + 4.0 * m[2] / 21.0 + m[0] / 7.0;
-    for (; n < 4; n++) {
-        double whole = a[n][n];
-        for (int j = 0; j < n; j++) {
+}
+
+// Computes the penalties on the factors, from the length of the line through the fragments.
+void find_penalties(double a[4][4], double x[4], double y[4], out double penalty[4])
+{
+    double share = a[1][0] / a[0][0], spread = a[1][1] - share * a[1][0] + 1e-9LF;
+    double half_x = (x[1] - share * x[0]) / spread, half_y = (y[1] - share * y[0]) / spread;
+    penalty[0] = 0.0LF;
+    penalty[1] = 1e-9LF;
+    penalty[2] = PENALTY / (1.0LF + 4.0LF * (half_x * half_x + half_y * half_y) / (SHORT_PX * SHORT_PX));
+    penalty[3] = 3.0LF * penalty[2];
+}
+
+// Factors a matrix as L D L^T.
+void factorize(inout double a[4][4], out double pivots[4])
+{
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < i; j++) {
             for (int k = 0; k < j; k++)
-                a[n][j] -= a[n][k] * pivots[k] * a[j][k];
-            a[n][j] /= pivots[j];
-            a[n][n] -= a[n][j] * a[n][j] * pivots[j];
+                a[i][j] -= a[i][k] * pivots[k] * a[j][k];
+            a[i][j] /= pivots[j];
+            a[i][i] -= a[i][j] * a[i][j] * pivots[j];
         }
-        pivots[n] = a[n][n];
-        if (!(pivots[n] > double(PIVOT_LEAST) * whole))
-            break;
+        pivots[i] = a[i][i];
     }
-    for (int i = 0; i < 4; i++)
-        for (int j = 0; j < i && i < n; j++) {
-            x[i] -= a[i][j] * x[j];
-            y[i] -= a[i][j] * y[j];
+}
+
+// Solves the factored system several times; each time the penalties are on the distance from the last solution.
+vec4 solve(double a[4][4], double pivots[4], double penalty[4], double right[4])
+{
+    double x[4];
+    for (int k = 0; k < 4; k++)
+        x[k] = 0.0LF;
+    for (int n = 0; n < PASSES; n++) {
+        for (int i = 0; i < 4; i++) {
+            x[i] = right[i] + penalty[i] * x[i];
+            for (int j = 0; j < i; j++)
+                x[i] -= a[i][j] * x[j];
         }
-    for (int i = 3; i >= 0; i--) {
-        x[i] = i < n ? x[i] / pivots[i] : 0.0;
-        y[i] = i < n ? y[i] / pivots[i] : 0.0;
-        for (int j = i + 1; j < n; j++) {
-            x[i] -= a[j][i] * x[j];
-            y[i] -= a[j][i] * y[j];
+        for (int i = 3; i >= 0; i--) {
+            x[i] /= pivots[i];
+            for (int j = i + 1; j < 4; j++)
+                x[i] -= a[j][i] * x[j];
         }
     }
+    return vec4(x[0], x[1], x[2], x[3]);
 }
 
 Cubic fit(uint first, uint count)
 {
     Cubic cubic;
-    double moments[7], x[4], y[4];
+    double moments[7], x[4], y[4], a[4][4], penalty[4], pivots[4];
     find_range(first, count, cubic);
     add_all(first, count, cubic, moments, x, y);
-    solve(moments, x, y);
-    cubic.x = vec4(x[0], x[1], x[2], x[3]);
-    cubic.y = vec4(y[0], y[1], y[2], y[3]);
+    products(moments, a);
+    find_penalties(a, x, y, penalty);
+    for (int k = 0; k < 4; k++)
+        a[k][k] += penalty[k];
+    factorize(a, pivots);
+    cubic.x = solve(a, pivots, penalty, x);
+    cubic.y = solve(a, pivots, penalty, y);
     return cubic;
 }
 
