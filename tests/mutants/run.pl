@@ -42,13 +42,13 @@ sub build {
     return system(join(' ', map { "'$_'" } @words) . ' >make.log 2>&1') == 0;
 }
 
-# Starts a test of a build in a process group of its own and returns the process; counts of --coverage go to
+# Starts a test of a build in a session of its own and returns the process; counts of --coverage go to
 # tmp/PROCESS.counts.
 sub start {
     my ($of, $test) = @_;
     my $pid = fork // die "run.pl: fork: $!\n";
     return $pid if $pid;
-    setpgrp 0, 0;
+    setsid();
     @ENV{qw(BUILD BIN)} = ("$folder/$of", "$folder/$of/bin");
     $ENV{GCOV_PREFIX} = "$folder/tmp/$$.counts";
     open STDOUT, '>', "tmp/$$.out" or die;
@@ -84,7 +84,8 @@ sub run_tests {
         sleep 0.02;
     }
     for my $pid (keys %running) {
-        kill KILL => -$pid;
+        # Each case of a unit program has a process group of its own.
+        system('pkill', '-KILL', '-s', $pid);
         waitpid $pid, 0;
         unlink "tmp/$pid.out";
     }
