@@ -52,6 +52,9 @@
 #define UNIFORM_DENSEST 12
 #define UNIFORM_ITEM 13 /* index of the item */
 #define UNIFORM_OVERDRAW 14
+#define UNIFORM_BRUSH 15   /* length of the brush's stroke in pixels; mean of its grain */
+#define UNIFORM_PROFILE 32 /* BRUSH_PROFILE locations */
+#define BRUSH_PROFILE 17
 #define UNIFORM_CLIP_FROM_CAMERA 20
 #define UNIFORM_PIECES 21
 

@@ -36,7 +36,8 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &route, "", &state->route, err));
     HATCH_TRY(gpu_program_get(programs, &sort, "", &state->sort, err));
     HATCH_TRY(gpu_program_get(programs, &fit, "", &state->fit, err));
-    HATCH_TRY(gpu_program_get(programs, &ribbon, "", &state->ribbon, err));
+    strokes_take_brush(state);
+    HATCH_TRY(gpu_program_get(programs, &ribbon, state->has_brush ? "#define BRUSH 1\n" : "", &state->ribbon, err));
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
     if (!state->array)
         glCreateVertexArrays(1, &state->array);
@@ -54,7 +55,7 @@ static void set_style(const struct frame *frame, bool even, struct strokes_state
         .pen = {width_px, 1, (float)frame->request.canvas->side, 0},
         .hand = {even ? 0 : pen->vary, even ? 0 : pen->pressure, pen->wobble_px,
                  fmaxf(pen->taper_px * width_px / state->seeds.source.drawing.width_px, 1e-3f)},
-        .ink = {(float)rptam_options.ink, pen->grain}};
+        .ink = {(float)rptam_options.ink, state->has_brush ? 0 : pen->grain}};
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
@@ -130,6 +131,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     if (!list->count)
         return HATCH_OK;
     set_style(context->frame, pen_px > 0, state);
+    strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     return strokes_fit(context->frame, state, list, scratch, err);
 }
@@ -159,6 +161,7 @@ static void free_state(struct technique_instance *instance)
                               state->missed.name,    state->points.name, state->indices.name, state->block_buffer};
     glDeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
     glDeleteTextures(1, &state->points_view);
+    glDeleteTextures(2, state->brush);
     glDeleteVertexArrays(1, &state->array);
     rptam_free(instance);
 }

@@ -13,6 +13,7 @@ layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
 layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
 layout(location = UNIFORM_COUNT) uniform uint count;
+layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
 
 const float WIDEST = 1.5; // greatest width, in widths of the pen
@@ -69,7 +70,14 @@ float width_at(float widths[RIBBON_POINTS], float u)
         width += share * widths[k];
         sum += share;
     }
-    return min(width / sum, WIDEST * pen.x);
+    return width / sum;
+}
+
+float profile_at(float t)
+{
+    float at = clamp(t, 0.0, 1.0) * float(BRUSH_PROFILE - 1);
+    int low = min(int(at), BRUSH_PROFILE - 2);
+    return mix(profile[low], profile[low + 1], at - float(low));
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
@@ -100,21 +108,21 @@ void main()
     missed[i] = find_widths(slot, cubic, path, widths);
     vec2 ends = with_overdraw(slot, cubic, widths, path.lengths[LAST]);
     measure(cubic, ends.x, ends.y, path);
-    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = 1.0 + 0.5 * whole; // a short part is no blot
+    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
     // An end of its own tapers as the texture's stroke does.
     uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u) | slot.joined;
     for (int k = 0; k <= LAST; k++) {
         vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
         float u = mix(ends.x, ends.y, float(k) / float(LAST));
-        float at = TURNS * mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u);
-        float thickness = min(width_at(widths, u), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
+        float t = mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
+        float thickness = min(width_at(widths, u) / profile_at(t), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
         float aside = hand.z * wave_noise(slot.high ^ 0x5bd1e995u, at);
         float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(slot.high ^ 0x27d4eb2fu, at)));
         uint bits = (slot.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + tapered;
         uint to = 3u * (i * uint(RIBBON_POINTS) + uint(k));
         ribbon[to] = vec4(path.places[k] + aside * across, 0.5, 0.5 * thickness);
         ribbon[to + 1u] = vec4(pressure, float(bits), path.lengths[k], whole - path.lengths[k]);
-        ribbon[to + 2u] = vec4(1.0, 0.0, 1.0, 0.0);
+        ribbon[to + 2u] = vec4(1.0, t, 1.0, 0.0);
     }
 }

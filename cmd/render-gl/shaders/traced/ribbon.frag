@@ -2,10 +2,17 @@
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 #include "traced/marks.glsl"
+#ifdef BRUSH
+#include "strokes/brush.glsl"
+#endif
 
 layout(location = UNIFORM_INK) uniform int ink_index;
 noperspective in vec3 v_across;
 noperspective in vec2 v_ends;
+#ifdef BRUSH
+noperspective in float v_t;
+flat in uint v_stroke;
+#endif
 #ifdef MARKS
 noperspective in float v_at;
 noperspective in vec4 v_marks;
@@ -29,6 +36,9 @@ void main()
     float opacity = covered * v_across.z;
 #else
     float opacity = line_cover(half_width, v_across.x, 1.0) * v_across.z;
+#endif
+#ifdef BRUSH
+    opacity *= brush_alpha(v_stroke, v_t, v_across.x / pen.z, half_width / pen.z);
 #endif
     if (matter.y > 0.0)
         opacity *= 1.0 - matter.y * paper_grain(gl_FragCoord.xy / pen.z + viewport.zw);

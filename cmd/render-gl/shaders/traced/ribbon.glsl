@@ -6,6 +6,10 @@ layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // technique/trac
 
 noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
 noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke
+#ifdef BRUSH
+noperspective out float v_t; // place along the whole stroke, 0 .. 1
+flat out uint v_stroke;
+#endif
 #ifdef MARKS
 noperspective out float v_at; // arc length from the start, in mesh units
 noperspective out vec4 v_marks; // struct hatch_mark_point of curve/marks.h without it
@@ -43,6 +47,10 @@ void put_side(vec4 here, vec2 way, float turn, vec4 more, vec4 marked)
     float reach = turn * (half_width + pen.z * marked.w + 0.5);
     v_across = vec3(reach, max(half_width, 0.0), more.x);
     v_ends = tapering(uint(more.y), more.zw) * marked.x;
+#ifdef BRUSH
+    v_t = marked.y;
+    v_stroke = uint(more.y) >> 4;
+#endif
 #ifdef MARKS
     v_at = more.z;
     v_marks = marked;

@@ -36,6 +36,8 @@ struct strokes_state {
     uint32_t slot_count; /* of the table, a power of two */
     GLuint points_view;  /* texture through which the points are read */
     GLuint array, block_buffer;
+    bool has_brush;  /* the ribbons have the image of a brush */
+    GLuint brush[2]; /* textures: its alpha, its grain */
 };
 
 /* A fragment in the buffer `sorted`: as shaders/strokes/fragments.glsl has it, without the id. */
@@ -77,6 +79,13 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
 enum hatch_status strokes_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                  struct hatch_arena *arena, struct technique_curves *curves,
                                  struct hatch_err *err) HATCH_MUST_USE;
+
+/* Uploads the brush of the drawing style if it has an image. Repeated calls do nothing. */
+void strokes_take_brush(struct strokes_state *state);
+
+/* Sets the uniforms and textures of the brush.
+ *   even  all strokes are alike, as a pen draws them */
+void strokes_use_brush(const struct strokes_state *state, bool even);
 
 /* Makes a buffer at least as large as wanted; its content is lost if it grows. */
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes);
