@@ -52,7 +52,8 @@
 #define UNIFORM_DENSEST 12
 #define UNIFORM_ITEM 13 /* index of the item */
 #define UNIFORM_OVERDRAW 14
-#define UNIFORM_BRUSH 15   /* length of the brush's stroke in pixels; mean of its grain */
+#define UNIFORM_BRUSH 15 /* length of the brush's stroke in pixels; mean of its grain */
+#define UNIFORM_THINNEST 16
 #define UNIFORM_PROFILE 32 /* BRUSH_PROFILE locations */
 #define BRUSH_PROFILE 17
 #define UNIFORM_CLIP_FROM_CAMERA 20

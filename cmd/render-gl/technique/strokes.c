@@ -11,6 +11,8 @@
 #include "render-gl/technique/list.h"
 #include "render-gl/technique/traced/traced.h"
 
+#define THINNEST 0.7 /* mean width under which strokes get shorter instead of thinner, in that of whole strokes */
+
 static double overdraw_px = 4;
 
 static const struct cmd_option options[] = {
@@ -131,8 +133,9 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     if (!list->count)
         return HATCH_OK;
     set_style(context->frame, pen_px > 0, state);
-    strokes_use_brush(state, pen_px > 0);
+    double least_px = THINNEST * rptam_options.stroke_px[1] * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
+    glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
     return strokes_fit(context->frame, state, list, scratch, err);
 }
 

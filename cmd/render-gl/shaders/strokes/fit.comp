@@ -14,8 +14,10 @@ layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]
 layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
+layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width of strokes that are drawn whole
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
 
+const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
 const float WIDEST = 1.5; // greatest width, in widths of the pen
 const float TURNS = 4.0;  // waves of the noise along a whole stroke
 const float REACH = 1.5;  // distance of a stroke's fragments from its curve, in widths of the pen
@@ -80,13 +82,16 @@ float profile_at(float t)
     return mix(profile[low], profile[low + 1], at - float(low));
 }
 
+// Returns the share of its length that a stroke keeps: a thin one is drawn shorter instead of thinner, and stays black.
+float share_kept(float mean_width)
+{
+    return clamp(mean_width / max(thinnest, 1e-6), SHORTEST, 1.0);
+}
+
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
 // end, which thins it out before; short parts go on by less.
-vec2 with_overdraw(Slot slot, Cubic cubic, float widths[RIBBON_POINTS], float length_px)
+vec2 with_overdraw(Slot slot, Cubic cubic, float widths[RIBBON_POINTS], float mean, float length_px)
 {
-    float mean = 0.0;
-    for (int k = 0; k <= LAST; k++)
-        mean += widths[k] / float(LAST + 1);
     vec2 thick = vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
     float speed = max(0.5 * length_px, 1.0); // pixels per u
     vec2 further = clamp(2.0 * thick - 1.0, 0.0, 1.0) * min(overdraw, 0.5 * length_px) / speed;
@@ -106,7 +111,12 @@ void main()
     float widths[RIBBON_POINTS];
     measure(cubic, -1.0, 1.0, path);
     missed[i] = find_widths(slot, cubic, path, widths);
-    vec2 ends = with_overdraw(slot, cubic, widths, path.lengths[LAST]);
+    float mean = 0.0;
+    for (int k = 0; k <= LAST; k++)
+        mean += widths[k] / float(LAST + 1);
+    float kept = share_kept(mean);
+    vec2 ends = with_overdraw(slot, cubic, widths, mean, path.lengths[LAST]);
+    ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
     measure(cubic, ends.x, ends.y, path);
     float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
     // An end of its own tapers as the texture's stroke does.
@@ -116,7 +126,7 @@ void main()
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
         float u = mix(ends.x, ends.y, float(k) / float(LAST));
         float t = mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
-        float thickness = min(width_at(widths, u) / profile_at(t), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
+        float thickness = min(width_at(widths, u) / (kept * profile_at(t)), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
         float aside = hand.z * wave_noise(slot.high ^ 0x5bd1e995u, at);
         float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(slot.high ^ 0x27d4eb2fu, at)));
         uint bits = (slot.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + tapered;

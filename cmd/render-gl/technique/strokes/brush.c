@@ -46,19 +46,23 @@ void strokes_take_brush(struct strokes_state *state)
     state->brush[1] = upload(&stroke->grain, GL_REPEAT);
 }
 
-void strokes_use_brush(const struct strokes_state *state, bool even)
+double strokes_use_brush(const struct strokes_state *state, bool even)
 {
     const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
     double pressure = 1 - 0.5 * (double)pen->pressure, grain = state->has_brush ? 1 : 1 - 0.5 * (double)pen->grain;
     float profile[BRUSH_PROFILE];
+    double mean = 0;
     for (uint32_t k = 0; k < BRUSH_PROFILE; k++)
         profile[k] = even ? 1 : (float)(pressure * grain);
     if (state->has_brush && !even)
         find_profile(&state->seeds.source.stroke, pressure, profile);
     glProgramUniform1fv(state->fit->name, UNIFORM_PROFILE, BRUSH_PROFILE, profile);
+    for (uint32_t k = 0; k < BRUSH_PROFILE; k++)
+        mean += (double)profile[k] / BRUSH_PROFILE;
     if (!state->has_brush)
-        return;
+        return mean;
     glProgramUniform1f(state->ribbon->name, UNIFORM_BRUSH, (float)rptam_options.stroke_px[0]);
     for (uint32_t i = 0; i < 2; i++)
         gpu_texture_bind(UNIT_TECHNIQUE + 1 + i, state->brush[i], 0);
+    return mean;
 }

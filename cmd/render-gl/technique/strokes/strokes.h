@@ -83,9 +83,9 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
 /* Uploads the brush of the drawing style if it has an image. Repeated calls do nothing. */
 void strokes_take_brush(struct strokes_state *state);
 
-/* Sets the uniforms and textures of the brush.
+/* Sets the uniforms and textures of the brush, and returns its mean ink.
  *   even  all strokes are alike, as a pen draws them */
-void strokes_use_brush(const struct strokes_state *state, bool even);
+double strokes_use_brush(const struct strokes_state *state, bool even);
 
 /* Makes a buffer at least as large as wanted; its content is lost if it grows. */
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes);
