@@ -13,6 +13,8 @@
 
 #define THINNEST 0.7 /* mean width under which strokes get shorter instead of thinner, in that of whole strokes */
 
+#define FORESHORTENED 2.5 /* greatest length of a stroke in perspective, in its own lengths */
+
 static double overdraw_px = 4;
 
 static const struct cmd_option options[] = {
@@ -130,6 +132,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     if (pen_px > 0)
         HATCH_TRY(take_pen(context, instance, pen_px, err));
     HATCH_TRY(strokes_gather(context, instance, list, err));
+    state->found_count = 0;
     if (!list->count)
         return HATCH_OK;
     set_style(context->frame, pen_px > 0, state);
@@ -157,6 +160,16 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     return status;
 }
 
+/* A stroke is found only where it is gathered whole. */
+static uint32_t reach_px(const struct technique_instance *instance)
+{
+    const struct strokes_state *state = instance->state;
+    double longest_px = 0;
+    for (uint32_t i = 0; i < state->seeds.model->layer_count; i++)
+        longest_px = fmax(longest_px, state->seeds.model->layers[i].style.length_px);
+    return (uint32_t)ceil(FORESHORTENED * longest_px + overdraw_px);
+}
+
 static void free_state(struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
@@ -177,7 +190,6 @@ const struct technique technique_strokes = {
     .shared = rptam_option_table,
     .params = params,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
-    .reach_px = 256,
     .state_size = sizeof(struct strokes_state),
     .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "strokes/gather.frag"},
                 .defines = "#define GATHERS 1\n",
@@ -188,6 +200,7 @@ const struct technique technique_strokes = {
     .prepare = prepare,
     .draw = draw,
     .curves = strokes_curves,
+    .reach_px = reach_px,
     .changed = rptam_changed,
     .darkest = rptam_darkest,
     .free = free_state,

@@ -85,7 +85,9 @@ void technique_close(struct technique_instance *instance)
 uint32_t technique_reach_px(const struct technique_context *context, const struct technique_instance *instance,
                             double line_px)
 {
-    uint32_t frame = frame_reach_px(context->frame, line_px), own = instance->technique->reach_px;
+    uint32_t frame = frame_reach_px(context->frame, line_px), own = 0;
+    if (instance->technique->reach_px)
+        own = instance->technique->reach_px(instance);
     return frame > own ? frame : own;
 }
 

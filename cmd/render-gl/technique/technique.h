@@ -65,7 +65,6 @@ struct technique {
     const struct technique_param *params; /* its options that may change from frame to frame; NULL: none */
     const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
     uint32_t features;                    /* bits of enum technique_feature */
-    uint32_t reach_px;                    /* how far outside a tile drawing influences it, in pixels */
     uint32_t samples;                     /* its default for --samples, a square number; 0: the option's default */
     double tone_scale;                    /* factor for the darkest tone; 0 counts as 1 */
     size_t state_size;                    /* size of its state in bytes; 0: the state is a struct shaded_state */
@@ -94,6 +93,8 @@ struct technique {
     /* Applies new values of its options. On failure the old state stays in use. */
     enum hatch_status (*changed)(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err);
+    /* Returns how far outside a tile drawing influences it, in pixels; NULL: 0. */
+    uint32_t (*reach_px)(const struct technique_instance *instance);
     /* Returns the darkest tone that it can draw, 0 .. 1; NULL: the asset's. */
     double (*darkest)(const struct technique_instance *instance);
     /* Releases what the state owns outside args->keep. */

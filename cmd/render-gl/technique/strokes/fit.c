@@ -1,5 +1,6 @@
 /* From fragments to ribbons: a compute pass fits a cubic to each stroke; the few strokes that no cubic follows are
  * divided on the processor and fitted again. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "fit/split.h"
@@ -10,6 +11,7 @@
 
 #define MISSED_MOST 0.05f /* share of a stroke's weight that its curve may miss */
 #define REACH 1.5f        /* as in shaders/strokes/fit.comp */
+#define PLACES 8u         /* places along a stroke whose parts have different ids */
 #define POINT_BYTES (12 * sizeof(float))
 
 /* Fits the strokes of a list.
@@ -32,6 +34,7 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
     glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, list->count);
+    state->found_count = list->count;
     frame_dispatch(&(struct frame_dispatch){.name = "fit",
                                             .program = state->fit,
                                             .groups = {(list->count + 31) / 32, 1, 1},
@@ -56,7 +59,18 @@ static void put_fragment(const struct hatch_fragment *fragment, uint32_t words[2
     words[1] = (uint32_t)(fragment->t * 65535 + 0.5f) | (uint32_t)(fragment->weight * 65535 + 0.5f) << 16;
 }
 
-/* Divides a stroke.
+/* Returns the middle of the range of t of fragments. */
+static double middle_of(const struct hatch_fragment *fragments, uint32_t count)
+{
+    float low = fragments->t, high = fragments->t;
+    for (uint32_t i = 1; i < count; i++) {
+        low = fminf(low, fragments[i].t);
+        high = fmaxf(high, fragments[i].t);
+    }
+    return 0.5 * (double)(low + high);
+}
+
+/* Divides a stroke. The id of a part depends on its place along the stroke, so that it is the same in the next frame.
  *   words  its fragments; reordered
  *   parts  out: HATCH_FIT_PARTS_MAX at most, count of them */
 static enum hatch_status divide(const struct strokes_slot *stroke, uint32_t (*words)[2], struct hatch_arena *scratch,
@@ -66,6 +80,7 @@ static enum hatch_status divide(const struct strokes_slot *stroke, uint32_t (*wo
     double reach_px = (double)REACH * rptam_options.stroke_px[1] + 1;
     struct hatch_fragment *fragments;
     struct hatch_stroke_part found[HATCH_FIT_PARTS_MAX];
+    uint32_t taken[PLACES + 1] = {0};
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &fragments, stroke->count, err));
     for (uint32_t i = 0; i < stroke->count; i++)
         fragments[i] = fragment_of(words[i]);
@@ -75,7 +90,8 @@ static enum hatch_status divide(const struct strokes_slot *stroke, uint32_t (*wo
     for (uint32_t i = 0; i < *count; i++) {
         uint32_t begin = i > 0 ? found[i - 1].end : 0;
         parts[i] = *stroke;
-        parts[i].id[1] += 0x9e3779b9u * i;
+        uint32_t place = (uint32_t)(PLACES * middle_of(fragments + begin, found[i].end - begin));
+        parts[i].id[1] += 0x9e3779b9u * (place + PLACES * taken[place]++);
         parts[i].first += begin;
         parts[i].count = found[i].end - begin;
         parts[i].joined =

@@ -32,9 +32,10 @@ struct strokes_state {
     struct frame_shader paper; /* programs that draw bare paper */
     const struct gpu_program *route, *sort, *fit, *ribbon;
     struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
-    size_t capacity;     /* fragments that the buffer holds */
-    uint32_t slot_count; /* of the table, a power of two */
-    GLuint points_view;  /* texture through which the points are read */
+    uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
+    size_t capacity;      /* fragments that the buffer holds */
+    uint32_t slot_count;  /* of the table, a power of two */
+    GLuint points_view;   /* texture through which the points are read */
     GLuint array, block_buffer;
     bool has_brush;  /* the ribbons have the image of a brush */
     GLuint brush[2]; /* textures: its alpha, its grain */
