@@ -22,53 +22,63 @@ void hatch_curve_position(const struct hatch_mesh *mesh, const struct hatch_curv
     }
 }
 
-/* Computes the barycentric coordinates of the place on an edge of a face that is nearest to a position.
- *   c  number of the edge: from corner c to the next */
-static void share_on_edge(double corner[3][3], uint32_t c, const double at[3], double share[3])
+/* Computes the distance from a position to the place with the given shares of the corners. */
+static double distance_to(double corner[3][3], const double share[3], const double at[3])
 {
-    double edge[3], way[3];
-    hatch_vec_sub(corner[(c + 1) % 3], corner[c], edge);
-    hatch_vec_sub(at, corner[c], way);
-    double square = hatch_vec_dot(edge, edge);
-    share[(c + 2) % 3] = 0;
-    share[(c + 1) % 3] = square > 0 ? hatch_vec_dot(way, edge) / square : 0;
-    share[c] = 1 - share[(c + 1) % 3];
+    double place[3] = {0, 0, 0};
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < 3; k++)
+            place[k] += share[c] * corner[c][k];
+    return hatch_vec_distance(place, at);
+}
+
+/* Finds the place on the edges of a face that is nearest to a position. */
+static void find_on_edges(double corner[3][3], const double at[3], double share[3])
+{
+    double nearest = HUGE_VAL;
+    for (uint32_t c = 0; c < 3; c++) {
+        uint32_t next = (c + 1) % 3;
+        double edge[3], way[3], found[3] = {0, 0, 0};
+        hatch_vec_sub(corner[next], corner[c], edge);
+        hatch_vec_sub(at, corner[c], way);
+        double square = hatch_vec_dot(edge, edge);
+        found[next] = square > 0 ? fmin(fmax(hatch_vec_dot(way, edge) / square, 0), 1) : 0;
+        found[c] = 1 - found[next];
+        double distance = distance_to(corner, found, at);
+        if (distance < nearest) {
+            nearest = distance;
+            hatch_vec_copy(found, share);
+        }
+    }
 }
 
 bool hatch_curve_find_share(const struct hatch_mesh *mesh, uint32_t face, const float position[3], float share[2])
 {
-    double corner[3][3], at[3], edge[3][3], way[3], shares[3], size = 0, longest = 0, sum = 0;
-    uint32_t along = 0;
+    double corner[3][3], at[3], edge[2][3], way[3], shares[3] = {-1, -1, -1}, size = 0, longest = 0;
     hatch_vec_of(position, at);
     for (uint32_t c = 0; c < 3; c++)
         hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)mesh->indices[3 * (size_t)face + c]], corner[c]);
     for (uint32_t c = 0; c < 3; c++) {
-        hatch_vec_sub(corner[(c + 1) % 3], corner[c], edge[c]);
-        double length = hatch_vec_length(edge[c]);
-        along = length > longest ? c : along;
-        longest = fmax(longest, length);
+        longest = fmax(longest, hatch_vec_distance(corner[c], corner[(c + 1) % 3]));
         for (int k = 0; k < 3; k++)
             size = fmax(size, fabs(corner[c][k]));
     }
-    hatch_vec_sub(at, corner[0], way); /* edge[2] leads back to corner 0 */
-    double aa = hatch_vec_dot(edge[0], edge[0]), bb = hatch_vec_dot(edge[2], edge[2]);
-    double ab = -hatch_vec_dot(edge[0], edge[2]), a = hatch_vec_dot(way, edge[0]), b = -hatch_vec_dot(way, edge[2]);
+    for (int e = 0; e < 2; e++)
+        hatch_vec_sub(corner[e + 1], corner[0], edge[e]);
+    hatch_vec_sub(at, corner[0], way);
+    double aa = hatch_vec_dot(edge[0], edge[0]), bb = hatch_vec_dot(edge[1], edge[1]);
+    double ab = hatch_vec_dot(edge[0], edge[1]), a = hatch_vec_dot(way, edge[0]), b = hatch_vec_dot(way, edge[1]);
     double det = aa * bb - ab * ab;
     if (det > FLAT * aa * bb) {
         shares[1] = (bb * a - ab * b) / det;
         shares[2] = (aa * b - ab * a) / det;
         shares[0] = 1 - shares[1] - shares[2];
-    } else {
-        share_on_edge(corner, along, at, shares);
     }
-    for (int c = 0; c < 3; c++)
-        sum += shares[c] = fmin(fmax(shares[c], 0), 1);
-    for (int k = 0; k < 3; k++)
-        for (int c = 0; c < 3; c++)
-            at[k] -= shares[c] / sum * corner[c][k];
-    share[0] = (float)(shares[1] / sum);
-    share[1] = (float)(shares[2] / sum);
-    return hatch_vec_length(at) <= (double)OUTSIDE * longest + ROUNDING * size;
+    if (fmin(fmin(shares[0], shares[1]), shares[2]) < 0)
+        find_on_edges(corner, at, shares);
+    share[0] = (float)shares[1];
+    share[1] = (float)shares[2];
+    return distance_to(corner, shares, at) <= (double)OUTSIDE * longest + ROUNDING * size;
 }
 
 static enum hatch_status check_point(const struct hatch_curves *curves, uint32_t i, const struct hatch_mesh *mesh,

@@ -332,6 +332,22 @@ START_TEST(shares_follow_from_positions)
 }
 END_TEST
 
+/* Rounding moves a position far in shares of a needle's corners; the place found is the nearest one all the same. */
+START_TEST(rounded_positions_in_needles_have_places)
+{
+    static const float corners[] = {-90.6317062f, -52.9396172f, 126.212479f,  -72.4911728f, -52.9396172f,
+                                    131.699127f,  -90.7279205f, -52.9396172f, 126.177116f};
+    static const float position[3] = {-73.191597f, -52.9396172f, 131.487289f};
+    static const uint32_t corner[3] = {0, 1, 2};
+    struct hatch_mesh needle = mesh_of(corners, 3, corner, 1);
+    struct hatch_curve_point point = {0, {0, 0}, 1};
+    float at[3];
+    ck_assert(hatch_curve_find_share(&needle, 0, position, point.share));
+    hatch_curve_position(&needle, &point, at);
+    ck_assert_float_le(fabsf(at[0] - position[0]) + fabsf(at[2] - position[2]), 3e-4f);
+}
+END_TEST
+
 /* Faces that are nearly lines or points have places, too, as exact as positions are. */
 START_TEST(thin_faces_have_places)
 {
@@ -472,6 +488,7 @@ static Suite *suite(void)
     tcase_add_test(tests, numbers_of_faces_have_32_bits);
     tcase_add_test(tests, shares_follow_from_positions);
     tcase_add_test(tests, thin_faces_have_places);
+    tcase_add_test(tests, rounded_positions_in_needles_have_places);
     tcase_add_test(tests, the_heaviest_joints_are_kept);
     tcase_add_test(tests, joints_without_weight_are_left_out);
     tcase_add_test(tests, morph_targets_are_interpolated);
