@@ -92,9 +92,10 @@ struct cmd_args {
     int operand_count;
     int name; /* index of the first operand in struct cmd_program's names */
     char **operands;
-    struct hatch_arena keep;    /* arena that lives until cmd_end; its limit is max_memory */
-    struct hatch_arena scratch; /* scratch arena with the same lifetime and limit */
-    struct hatch_pool *pool;    /* private: see cmd_pool */
+    struct hatch_arena keep;       /* arena that lives until cmd_end; its limit is max_memory */
+    struct hatch_arena scratch;    /* scratch arena with the same lifetime and limit */
+    struct hatch_pool *pool;       /* private: see cmd_pool */
+    struct hatch_arena pool_arena; /* private: holds the pool, which may be made after a mark of keep */
 };
 
 /* Parses the command line. Prints help or version and exits with 0; prints two lines and exits with 2 on wrong usage.

@@ -45,6 +45,7 @@ void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct 
     cmd_is_verbose = args->verbose && !args->quiet;
     hatch_arena_init(&args->keep, (size_t)args->max_memory);
     hatch_arena_init(&args->scratch, (size_t)args->max_memory);
+    hatch_arena_init(&args->pool_arena, (size_t)args->max_memory);
     cmd_install_signal_handlers();
 }
 
@@ -54,7 +55,7 @@ struct hatch_pool *cmd_pool(struct cmd_args *args)
         struct hatch_err err;
         /* New threads inherit blocked signals, so only the first thread runs the handlers. */
         cmd_block_signals(true);
-        enum hatch_status status = hatch_pool_make(args->threads, &args->keep, &args->pool, &err);
+        enum hatch_status status = hatch_pool_make(args->threads, &args->pool_arena, &args->pool, &err);
         cmd_block_signals(false);
         cmd_check(status, NULL, &err);
     }
@@ -65,6 +66,7 @@ int cmd_end(struct cmd_args *args, enum hatch_status status)
 {
     cmd_clear_progress();
     hatch_pool_free(args->pool);
+    hatch_arena_free(&args->pool_arena);
     hatch_arena_free(&args->scratch);
     hatch_arena_free(&args->keep);
     cmd_discard_outputs();

@@ -56,7 +56,7 @@ is "no stroke leaves the ball" "$(figures ball.svg | awk '{print ($2 > 15 && $2 
 is "each direction is a layer" "$(grep -o 'inkscape:label="strokes-[0-9]*"' ball.svg | sort -u | wc -l)" 2
 draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -j 1 -o again.svg
 ok "the same drawing with another number of threads" cmp -s ball.svg again.svg
-render-gl -q -t traced ball.glb --size 400x400 --page 100x100mm -o outlined.svg
+ok "strokes with outlines" render-gl -q -t traced ball.glb --size 400x400 --page 100x100mm -o outlined.svg
 ok "outlines have a layer of their own" grep -q 'inkscape:label="outlines"' outlined.svg
 meshgen sphere >bare.glb
 try render-gl -t traced bare.glb -o bare.svg
