@@ -13,8 +13,8 @@
 
 #define HATCH_STROKE_FADE 1.8      /* ratio of thresholds from the middle of the fading to its ends */
 #define HATCH_STROKE_GAIN 1.174385 /* ink of the strokes around a limit, if those under it would have 1 */
-#define HATCH_STROKE_WIDEST 1.25
-#define HATCH_STROKE_SPARE 1.35 /* ratio of the densest strokes to those wanted under which strokes get wider */
+#define HATCH_STROKE_WIDEST 2.4
+#define HATCH_STROKE_SPARE 1.5 /* ratio of the densest strokes to those wanted under which strokes get wider */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 

@@ -10,6 +10,7 @@
 #include "curve/width.h"
 
 #define HATCH_FINER_LEVELS_MAX 24u /* more than the mesh came with */
+#define HATCH_FINER_START 1.3      /* strokes wanted, times the densest: from here on, finer ones are traced */
 
 struct hatch_finer_source {
     const struct hatch_mesh *mesh; /* with the direction field in _HATCH_DIR */
@@ -30,7 +31,8 @@ struct hatch_finer_view {
     float (*most)[HATCH_STROKE_TONES]; /* per family: strokes per pixel across them that are drawn at ink 0,
                                                 1/32 .. 1, those that fade included */
     uint32_t levels;                   /* at most so many more than the mesh came with, 1 .. HATCH_FINER_LEVELS_MAX */
-    double enough;                     /* strokes per mesh unit: nothing is traced unless some place wants more */
+    double densest;                    /* greatest threshold of the mesh's strokes: up to HATCH_FINER_START times as
+                                          many, wider strokes make the tone (curve/width.h), and nothing is traced */
     bool front, behind; /* which sides of faces are seen: where corners are counter-clockwise, and others */
 };
 
@@ -45,6 +47,8 @@ struct hatch_finer_found {
     struct hatch_curves curves;     /* with thresholds like those of hatch_finer_source */
     struct hatch_finer_part *parts; /* per curve */
     uint32_t traced;                /* strokes that were traced for this view */
+    double densest;                 /* for hatch_stroke_width_px: it grows with what is wanted, from that of the view
+                                       until no stroke is wider, so that no view differs much from the one before */
     bool enough;                    /* there are as many strokes as are wanted, everywhere */
     bool finer;                     /* false: the mesh's own strokes are enough, and the other members are zero */
 };

@@ -12,6 +12,7 @@ struct passing {
     const struct hatch_store_line *line;
     const struct hatch_component *component;
     struct hatch_store_sink *sink;
+    double log_raised;                /* added to thresholds */
     struct hatch_trace_joint *joints; /* of the part that is in the region: room for two per piece */
     uint32_t count;
 };
@@ -57,7 +58,8 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
         HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
                                       &sink->point_capacity, err));
         hatch_trace_fill_point(&passing->store->ground, sink->mesh, &passing->joints[i],
-                               exp(passing->joints[i].log_threshold), &curves->points[curves->point_count++]);
+                               exp(passing->joints[i].log_threshold + passing->log_raised),
+                               &curves->points[curves->point_count++]);
     }
     return HATCH_OK;
 }
@@ -110,6 +112,7 @@ static enum hatch_status add_batch(const struct hatch_store *store, const struct
             continue;
         struct passing passing = {
             .store = store, .line = line, .sink = sink, .component = component_of(store, pieces[0].face)};
+        passing.log_raised = level < store->level_count ? 0 : log(store->raised);
         struct hatch_arena_mark mark = hatch_arena_mark(sink->scratch);
         HATCH_TRY(HATCH_ALLOC_UNSET(sink->scratch, &passing.joints, 2 * (size_t)line->count, err));
         for (uint32_t i = 0; i < line->count; i++)

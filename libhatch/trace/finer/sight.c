@@ -3,13 +3,11 @@
 #include <math.h>
 
 #include "math/vector.h"
-#include "trace/finer/depths.h"
 #include "trace/finer/store.h"
 
 #define DEPTH_PX 4.0      /* side of a pixel of the picture of depths */
 #define DEPTHS_MAX 4096.0 /* pixels along its sides */
 #define CORNERS_MAX 12    /* of a triangle cut by six planes, and one to spare */
-#define LEAST 0.5         /* least threshold of a level's strokes, as they are drawn, times its gap */
 
 /* A corner of the visible part of a face. */
 struct corner {
@@ -31,7 +29,6 @@ struct looking {
     double clip[3][4]; /* of the corners of the ground's face */
     double ink[3];
     double side[2]; /* greatest |x| and |y|, as shares of w */
-    struct hatch_depths depths;
 };
 
 /* Cuts a polygon by the half space where the product with a plane is at least 0. */
@@ -197,7 +194,7 @@ static bool find_polygon(struct looking *looking, struct polygon *polygon)
 static void find_depths(const struct looking *looking, const struct polygon *polygon,
                         struct hatch_depths_corner corners[CORNERS_MAX])
 {
-    double size[2] = {looking->depths.width, looking->depths.height};
+    double size[2] = {looking->store->depths.width, looking->store->depths.height};
     for (int i = 0; i < polygon->count; i++) {
         const double *clip = polygon->corners[i].clip;
         corners[i] =
@@ -206,34 +203,49 @@ static void find_depths(const struct looking *looking, const struct polygon *pol
     }
 }
 
-static enum hatch_status look_at_face(struct looking *looking, struct hatch_arena *arena,
-                                      struct hatch_store_windows *windows, struct hatch_err *err)
+/* Returns whether a part of the face that is in the picture may be seen. */
+static bool shows(const struct looking *looking, const struct polygon *polygon)
 {
-    const struct hatch_store *store = looking->store;
-    struct hatch_depths_corner corners[CORNERS_MAX];
+    struct hatch_depths_corner corners[CORNERS_MAX] = {{0, 0, 0}};
+    find_depths(looking, polygon, corners);
+    return hatch_depths_show(&looking->store->depths, corners, polygon->count);
+}
+
+/* Finds how many strokes the face wants. */
+static void measure_face(struct looking *looking)
+{
+    struct hatch_store *store = looking->store;
     struct polygon polygon;
+    if (!find_polygon(looking, &polygon) || !shows(looking, &polygon))
+        return;
+    for (int i = 0; i < polygon.count; i++)
+        store->wanted = fmax(store->wanted, wanted_at(looking, &polygon.corners[i]) /
+                                                (HATCH_STROKE_FADE * polygon.corners[i].clip[3]));
+}
+
+/* Adds the windows of the face. */
+static enum hatch_status add_windows(struct looking *looking, struct hatch_arena *arena,
+                                     struct hatch_store_windows *windows, struct hatch_err *err)
+{
+    struct hatch_store *store = looking->store;
+    struct polygon polygon;
+    double wanted = 0;
     if (!find_polygon(looking, &polygon))
         return HATCH_OK;
     HATCH_TRY(add_window(looking, &polygon, arena, &windows[0], err));
-    find_depths(looking, &polygon, corners);
-    if (!hatch_depths_show(&looking->depths, corners, polygon.count))
+    if (!shows(looking, &polygon))
         return HATCH_OK;
-    double wanted = 0;
-    for (int i = 0; i < polygon.count; i++) {
-        double at_corner = wanted_at(looking, &polygon.corners[i]);
-        wanted = fmax(wanted, at_corner);
-        looking->store->wanted =
-            fmax(looking->store->wanted, at_corner / (HATCH_STROKE_FADE * polygon.corners[i].clip[3]));
-    }
+    for (int i = 0; i < polygon.count; i++)
+        wanted = fmax(wanted, fmin(wanted_at(looking, &polygon.corners[i]), store->drawn * polygon.corners[i].clip[3]));
     for (uint32_t i = 1; i <= looking->view->levels; i++) {
         double gap = ldexp(store->options.gap, 1 - (int)(store->level_count + i));
         struct polygon part = polygon;
         for (int c = 0; c < part.count; c++) /* how much nearer a corner is than the level is needed */
-            part.corners[c].clip[3] = wanted * gap / LEAST - part.corners[c].clip[3];
+            part.corners[c].clip[3] = wanted * gap / (HATCH_STORE_LEAST * store->raised) - part.corners[c].clip[3];
         cut(&part, (const double[4]){0, 0, 0, 1});
         if (part.count < 3)
             break;
-        looking->store->enough = looking->store->enough && i < looking->view->levels;
+        store->enough = store->enough && i < looking->view->levels;
         HATCH_TRY(add_window(looking, &part, arena, &windows[i], err));
     }
     return HATCH_OK;
@@ -243,39 +255,66 @@ static enum hatch_status look_at_face(struct looking *looking, struct hatch_aren
 static enum hatch_status draw_depths(struct looking *looking, struct hatch_arena *arena, struct hatch_err *err)
 {
     const struct hatch_finer_view *view = looking->view;
+    struct hatch_depths *depths = &looking->store->depths;
     double size[2] = {view->width_px * looking->side[0], view->height_px * looking->side[1]};
     HATCH_TRY(hatch_depths_make((int)fmin(fmax(size[0] / DEPTH_PX, 1), DEPTHS_MAX),
-                                (int)fmin(fmax(size[1] / DEPTH_PX, 1), DEPTHS_MAX), arena, &looking->depths, err));
+                                (int)fmin(fmax(size[1] / DEPTH_PX, 1), DEPTHS_MAX), arena, depths, err));
     for (looking->face = 0; looking->face < looking->store->ground.surface->face_count; looking->face++) {
         struct hatch_depths_corner corners[CORNERS_MAX];
         struct polygon polygon;
         if (!find_polygon(looking, &polygon))
             continue;
         find_depths(looking, &polygon, corners);
-        hatch_depths_draw(&looking->depths, corners, polygon.count);
+        hatch_depths_draw(depths, corners, polygon.count);
+    }
+    return HATCH_OK;
+}
+
+static struct looking begin_looking(struct hatch_store *store, const struct hatch_mesh *mesh,
+                                    const struct hatch_finer_view *view)
+{
+    struct looking looking = {.store = store, .mesh = mesh, .view = view};
+    looking.side[0] = 1 + 2 * view->margin_px / view->width_px;
+    looking.side[1] = 1 + 2 * view->margin_px / view->height_px;
+    return looking;
+}
+
+/* Looks at all faces.
+ *   windows  NULL: what they want is measured */
+static enum hatch_status look_at_faces(struct looking *looking, struct hatch_arena *arena,
+                                       struct hatch_store_windows *windows, struct hatch_err *err)
+{
+    const struct hatch_surface *surface = looking->store->ground.surface;
+    for (uint32_t c = 0; c < surface->component_count; c++) {
+        const struct hatch_component *component = &surface->components[c];
+        looking->scale = component->scale;
+        for (uint32_t f = component->first_face; f < component->first_face + component->face_count; f++) {
+            looking->face = f;
+            if (windows)
+                HATCH_TRY(add_windows(looking, arena, windows, err));
+            else
+                measure_face(looking);
+        }
     }
     return HATCH_OK;
 }
 
 enum hatch_status hatch_store_look(struct hatch_store *store, const struct hatch_mesh *mesh,
                                    const struct hatch_finer_view *view, struct hatch_arena *arena,
-                                   struct hatch_store_windows windows[HATCH_FINER_LEVELS_MAX + 1],
                                    struct hatch_err *err)
 {
-    const struct hatch_surface *surface = store->ground.surface;
-    struct looking looking = {.store = store, .mesh = mesh, .view = view};
-    looking.side[0] = 1 + 2 * view->margin_px / view->width_px;
-    looking.side[1] = 1 + 2 * view->margin_px / view->height_px;
-    HATCH_TRY(draw_depths(&looking, arena, err));
+    struct looking looking = begin_looking(store, mesh, view);
     store->wanted = 0;
+    HATCH_TRY(draw_depths(&looking, arena, err));
+    return look_at_faces(&looking, arena, NULL, err);
+}
+
+enum hatch_status hatch_store_find_windows(struct hatch_store *store, const struct hatch_mesh *mesh,
+                                           const struct hatch_finer_view *view, struct hatch_arena *arena,
+                                           struct hatch_store_windows windows[HATCH_FINER_LEVELS_MAX + 1],
+                                           struct hatch_err *err)
+{
+    struct looking looking = begin_looking(store, mesh, view);
     store->enough = true;
-    for (uint32_t c = 0; c < surface->component_count; c++) {
-        const struct hatch_component *component = &surface->components[c];
-        looking.scale = component->scale;
-        for (uint32_t f = component->first_face; f < component->first_face + component->face_count; f++) {
-            looking.face = f;
-            HATCH_TRY(look_at_face(&looking, arena, windows, err));
-        }
-    }
-    return HATCH_OK;
+    return look_at_faces(&looking, arena, windows, err);
 }

@@ -3,9 +3,11 @@
 #define HATCH_TRACE_STORE_H
 
 #include "trace/finer.h"
+#include "trace/finer/depths.h"
 #include "trace/work.h"
 
 #define HATCH_STORE_DRIFTS 16u /* parts of an octave of thresholds */
+#define HATCH_STORE_LEAST 0.5  /* least threshold of a level's strokes, as they are drawn, times its gap */
 
 /* A straight part of a stroke on a face. */
 struct hatch_store_piece {
@@ -57,6 +59,9 @@ struct hatch_store {
     uint32_t traced;                   /* strokes in this view */
     bool enough;                       /* the view's greatest number of levels suffices for it */
     double wanted;                     /* most strokes per mesh unit that the view wants anywhere */
+    double drawn;                      /* strokes per mesh unit, above which the view draws none */
+    double raised;                     /* factor of the thresholds of traced strokes in the view */
+    struct hatch_depths depths;        /* of the view */
     double drift[HATCH_STORE_DRIFTS];  /* what drawn thresholds differ from measured ones, as logarithms, by the part of
                                           an octave: those of each octave repeat */
 };
@@ -103,12 +108,18 @@ void hatch_store_free_batch(struct hatch_store_batch *batch);
 bool hatch_store_has_tile(const struct hatch_store_batch *batch, const struct hatch_store_tile *tile);
 double hatch_store_tile_side(double gap);
 
-/* sight.c: finds what a view shows, in the order of faces.
- *   windows  out: [0]: of all faces; [i]: of places that need strokes of level level_count - 1 + i; in arena */
+/* sight.c: draws the depths of a view, and finds how many strokes it wants.
+ *   arena  holds store->depths */
 enum hatch_status hatch_store_look(struct hatch_store *store, const struct hatch_mesh *mesh,
                                    const struct hatch_finer_view *view, struct hatch_arena *arena,
-                                   struct hatch_store_windows windows[HATCH_FINER_LEVELS_MAX + 1],
                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds what the view shows, in the order of faces, after hatch_store_look. store->drawn and raised must be set.
+ *   windows  out: [0]: of all faces; [i]: of places that need strokes of level level_count - 1 + i; in arena */
+enum hatch_status hatch_store_find_windows(struct hatch_store *store, const struct hatch_mesh *mesh,
+                                           const struct hatch_finer_view *view, struct hatch_arena *arena,
+                                           struct hatch_store_windows windows[HATCH_FINER_LEVELS_MAX + 1],
+                                           struct hatch_err *err) HATCH_MUST_USE;
 
 /* The curves of a view under construction. */
 struct hatch_store_sink {

@@ -11,6 +11,8 @@
 #define STREAM_FINER 12
 #define OCTAVE_LOW 0.35     /* threshold, times the finest gap, at which the last complete octave begins */
 #define LENGTH_DEFAULT 40.0 /* where the strokes do not say what they were traced with */
+#define JOINED 1.56         /* times the densest strokes of the mesh: from here on, thresholds are not raised */
+#define THINNING 2.0        /* exponent of what is wanted: strokes are as thin as others at 2.34 times JOINED */
 #define HARD_DEFAULT 0.69813170079773183
 
 struct hatch_finer {
@@ -149,7 +151,31 @@ static void look(void *context, uint32_t index)
 {
     struct hatch_finer *finer = context;
     finer->statuses[index] = hatch_store_look(&finer->stores[index], finer->source.mesh, finer->view,
-                                              &finer->seen[index], finer->windows[index], &finer->errs[index]);
+                                              &finer->seen[index], &finer->errs[index]);
+}
+
+static void find_windows(void *context, uint32_t index)
+{
+    struct hatch_finer *finer = context;
+    finer->statuses[index] = hatch_store_find_windows(&finer->stores[index], finer->source.mesh, finer->view,
+                                                      &finer->seen[index], finer->windows[index], &finer->errs[index]);
+}
+
+/* Decides how traced strokes join those of the mesh: first their thresholds are raised, by less and less, while wide
+ * strokes make the tone; then these get thinner.
+ *   wanted  most strokes per mesh unit */
+static void join_strokes(struct hatch_finer *finer, double wanted, struct hatch_finer_found *found)
+{
+    double densest = finer->view->densest, more = densest > 0 ? wanted / densest : HUGE_VAL;
+    double unraised = fmin(log(more / HATCH_FINER_START) / log(JOINED / HATCH_FINER_START), 1);
+    found->densest = densest > 0 ? densest * pow(fmax(more / JOINED, 1), THINNING) : HUGE_VAL;
+    for (uint32_t i = 0; i < finer->store_count; i++) {
+        struct hatch_store *store = &finer->stores[i];
+        double gap = ldexp(store->options.gap, -(int)store->level_count);
+        double first = HATCH_STROKE_FADE * densest / HATCH_STROKE_SPARE * gap / HATCH_STORE_LEAST;
+        store->drawn = HATCH_STROKE_FADE * found->densest / HATCH_STROKE_SPARE;
+        store->raised = pow(fmax(first, 1), 1 - unraised);
+    }
 }
 
 /* Traces what the view of a family needs, component by component: windows are ordered by face. */
@@ -230,12 +256,14 @@ static double finest_gap(const struct hatch_finer *finer)
     return finest;
 }
 
-/* Finds the strokes of a view whose windows are known. */
+/* Finds the strokes of a view that wants more than the mesh's own. */
 static enum hatch_status trace_all(struct hatch_finer *finer, struct hatch_arena *arena,
                                    struct hatch_finer_found *found, struct hatch_err *err)
 {
     struct hatch_store_sink sink = {.arena = arena, .mesh = finer->source.mesh, .found = found};
     sink.scratch = &finer->scratch;
+    hatch_parallel_for(finer->source.pool, finer->store_count, find_windows, finer);
+    HATCH_TRY(first_failure(finer, err));
     sink.finest = finest_gap(finer);
     hatch_parallel_for(finer->source.pool, finer->store_count, trace, finer);
     HATCH_TRY(first_failure(finer, err));
@@ -252,7 +280,7 @@ static enum hatch_status trace_all(struct hatch_finer *finer, struct hatch_arena
 enum hatch_status hatch_finer_find(struct hatch_finer *finer, const struct hatch_finer_view *view,
                                    struct hatch_arena *arena, struct hatch_finer_found *found, struct hatch_err *err)
 {
-    bool wants = false;
+    double wanted = 0;
     *found = (struct hatch_finer_found){.traced = 0};
     finer->view = view;
     for (uint32_t i = 0; i < finer->store_count; i++)
@@ -261,9 +289,11 @@ enum hatch_status hatch_finer_find(struct hatch_finer *finer, const struct hatch
     hatch_parallel_for(finer->source.pool, finer->store_count, look, finer);
     enum hatch_status status = first_failure(finer, err);
     for (uint32_t i = 0; i < finer->store_count; i++)
-        wants = wants || finer->stores[i].wanted > view->enough;
-    if (status == HATCH_OK && wants)
+        wanted = fmax(wanted, finer->stores[i].wanted);
+    if (status == HATCH_OK && wanted > HATCH_FINER_START * view->densest) {
+        join_strokes(finer, wanted, found);
         status = trace_all(finer, arena, found, err);
+    }
     for (uint32_t i = 0; i < finer->store_count; i++)
         hatch_arena_free(&finer->seen[i]);
     return status;

@@ -98,6 +98,20 @@ ok "the same finer strokes with another number of threads" cmp -s finer.exr $fil
 draw torus.glb --size 160x120 --zoom 512 --tone-range .4:.4 --finer 0
 is "no finer strokes" "$(awk -v ink="$(ink)" 'BEGIN {print (ink < .05)}')" 1
 
+# Somewhat more strokes than the file has are made up for by their widths: nothing is traced.
+draw torus.glb --size 480x360 --tone-range .8:.8
+cp $file plain.exr
+traced=$(ink)
+draw torus.glb --size 480x360 --tone-range .8:.8 --finer 0
+ok "a view that needs few strokes more than the file has" cmp -s plain.exr $file
+draw torus.glb --size 480x360 --tone-range .8:.8 -t gouraud
+near "its tone" "$traced" "$(ink)" .008
+# From there on, finer strokes join without a change of tone.
+for zoom in 2.6 3.4; do
+    draw torus.glb --size 240x180 --zoom $zoom --tone-range .8:.8
+    near "the tone $zoom times as near" "$(ink)" .8 .02
+done
+
 # Inside of the torus, faces meet in hollows: strokes do not pass under them.
 draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
 near "the torus from inside" "$(ink)" .4 .05

@@ -29,7 +29,7 @@ static GLuint width_program(void)
                               "void main()\n"
                               "{\n"
                               "    vec4 at = places[gl_GlobalInvocationID.x];\n"
-                              "    vec3 law = width_law(pen, at.x, at.y, at.z, at.w, WIDEST);\n"
+                              "    vec3 law = width_law(pen, at.x, at.y, at.z, at.w, false);\n"
                               "    widths[gl_GlobalInvocationID.x] = law.x * law.y;\n"
                               "}\n";
     const struct shader_file *law = shader_files;

@@ -85,15 +85,56 @@ START_TEST(nothing_is_traced_where_the_strokes_suffice)
     make_plane(&plane);
     struct hatch_finer *finer = open_finer(&plane);
     struct hatch_finer_view view = view_of(0, 0, 1, 0.01);
-    view.enough = 101;
+    const double wanted = 100 / HATCH_STROKE_FADE;
+    view.densest = 1.01 * wanted / HATCH_FINER_START;
     struct hatch_finer_found found = find(finer, &view);
     ck_assert(!found.finer);
     ck_assert_uint_eq(found.curves.count, 0);
     ck_assert_uint_eq(found.traced, 0);
-    view.enough = 50; /* those that fade are 1.8 times as many */
+    view.densest = wanted / 2;
     found = find(finer, &view);
     ck_assert(found.finer && found.enough);
     ck_assert_uint_gt(found.traced, 0);
+    hatch_finer_free(finer);
+}
+END_TEST
+
+/* Returns the sum of the widths, in pixels, at which the middles of strokes of a level and finer ones are drawn. */
+static double widths_of(const struct hatch_finer_found *found, double densest, double scale, uint32_t from_level)
+{
+    const struct hatch_stroke_pen pen = {.width_px = 2, .thin = 1};
+    double sum = 0;
+    for (uint32_t s = 0; s < found->curves.set_count; s++)
+        for (uint32_t c = 0; c < found->curves.sets[s].count && found->curves.sets[s].level >= from_level; c++) {
+            const struct hatch_curve *curve = &found->curves.curves[found->curves.sets[s].first + c];
+            double threshold = (double)found->curves.points[curve->first + curve->count / 2].threshold;
+            sum += hatch_stroke_width_px(&pen, 1, threshold, scale, densest);
+        }
+    return sum;
+}
+
+/* Little by little, as more strokes are wanted, those that are traced join those of the mesh, which get thinner. */
+START_TEST(finer_strokes_join_gradually)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    const double densest = 40, steps[] = {1.301, 1.35, 1.45, 1.6, 1.7, 1.9, 2.2, 2.6, 3.7};
+    double before = 0;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        double wanted = steps[i] * densest, scale = wanted * 2 * HATCH_STROKE_GAIN;
+        struct hatch_finer_view view = view_of(0, 0, 1, 1 / (wanted * HATCH_STROKE_FADE));
+        view.densest = densest;
+        struct hatch_finer_found found = find(finer, &view);
+        double all = widths_of(&found, found.densest, scale, 0);
+        double share = widths_of(&found, found.densest, scale, 3) / all;
+        ck_assert(found.finer && found.enough);
+        ck_assert_msg(share >= before && share < before + 0.25, "%g wanted: %g after %g", steps[i], share, before);
+        before = share;
+        ck_assert(i > 0 || (share <= 0.01 && found.densest <= densest));
+        ck_assert(steps[i] < 3.66 || found.densest > HATCH_STROKE_SPARE * wanted); /* no stroke is wider */
+    }
+    ck_assert_double_gt(before, 0.3);
     hatch_finer_free(finer);
 }
 END_TEST
@@ -246,6 +287,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("finer");
     tcase_add_checked_fixture(tests, begin, end_rewound);
     tcase_add_test(tests, nothing_is_traced_where_the_strokes_suffice);
+    tcase_add_test(tests, finer_strokes_join_gradually);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
     tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);
     tcase_add_test(tests, the_way_to_a_view_does_not_matter);

@@ -126,7 +126,7 @@ void main()
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
     bool dots = marks.w > 0.0;
     vec3 law =
-        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, dots ? 1.0 : WIDEST);
+        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, dots);
     float width = law.x * (dots ? float(law.y > 0.0) : law.y), sparser = dots ? min(law.z, SPARSEST) : 1.0;
     float period = period_px(marks, tone), scatter = marks.z * period * sparser;
     period /= sparser;

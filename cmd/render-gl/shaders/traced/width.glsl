@@ -1,14 +1,15 @@
 // The width of a stroke at a point in the picture: libhatch/curve/width.h, where the law is explained.
-const float LOG_FADE = 0.5877867, GAIN = 1.174385, SPARE = 1.35, WIDEST = 1.25;
+const float LOG_FADE = 0.5877867, GAIN = 1.174385, SPARE = 1.5, WIDEST = 2.4;
 
 // Returns the width of a whole stroke in pixels, the share of it that is drawn, and by what factor strokes are sparser
 // than wanted.
-// pen: width in pixels, thin; widest: greatest factor by which sparse strokes are wider
-vec3 width_law(vec2 pen, float tone, float threshold, float scale, float densest, float widest)
+// pen: width in pixels, thin; dots: sparse strokes have more dots, and are no wider
+vec3 width_law(vec2 pen, float tone, float threshold, float scale, float densest, bool dots)
 {
-    float whole = pen.x * (pen.y + (1.0 - pen.y) * 2.0 * tone), covered = tone * scale / GAIN;
-    whole = clamp(SPARE * covered / densest, whole, widest * whole);
-    float wanted = covered / whole;
+    float whole = pen.x * (pen.y + (1.0 - pen.y) * 2.0 * tone), wanted = tone * scale / (GAIN * whole);
+    float sparser = max(SPARE * wanted / densest, 1.0);
+    wanted /= dots ? sparser : min(sparser, WIDEST);
+    whole *= dots ? 1.0 : min(sparser, WIDEST);
     float share = clamp(0.5 + 0.5 / LOG_FADE * log(max(wanted, 1e-30) / threshold), 0.0, 1.0);
-    return vec3(whole, min(1.6 * share, 0.25 + 0.75 * share), max(SPARE * wanted / densest, 1.0));
+    return vec3(whole, min(1.6 * share, 0.25 + 0.75 * share), sparser);
 }

@@ -46,7 +46,7 @@ static bool is_near(const struct frame *frame, const struct hatch_item *item, co
 {
     const struct hatch_view *view = &frame->view;
     double scale = traced_scale(frame->scene, item) * frame->request.tile->full_height / (2 * view->half_height);
-    return most / HATCH_STROKE_FADE * scale > (double)strokes->densest * nearest_depth(view, item);
+    return most / HATCH_STROKE_FADE * scale > HATCH_FINER_START * (double)strokes->densest * nearest_depth(view, item);
 }
 
 /* Describes how the whole picture shows an item. */
@@ -122,8 +122,8 @@ static bool is_same(const struct hatch_finer_view *a, const struct hatch_finer_v
     if (memcmp(a->clip_from_mesh, b->clip_from_mesh, sizeof a->clip_from_mesh) != 0 ||
         memcmp(a->most, b->most, sizeof *a->most * HATCH_CURVE_FAMILIES_MAX) != 0 || !a->ink != !b->ink)
         return false;
-    const double sizes[2][5] = {{a->width_px, a->height_px, a->enough, a->front, a->behind},
-                                {b->width_px, b->height_px, b->enough, b->front, b->behind}};
+    const double sizes[2][5] = {{a->width_px, a->height_px, a->densest, a->front, a->behind},
+                                {b->width_px, b->height_px, b->densest, b->front, b->behind}};
     return memcmp(sizes[0], sizes[1], sizeof sizes[0]) == 0 && a->levels == b->levels &&
            (!a->ink || memcmp(a->ink, b->ink, sizeof *a->ink * 2 * vertex_count) == 0);
 }
@@ -159,8 +159,8 @@ static enum hatch_status update(struct technique_context *context, struct traced
         return HATCH_OK;
     const struct traced_source source = {.mesh = mesh, .curves = &own->found.curves, .parts = own->found.parts};
     HATCH_TRY(traced_upload(&source, &own->arena, &context->args->scratch, &own->strokes, err));
-    if (own->found.enough)
-        own->strokes.densest = HUGE_VALF;
+    own->strokes.densest =
+        own->found.enough ? (float)own->found.densest : fminf(own->strokes.densest, (float)own->found.densest);
     own->strokes.finest = fminf(own->strokes.finest, state->strokes[item->mesh].finest);
     traced_make_ribbon(&own->strokes, &own->near);
     return gpu_check_memory(err, "finer strokes");
@@ -194,7 +194,7 @@ enum hatch_status traced_refine(struct technique_context *context, struct traced
         describe(frame, item, &view);
         view.most = state->most;
         view.levels = state->finer_levels;
-        view.enough = (double)strokes->densest;
+        view.densest = (double)strokes->densest;
         HATCH_TRY(update(context, state, i, &view, err));
     }
     return HATCH_OK;
