@@ -112,6 +112,16 @@ for zoom in 2.6 3.4; do
     near "the tone $zoom times as near" "$(ink)" .8 .02
 done
 
+# Strokes that run straight away from the eye, on slanted faces, are whole, though they wobble aside.
+meshgen torus | strokegen -q --levels 5 -o fine.glb
+strip="--size 24x360 --camera 0,1.2,2.5:0,0,0 --fov 30"
+for pen in engraving:.02 woodcut:.03; do
+    draw fine.glb $strip --tone-range .5:.5 --stroke-style ${pen%:*}
+    traced=$(ink)
+    draw fine.glb $strip --tone-range .5:.5 -t gouraud
+    near "strokes away from the eye by ${pen%:*}" "$traced" "$(ink)" ${pen#*:}
+done
+
 # Inside of the torus, faces meet in hollows: strokes do not pass under them.
 draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
 near "the torus from inside" "$(ink)" .4 .05

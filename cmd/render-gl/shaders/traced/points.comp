@@ -30,6 +30,7 @@ layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold 
 
 const float TURNED_MOST_PX = 8.0;
 const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
+const float ASIDE = 0.15; // pixels towards the eye per pixel aside
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -147,8 +148,11 @@ void main()
     if (behind)
         width *= clamp(2.0 - 0.3 * steep, 0.0, 1.0); // next to silhouettes, the front is too near to tell them apart
     wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
+    if (!behind) // beside its own place, a stroke is over faces with other slopes
+        reach += ASIDE * abs(wobble) * flat_rise * (1.0 + steep);
     place.xy += wobble * across;
-    place.z += wobble * rise + reach + lift.z * toward_eye;
+    float slant = behind ? 1.0 : length(vec2(1.0, min(steep, STEEPEST))); // lines pass under the surface along its normal
+    place.z += wobble * rise + reach + lift.z * toward_eye * slant;
     float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
     float pressure = matter.x * (1.0 - hand.y * lightening);
     ribbon[3u * i] = vec4(place, 0.5 * width);
