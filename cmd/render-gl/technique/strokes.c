@@ -15,11 +15,16 @@
 
 #define FORESHORTENED 2.5 /* greatest length of a stroke in perspective, in its own lengths */
 
+#define MOST_STROKES 1048576
+
+static int64_t most_strokes = 65536;
 static double overdraw_px = 4;
 
 static const struct cmd_option options[] = {
     {0, "overdraw", CMD_REAL, 0, 1024, "PX",
      "+strokes: length by which strokes go on where they are cut off (default 4)", &overdraw_px, NULL, NULL},
+    {0, "most-strokes", CMD_INT, 1, MOST_STROKES, "N",
+     "+strokes: number of strokes that are drawn, the largest first (default 65536)", &most_strokes, NULL, NULL},
     {0},
 };
 static const struct technique_param params[] = {{"overdraw", false, 1}, {0}};
@@ -131,6 +136,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     struct hatch_arena *scratch = &context->args->scratch;
     if (pen_px > 0)
         HATCH_TRY(take_pen(context, instance, pen_px, err));
+    state->most = (uint32_t)most_strokes;
     HATCH_TRY(strokes_gather(context, instance, list, err));
     state->found_count = 0;
     if (!list->count)
@@ -139,7 +145,9 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     double least_px = THINNEST * rptam_options.stroke_px[1] * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
-    return strokes_fit(context->frame, state, list, scratch, err);
+    HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
+    cmd_note("%u strokes drawn, of %u fragments", list->count, list->fragments);
+    return HATCH_OK;
 }
 
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,

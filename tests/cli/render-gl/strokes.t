@@ -54,6 +54,15 @@ file=films%d.exr
 draw plane.glb --size 64x64 --frames 2 --animate stroke=20x1..40x2
 ok "its options may change" test -s films0.exr -a -s films1.exr
 
+# The largest strokes are drawn if there are too many.
+try render-gl -v -t strokes --lines none --size 320x240 --most-strokes 100 -o few.png torus.glb
+is "one warning says how many there are" "$(grep -c 'strokes, of which the 100 largest are drawn: --most-strokes' .err)" 1
+ok "these and parts of them are drawn" awk '/strokes drawn/ && $2 >= 100 && $2 < 300 {found = 1} END {exit !found}' .err
+# More strokes than the table has slots at first: 65536.
+try render-gl -v -t strokes --lines none --stroke 3x1 --seed-tile 16 --tone-range .6:.6 --size 640x480 --samples 1 \
+    --camera 0,0,2.4:0,0,0 -o many.png plane.glb
+ok "all strokes find room" awk '/strokes, of which/ && $3 > 80000 {found = 1} END {exit !found}' .err
+
 # Drawings: ink of the paths of a plane, from their length and the pen's width, if they overlap at random.
 drawn() {
     render-gl -q -t strokes --lines none --size 800x800 --camera 0,0,2.4:0,0,0 --tone-range "$1:$1" -o plane.svg plane.glb

@@ -11,7 +11,8 @@ struct Slot { // struct strokes_slot of technique/strokes/strokes.h
 layout(std430, binding = STORAGE_SLOTS) buffer Slots { Slot slots[]; }; // a power of two
 layout(location = UNIFORM_COUNT) uniform uint count;
 
-const uint LOST = 0xffffffffu; // slot of a fragment when the table is full
+const uint LOST = 0xffffffffu; // slot of a fragment that finds none
+const uint PROBES = 64u;       // more are needed only if the table is nearly full
 
 // Returns whether a slot holds an id; takes it if it is free.
 bool takes(uint slot, uvec2 id)
@@ -26,7 +27,7 @@ bool takes(uint slot, uvec2 id)
 uint slot_of(uvec2 id)
 {
     uint mask = uint(slots.length()) - 1u, slot = (id.x ^ id.x >> 15) & mask, way = id.y | 1u;
-    for (uint n = 0u; n <= mask; n++) {
+    for (uint n = 0u; n < PROBES; n++) {
         if (takes(slot, id))
             return slot;
         slot = slot + way & mask;

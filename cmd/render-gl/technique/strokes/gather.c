@@ -110,13 +110,33 @@ static uint32_t list_strokes(struct strokes_slot *slots, uint32_t slot_count, st
             first += slots[i].count;
             found[count++] = slots[i];
         }
-    qsort(found, count, sizeof *found, strokes_compare);
     return count;
 }
 
+/* Orders strokes by their numbers of fragments, the most first, then by id. */
+static int compare_sizes(const void *a, const void *b)
+{
+    const struct strokes_slot *first = a, *second = b;
+    if (first->count != second->count)
+        return first->count < second->count ? 1 : -1;
+    return strokes_compare(a, b);
+}
+
+/* Drops the strokes of the fewest fragments if there are more than the option allows. */
+static void drop_least(struct strokes_state *state, struct strokes_list *list)
+{
+    if (list->count > state->most) {
+        qsort(list->strokes, list->count, sizeof *list->strokes, compare_sizes);
+        if (!state->warned)
+            cmd_warn(NULL, "%u strokes, of which the %u largest are drawn: --most-strokes", list->count, state->most);
+        state->warned = true;
+        list->count = state->most;
+    }
+    qsort(list->strokes, list->count, sizeof *list->strokes, strokes_compare);
+}
+
 /* Routes the fragments to the slots of their strokes.
- *   slots  out: the table, in the scratch arena
- *   routed out: number of fragments that found a slot */
+ *   slots  out: the table, in the scratch arena */
 static enum hatch_status route(const struct frame *frame, struct strokes_state *state, uint32_t count,
                                struct strokes_slot **slots, struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -134,6 +154,15 @@ static enum hatch_status route(const struct frame *frame, struct strokes_state *
     return gpu_check_memory(err, "%u strokes", state->slot_count);
 }
 
+/* Returns whether fragments found no slot. */
+static bool is_full(const struct strokes_slot *slots, uint32_t slot_count, uint32_t fragments)
+{
+    uint32_t routed = 0;
+    for (uint32_t i = 0; i < slot_count; i++)
+        routed += slots[i].count;
+    return routed < fragments;
+}
+
 enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
                                  struct strokes_list *list, struct hatch_err *err)
 {
@@ -143,13 +172,20 @@ enum hatch_status strokes_gather(struct technique_context *context, struct techn
     struct strokes_slot *slots;
     uint32_t count = 0;
     *list = (struct strokes_list){.count = 0};
-    HATCH_TRY(find_fragments(context, instance, &count, err));
-    if (!count)
-        return HATCH_OK;
-    HATCH_TRY(route(frame, state, count, &slots, scratch, err));
+    for (bool full = true; full;) {
+        HATCH_TRY(find_fragments(context, instance, &count, err));
+        if (!count)
+            return HATCH_OK;
+        HATCH_TRY(route(frame, state, count, &slots, scratch, err));
+        full = is_full(slots, state->slot_count, count);
+        if (full && state->slot_count == SLOTS_MOST)
+            return hatch_fail(err, HATCH_LIMIT, "more than %u strokes are in sight: make them larger", SLOTS_MOST);
+        state->slot_count *= full ? 2 : 1;
+    }
     HATCH_TRY(HATCH_ALLOC(scratch, &list->strokes, state->slot_count, err));
     list->count = list_strokes(slots, state->slot_count, list->strokes);
     list->fragments = count;
+    drop_least(state, list);
     gpu_buffer_update(state->table.name, slots, sizeof *slots * state->slot_count);
     strokes_reserve(&state->sorted, STROKES_FRAGMENT_BYTES * (size_t)count);
     gpu_storage_bind(STORAGE_SORTED, state->sorted.name);

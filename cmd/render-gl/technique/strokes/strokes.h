@@ -35,6 +35,8 @@ struct strokes_state {
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
     size_t capacity;      /* fragments that the buffer holds */
     uint32_t slot_count;  /* of the table, a power of two */
+    uint32_t most;        /* strokes that are drawn */
+    bool warned;          /* that there are more */
     GLuint points_view;   /* texture through which the points are read */
     GLuint array, block_buffer;
     bool has_brush;  /* the ribbons have the image of a brush */
