@@ -3,8 +3,9 @@ set title "tone of fitted strokes in 960x720 pixels: error against their number"
 set xlabel "strokes"
 set ylabel "root mean square error of tone over windows of 32 pixels"
 set logscale xy
-set format x "10^{%L}"
-set format y "%g"
+set format "%g"
+set xrange [150:15000]
+set yrange [0.01:0.5]
 set grid
 set key bottom left Left reverse samplen 1
 set datafile separator "\t"
