@@ -1,0 +1,142 @@
+#include "tam_made.h"
+
+#include <math.h>
+
+#include "fail_alloc.h"
+#include "stroke/footprint.h"
+#include "cover/cover.h"
+
+static struct test_map map;
+static struct hatch_cover cover;
+
+static void make(const char *style, uint32_t size_px)
+{
+    map_style(style, NULL, &map);
+    map.options.ids = true;
+    map.options.size_px = size_px;
+    map_fill(&map);
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    ck_assert_uint_eq(cover.levels, map.options.levels);
+}
+
+/* A mark of a level and what it says. */
+struct found {
+    const struct hatch_stroke *stroke; /* as it was drawn */
+    uint32_t column, layer;
+    float t, share;
+    float away; /* distance of the texel from the stroke's place at t, in texels */
+};
+
+/* Reads the mark, on the way from the texel to the tile of the stroke's middle. */
+static struct found read_mark(uint32_t level, uint32_t texel, const struct hatch_cover_mark *mark)
+{
+    uint32_t id = mark->id & ((1u << HATCH_COVER_MARK_LAYER_SHIFT) - 1), bits = mark->bits;
+    uint32_t size = hatch_mip_size(map.tam.size_px, level);
+    ck_assert_uint_ge(id, 1);
+    ck_assert_uint_le(id, map.strokes.count);
+    struct found found = {.stroke = &map.strokes.items[id - 1],
+                          .column = bits >> HATCH_COVER_MARK_COLUMN_SHIFT & 255,
+                          .layer = mark->id >> HATCH_COVER_MARK_LAYER_SHIFT,
+                          .t = (float)(bits & 4095) / 4095,
+                          .share = (float)(bits >> HATCH_COVER_MARK_COVER_SHIFT & 255) / 255};
+    float tile[2] = {(float)(bits >> HATCH_COVER_MARK_TILE_SHIFT & 3) - 1, (float)(bits >> 30) - 1};
+    float along = (found.t - 0.5f) * found.stroke->length;
+    float x = ((float)(texel % size) + 0.5f) / (float)size - (found.stroke->x + tile[0]);
+    float y = ((float)(texel / size) + 0.5f) / (float)size - (found.stroke->y + tile[1]);
+    x -= along * cosf(found.stroke->angle_rad);
+    y -= along * sinf(found.stroke->angle_rad);
+    /* A stroke whose middle is at the border may count as one of the neighbouring tile. */
+    x -= rintf(x * (fabsf(found.stroke->x - 0.5f) > 0.45f));
+    y -= rintf(y * (fabsf(found.stroke->y - 0.5f) > 0.45f));
+    found.away = hypotf(x, y) * (float)size;
+    return found;
+}
+
+START_TEST(marks_lie_on_their_strokes)
+{
+    uint32_t off = 0, wrapped = 0;
+    make("ink", 128);
+    for (uint32_t level = 0; level < cover.levels; level++) {
+        uint32_t size = hatch_mip_size(map.tam.size_px, level);
+        for (uint32_t texel = 0; texel < size * size; texel++)
+            for (uint32_t i = cover.ends[cover.first[level] + texel]; i < cover.ends[cover.first[level] + texel + 1];
+                 i++) {
+                struct found found = read_mark(level, texel, &cover.marks[i]);
+                off += found.away > 3;
+                wrapped += cover.marks[i].bits >> HATCH_COVER_MARK_TILE_SHIFT != 5;
+                ck_assert_uint_eq(found.layer, found.stroke->column);
+                ck_assert_uint_ge(found.column, found.stroke->column);
+            }
+    }
+    ck_assert_uint_lt(100 * off, cover.mark_count);
+    ck_assert_uint_gt(10 * wrapped, cover.mark_count); /* strokes do cross the border of the tile */
+}
+END_TEST
+
+/* Where strokes lie below others, the texels do not name them, but the marks do. */
+START_TEST(strokes_have_all_their_ink)
+{
+    struct hatch_footprint footprint;
+    double drawn = 0, named = 0, marked = 0;
+    make("ink", 128);
+    HATCH_TEST_OK(hatch_footprint_make(&map_arena, map.tam.size_px, map.style.length_max, map.style.width_px,
+                                       &footprint, &map_err),
+                  &map_err);
+    for (uint32_t i = 0; i < map.strokes.count; i++) {
+        hatch_footprint_draw(&map.strokes.items[i], &map.brush, map.tam.size_px, 1, 1, &footprint);
+        for (uint32_t k = 0; k < footprint.count; k++)
+            drawn += (double)footprint.alpha[k];
+    }
+    for (uint32_t texel = 0; texel < map.tam.size_px * map.tam.size_px; texel++) {
+        const uint32_t *ends = &cover.ends[cover.first[0] + texel];
+        named += 1 - (double)map.tam.columns[map.tam.tones - 1].levels[0].pixels[3 * (size_t)texel];
+        for (uint32_t i = ends[0]; i < ends[1]; i++)
+            marked += (double)(read_mark(0, texel, &cover.marks[i]).share * cover.ink);
+    }
+    ck_assert_double_lt(named, 0.8 * drawn); /* the rest is below other strokes */
+    ck_assert_double_gt(marked, 0.93 * drawn);
+    ck_assert_double_lt(marked, 1.07 * drawn);
+    ck_assert_float_gt(cover.ink, 0.9f);
+    ck_assert_float_gt(cover.width_px, 0.6f * map.style.width_px);
+    ck_assert_float_lt(cover.width_px, 1.1f * map.style.width_px);
+}
+END_TEST
+
+START_TEST(refuses_ids_without_texels)
+{
+    make("ink", 64);
+    struct hatch_cover before = cover;
+    map.tam.columns[0].levels[0].pixels[1] = 1e6f;
+    ck_assert_int_eq(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(map_err.text, "id 1000000, but the finest level has only 4096 texels");
+    ck_assert_mem_eq(&before, &cover, sizeof cover);
+}
+END_TEST
+
+static enum hatch_status make_again(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
+{
+    (void)context;
+    return hatch_cover_make(&map.tam, keep, scratch, &cover, err);
+}
+
+START_TEST(survives_failed_allocations)
+{
+    make("pencil", 64);
+    hatch_test_fail_alloc(make_again, NULL, &cover, sizeof cover);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("cover");
+    TCase *tests = tcase_create("cover");
+    tcase_add_unchecked_fixture(tests, map_begin, map_end);
+    tcase_add_test(tests, marks_lie_on_their_strokes);
+    tcase_add_test(tests, strokes_have_all_their_ink);
+    tcase_add_test(tests, refuses_ids_without_texels);
+    tcase_add_test(tests, survives_failed_allocations);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
