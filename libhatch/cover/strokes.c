@@ -117,7 +117,6 @@ static void straighten(const struct hatch_fragment *fragments, uint32_t count, s
         }
     }
     double spread = n * square - u_sum * u_sum;
-    cubic->terms = spread > 1e-9 ? 2 : 1;
     for (int axis = 0; axis < 2; axis++) {
         double slope = spread > 1e-9 ? (n * products[axis] - u_sum * places[axis]) / spread : 0;
         const float factor[HATCH_CUBIC_TERMS] = {(float)((places[axis] - slope * u_sum) / n), (float)slope};

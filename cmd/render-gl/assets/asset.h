@@ -22,10 +22,11 @@ struct asset {
 struct asset_tones {
     GLuint texture, sampler;
     bool layered;                       /* a 2D array texture; false: 3D, or 2D if exact */
-    bool exact;                         /* exact runs: integers, which samplers cannot filter */
+    bool exact;                         /* exact runs or lists: integers, which samplers cannot filter */
     bool reaches_ink;                   /* the darkest tone is 1, solid ink; not set for maps */
     uint32_t count;                     /* number of columns or slices, at most HATCH_TAM_TONES_MAX */
     float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; 0 for volumes and threshold textures */
+    float stroke_px, stroke_ink;        /* width in texels and darkness of a stroke; only of asset_strokes */
 };
 
 /* Limits of uploads. */
@@ -50,6 +51,7 @@ extern const struct asset_kind asset_six_columns; /* a map as up to six grey col
 extern const struct asset_kind asset_columns;     /* a map, each column a layer, grey or coloured */
 extern const struct asset_kind asset_volume;      /* a volume: slices of a 3D texture or layers of a 2D array */
 extern const struct asset_kind asset_thresholds;  /* a threshold texture, or exact runs */
+extern const struct asset_kind asset_strokes;     /* a map with ids, as lists of the strokes that cover each texel */
 
 #define ASSET_SIX_COLUMNS_MAX 6u
 
@@ -70,7 +72,7 @@ struct assets {
     struct {
         const struct asset_kind *kind; /* NULL: a free entry */
         struct asset_tones tones;
-    } uploaded[4]; /* one per kind */
+    } uploaded[5]; /* one per kind */
 };
 
 /* Returns whether there is an asset of a kind.

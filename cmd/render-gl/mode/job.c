@@ -101,7 +101,7 @@ static void warn_of_map(struct cmd_args *args, const struct options *options, co
 static void check_asset(const struct job *job)
 {
     const struct options *options = job->options;
-    const struct asset_kind *kind = options->probe ? &asset_six_columns : options->technique->asset;
+    const struct asset_kind *kind = options->probe ? &asset_six_columns : technique_asset(options->technique);
     struct hatch_err err;
     if (!kind || kind->is(&job->asset))
         return;
@@ -369,9 +369,10 @@ static void set_darkest(struct job *job)
     const struct technique_instance *instance = job_open(job, options->technique, &err);
     if (options->tone_range_given)
         return;
+    bool reads = options->map_path && technique_asset(options->technique);
     if (options->map_path)
         options->tone_range[1] = (double)asset_darkest(&job->asset);
-    if (options->technique->darkest)
+    if (options->technique->darkest && !reads)
         options->tone_range[1] = options->technique->darkest(instance);
 }
 

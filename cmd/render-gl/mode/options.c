@@ -176,6 +176,12 @@ static bool has_lines(const struct technique *drawn)
 
 static bool reads_asset(const struct technique *drawn)
 {
+    return technique_asset(drawn) != NULL;
+}
+
+/* Whether textures are filtered. */
+static bool filters_asset(const struct technique *drawn)
+{
     return drawn->asset != NULL;
 }
 
@@ -189,14 +195,19 @@ static bool reads_six_columns(const struct technique *drawn)
 #define TONE_OPTIONS                                                                                                   \
     "tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir"
 
+#define SEED_OPTIONS "seeds layers stroke stroke-ink stroke-turn seed-tile seed-layers fade fade-by overlap seed-loop"
+
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
  * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
-static char strokes[256], assets[256], six_columns[256], lined[320], timed[320], inked[320], scripted[320],
-    patterned[320], patterned_script[320];
+static char strokes[256], assets[256], filtered[256], six_columns[256], lined[320], timed[320], inked[320],
+    scripted[320], patterned[320], patterned_script[320];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},
-    {"tam anisotropy uv-scale", assets, NULL},
+    {"tam uv-scale", assets, NULL},
+    {"anisotropy", filtered, NULL},
+    {"uv-scale", "tam|window", NULL},
+    {SEED_OPTIONS, "!tam|window", "whose strokes are drawn instead"},
     {"tam hatch-turn hatch-scale anisotropy uv-scale", "!show|window", "that draws no strokes"},
     {"hatch-turn hatch-scale", strokes, NULL},
     {"probe", "!show tam", NULL},
@@ -283,6 +294,7 @@ static void make_rules(void)
 {
     make_condition(draws_strokes, "|window", strokes, sizeof strokes);
     make_condition(reads_asset, "|window", assets, sizeof assets);
+    make_condition(filters_asset, "|window", filtered, sizeof filtered);
     make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
     make_condition(has_lines, "|lines|window|output=*.svg,*.tsv", lined, sizeof lined);
     make_condition(has_lines, "|lines|window|!time", timed, sizeof timed);

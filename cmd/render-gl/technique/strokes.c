@@ -7,7 +7,6 @@
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
-#include "render-gl/scene/attributes.h"
 #include "render-gl/technique/list.h"
 #include "render-gl/technique/traced/traced.h"
 
@@ -50,21 +49,21 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
     if (!state->array)
         glCreateVertexArrays(1, &state->array);
-    HATCH_TRY(scene_set_charts(context->frame->scene, &context->args->scratch, err));
-    return rptam_prepare(context, instance, err);
+    return strokes_prepare_source(context, instance, err);
 }
 
 /* Writes the block of the style.
  *   even  all strokes are alike, as a pen draws them */
-static void set_style(const struct frame *frame, bool even, struct strokes_state *state)
+static void set_style(const struct frame *frame, bool even, const struct technique_instance *instance)
 {
+    struct strokes_state *state = instance->state;
     const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
-    float width_px = (float)rptam_options.stroke_px[1];
+    struct strokes_look look = strokes_look(instance);
     struct traced_block block = {
-        .pen = {width_px, 1, (float)frame->request.canvas->side, 0},
+        .pen = {look.width_px, 1, (float)frame->request.canvas->side, 0},
         .hand = {even ? 0 : pen->vary, even ? 0 : pen->pressure, pen->wobble_px,
-                 fmaxf(pen->taper_px * width_px / state->seeds.source.drawing.width_px, 1e-3f)},
-        .ink = {(float)rptam_options.ink, state->has_brush ? 0 : pen->grain}};
+                 fmaxf(pen->taper_px * look.width_px / state->seeds.source.drawing.width_px, 1e-3f)},
+        .ink = {look.ink, state->has_brush ? 0 : pen->grain}};
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
@@ -134,15 +133,16 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
 {
     struct strokes_state *state = instance->state;
     struct hatch_arena *scratch = &context->args->scratch;
-    if (pen_px > 0)
+    if (pen_px > 0 && !instance->tones)
         HATCH_TRY(take_pen(context, instance, pen_px, err));
     state->most = (uint32_t)most_strokes;
+    state->width_px = (double)strokes_look(instance).width_px;
     HATCH_TRY(strokes_gather(context, instance, list, err));
     state->found_count = 0;
     if (!list->count)
         return HATCH_OK;
-    set_style(context->frame, pen_px > 0, state);
-    double least_px = THINNEST * rptam_options.stroke_px[1] * strokes_use_brush(state, pen_px > 0);
+    set_style(context->frame, pen_px > 0, instance);
+    double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
     HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
@@ -197,6 +197,7 @@ const struct technique technique_strokes = {
     .options = options,
     .shared = rptam_option_table,
     .params = params,
+    .extra = &asset_strokes,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct strokes_state),
     .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "strokes/gather.frag"},

@@ -13,6 +13,11 @@ bool technique_has_option(const struct technique *technique, const char *name)
     return false;
 }
 
+const struct asset_kind *technique_asset(const struct technique *technique)
+{
+    return technique->asset ? technique->asset : technique->extra;
+}
+
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,
                                  struct cmd_args *args, struct hatch_err *err)
 {
@@ -28,8 +33,9 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
                                     struct hatch_err *err)
 {
     const struct technique *technique = instance->technique;
-    if (technique->asset)
-        HATCH_TRY(assets_upload(context->assets, technique->asset, &context->args->scratch, &instance->tones, err));
+    const struct asset_kind *kind = technique_asset(technique);
+    if (kind && (technique->asset || assets_have(context->assets, kind)))
+        HATCH_TRY(assets_upload(context->assets, kind, &context->args->scratch, &instance->tones, err));
     return (technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err);
 }
 

@@ -44,7 +44,7 @@ struct technique_context {
 struct technique_instance {
     const struct technique *technique;
     void *state;                     /* state_size bytes, zeroed before `read` */
-    const struct asset_tones *tones; /* its uploaded asset; NULL: it needs none, or is not prepared */
+    const struct asset_tones *tones; /* its uploaded asset; NULL: it has none, or is not prepared */
 };
 
 /* The strokes of a frame as curves, for drawings by a pen. */
@@ -64,6 +64,7 @@ struct technique {
     const struct cmd_option *shared;      /* options of another technique that it has, too; NULL: none */
     const struct technique_param *params; /* its options that may change from frame to frame; NULL: none */
     const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
+    const struct asset_kind *extra;       /* kind of asset that it reads if there is one; NULL: none, or `asset` */
     uint32_t features;                    /* bits of enum technique_feature */
     uint32_t samples;                     /* its default for --samples, a square number; 0: the option's default */
     double tone_scale;                    /* factor for the darkest tone; 0 counts as 1 */
@@ -103,6 +104,9 @@ struct technique {
 
 /* Returns whether an option is one of a technique. */
 bool technique_has_option(const struct technique *technique, const char *name);
+
+/* Returns the kind of asset that a technique reads, whether it requires it or not; NULL: none. */
+const struct asset_kind *technique_asset(const struct technique *technique);
 
 /* Makes an instance of a technique; its state is in args->keep. HATCH_LIMIT when memory does not suffice. */
 enum hatch_status technique_open(struct technique_instance *instance, const struct technique *technique,

@@ -100,6 +100,15 @@ vec2 with_overdraw(Slot slot, Cubic cubic, float widths[RIBBON_POINTS], float me
     return vec2(max(-1.0 - further.x, own.x), min(1.0 + further.y, own.y));
 }
 
+// Returns the factor by which a stroke is wider so that it has its area in spite of the ends that taper (ribbon.frag),
+// and of those that go on.
+// seen, whole: length in pixels without and with these; count: of the ends that taper
+float gain_of(float seen, float whole, int count)
+{
+    float taper = min(hand.w, 0.3 * whole * float(3 - count));
+    return clamp(seen / max(whole - float(count) * taper / 3.0, SHORTEST_PX), 0.5, 2.0);
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -115,18 +124,20 @@ void main()
     for (int k = 0; k <= LAST; k++)
         mean += widths[k] / float(LAST + 1);
     float kept = share_kept(mean);
+    float seen = kept * path.lengths[LAST];
     vec2 ends = with_overdraw(slot, cubic, widths, mean, path.lengths[LAST]);
     ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
     measure(cubic, ends.x, ends.y, path);
     float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
     // An end of its own tapers as the texture's stroke does.
     uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u) | slot.joined;
+    float gain = gain_of(seen, whole, 2 - bitCount(tapered)) / kept;
     for (int k = 0; k <= LAST; k++) {
         vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
         float u = mix(ends.x, ends.y, float(k) / float(LAST));
         float t = mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
-        float thickness = min(width_at(widths, u) / (kept * profile_at(t)), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
+        float thickness = min(gain * width_at(widths, u) / profile_at(t), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
         float aside = hand.z * wave_noise(slot.high ^ 0x5bd1e995u, at);
         float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(slot.high ^ 0x27d4eb2fu, at)));
         uint bits = (slot.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + tapered;

@@ -1,17 +1,14 @@
 // Gathers the fragments of strokes at seed points (Szecsi et al., Tonal Art Maps with Image Space Strokes, 2.1):
 // one for each stroke that covers the pixel.
 #include "frame/amounts.glsl"
-#include "strokes/fragments.glsl"
-#include "traced/noise.glsl"
 #include "rptam/layers.glsl"
+#include "strokes/place.glsl"
 
 const float COVERED_LEAST = 0.04; // strokes that cover less of a pixel are not seen there
 
 layout(early_fragment_tests) in; // hidden fragments are not gathered
 
-flat in uint v_chart;
-
-uint ink_index, layer_index, place_index;
+uint layer_index;
 
 // Returns an id of the stroke that it keeps at all distances: it is made from the coarsest level that has the stroke.
 uvec2 id_of(SeedLayer layer, int seed, ivec2 tile, int level)
@@ -25,23 +22,13 @@ uvec2 id_of(SeedLayer layer, int seed, ivec2 tile, int level)
         level++;
         number = (number > 0u ? number : uint(layer.thin.z)) - 1u;
     }
-    uint place = mix_bits(mix_bits(uint(tile.x)) + 0x9e3779b9u * uint(tile.y));
-    uint which = mix_bits(number + 0x10001u * uint(level)) + place_index;
-    uint low = mix_bits(place ^ which) << ID_HASH_SHIFT | layer_index << ID_LAYER_SHIFT | ink_index;
-    return uvec2(low, mix_bits(place + 0x27d4eb2fu * which) | 1u);
+    return id_in(tile, number + 0x10001u * uint(level), layer_index);
 }
 
 void gather(SeedLayer layer, int seed, ivec2 tile, float place, float covered, int level)
 {
-    if (covered < COVERED_LEAST)
-        return;
-    uint at = atomicAdd(fragment_count, 1u);
-    if (at >= uint(fragments.length()))
-        return;
-    float t = clamp(0.5 + place / (layer.stroke.z - 1.0), 0.0, 1.0);
-    uvec2 pixel = uvec2(gl_FragCoord.xy);
-    fragments[at] = uvec4(id_of(layer, seed, tile, level), pixel.x | pixel.y << 16,
-                          uint(t * 65535.0 + 0.5) | uint(min(covered, 1.0) * 65535.0 + 0.5) << 16);
+    if (covered >= COVERED_LEAST)
+        add_fragment(id_of(layer, seed, tile, level), clamp(0.5 + place / (layer.stroke.z - 1.0), 0.0, 1.0), covered);
 }
 
 // Gathers the strokes of an amount of ink.
@@ -59,8 +46,7 @@ void main()
     base_holes();
     vec2 asked = amounts();
     mat2 pixels = pixels_along_both();
-    // A texture may cover two places of a surface, one of them mirrored.
-    place_index = mix_bits(0x85ebca6bu * item + 2u * v_chart + uint(determinant(pixels) < 0.0));
+    find_place(determinant(pixels) < 0.0);
     ink_index = 0u;
     gather_ink(pixels, asked.x);
 #ifdef TWO_INKS

@@ -57,6 +57,11 @@ vec4 read_columns(float layer)
     return textureGrad(columns, vec3(column_place, layer), ALONG_SURFACE(column_x), ALONG_SURFACE(column_y));
 }
 #else
+// The longer axis of a pixel's footprint counts by one over this.
+#ifndef RATIO
+#define RATIO min(curve.w, 4.0)
+#endif
+
 // Chooses the mip level. It depends on the footprint of the pixel, not of the sample, so that strokes have the same
 // width in pixels for any number of samples. With four samples or more per pixel, the longer axis of the footprint
 // counts half, because the samples resolve the detail along it: this is anisotropic filtering with a ratio of 2 at no
@@ -70,7 +75,7 @@ void aim(vec2 texcoord)
     float area = x.x * y.y - x.y * y.x;
     float longer = max(max(dot(x, x), dot(y, y)), 1e-20), shorter = area * area / longer;
     column_place = texcoord;
-    float level = 0.5 * log2(max(longer / min(curve.w, 4.0), shorter) * curve.w);
+    float level = 0.5 * log2(max(longer / RATIO, shorter) * curve.w);
     float part = fract(level);
     column_level = level - part + clamp(2.0 * part - 0.5, 0.0, 1.0);
 }

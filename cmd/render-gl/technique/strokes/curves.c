@@ -16,6 +16,7 @@ struct point {
 /* What a pen draws of the segments of ribbons. */
 struct drawing {
     double half_px;   /* half the width from which on the stroke is drawn */
+    double thin_px;   /* mean width from which on a stroke is drawn */
     double limits[2]; /* width and height of the picture */
     struct hatch_vector_builder paths;
     bool drawing; /* a path has begun */
@@ -89,7 +90,7 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct strok
         const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[1]};
         const double mean = mean_half_width(points);
         *layer_count = layer + 1;
-        if (2 * mean < DRAWN * rptam_options.stroke_px[1])
+        if (2 * mean < drawing->thin_px)
             continue;
         drawing->half_px = STROKES_THIN * mean;
         for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++)
@@ -109,6 +110,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
     struct point *points;
     *curves = (struct technique_curves){.shortest_px = SHORTEST_PX};
     HATCH_TRY(strokes_find(context, instance, pen_px, &list, err));
+    drawing.thin_px = DRAWN * state->width_px;
     if (list.count) {
         HATCH_TRY(HATCH_ALLOC_UNSET(arena, &points, (size_t)RIBBON_POINTS * list.count, err));
         gpu_buffer_read(state->points.name, points, sizeof *points * RIBBON_POINTS * list.count);

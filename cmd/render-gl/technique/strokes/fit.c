@@ -70,14 +70,14 @@ static double middle_of(const struct hatch_fragment *fragments, uint32_t count)
     return 0.5 * (double)(low + high);
 }
 
-/* Divides a stroke. The id of a part depends on its place along the stroke, so that it is the same in the next frame.
- *   words  its fragments; reordered
- *   parts  out: HATCH_FIT_PARTS_MAX at most, count of them */
-static enum hatch_status divide(const struct strokes_slot *stroke, uint32_t (*words)[2], struct hatch_arena *scratch,
-                                struct strokes_slot *parts, uint32_t *count, struct hatch_err *err)
+/* Divides a stroke whose curve misses fragments by more than reach_px. The id of a part depends on its place along the
+ * stroke, so that it is the same in the next frame. words  its fragments; reordered parts  out: HATCH_FIT_PARTS_MAX at
+ * most, count of them */
+static enum hatch_status divide(const struct strokes_slot *stroke, double reach_px, uint32_t (*words)[2],
+                                struct hatch_arena *scratch, struct strokes_slot *parts, uint32_t *count,
+                                struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double reach_px = (double)REACH * rptam_options.stroke_px[1] + 1;
     struct hatch_fragment *fragments;
     struct hatch_stroke_part found[HATCH_FIT_PARTS_MAX];
     uint32_t taken[PLACES + 1] = {0};
@@ -119,7 +119,8 @@ static enum hatch_status divide_all(struct strokes_state *state, const float *mi
         uint32_t parts = 1;
         strokes[count] = *stroke;
         if (missed[i] > MISSED_MOST)
-            HATCH_TRY(divide(stroke, words + stroke->first, scratch, strokes + count, &parts, err));
+            HATCH_TRY(divide(stroke, (double)REACH * state->width_px + 1, words + stroke->first, scratch,
+                             strokes + count, &parts, err));
         count += parts;
     }
     gpu_buffer_update(state->sorted.name, words, sizeof *words * list->fragments);

@@ -40,9 +40,7 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     HATCH_TRY(frame_draw_items(frame, target, &strokes_paper, "", &state->paper, err));
     gpu_buffer_update(state->fragments.name, &none, sizeof none);
     gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
-    seeds_use(&state->seeds.seeds);
-    HATCH_TRY(frame_draw_items(frame, target, &instance->technique->shading, state->seeds.shaded.defines,
-                               &state->seeds.shaded.shader, err));
+    HATCH_TRY(strokes_draw_source(context, instance, target, err));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     gpu_buffer_read(state->fragments.name, &head, sizeof head);
     *count = head.count;

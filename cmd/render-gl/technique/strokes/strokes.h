@@ -30,12 +30,14 @@ struct strokes_fragments_head {
 struct strokes_state {
     struct rptam_state seeds;  /* first: functions of the technique rptam find it there */
     struct frame_shader paper; /* programs that draw bare paper */
+    struct frame_shader map;   /* programs that gather the strokes of a map */
     const struct gpu_program *route, *sort, *fit, *ribbon;
     struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
     size_t capacity;      /* fragments that the buffer holds */
     uint32_t slot_count;  /* of the table, a power of two */
     uint32_t most;        /* strokes that are drawn */
+    double width_px;      /* nominal width of the frame's strokes */
     bool warned;          /* that there are more */
     GLuint points_view;   /* texture through which the points are read */
     GLuint array, block_buffer;
@@ -58,6 +60,21 @@ int strokes_compare(const void *a, const void *b);
 
 /* Draws the surfaces as bare paper. */
 extern const struct frame_shading strokes_paper;
+
+/* Nominal size in pixels and darkness of a stroke, of which widths are multiples. */
+struct strokes_look {
+    float width_px, ink;
+};
+
+/* Compiles what gathers strokes, and uploads what they come from: the asset if there is one, or else seed points. */
+enum hatch_status strokes_prepare_source(struct technique_context *context, struct technique_instance *instance,
+                                         struct hatch_err *err) HATCH_MUST_USE;
+
+/* Gathers the fragments of the items that a target's depth lets through. */
+enum hatch_status strokes_draw_source(struct technique_context *context, struct technique_instance *instance,
+                                      const struct gpu_target *target, struct hatch_err *err) HATCH_MUST_USE;
+
+struct strokes_look strokes_look(const struct technique_instance *instance);
 
 /* Finds the fragments of the frame and the strokes that they belong to, and puts the fragments of each side by side in
  * the buffer `sorted`. */
