@@ -173,14 +173,17 @@ static void measure_share(struct maker *maker)
             maker->share[along][bin] /= counts[along][bin] ? (float)counts[along][bin] : 1;
 }
 
-/* Returns the mean width of strokes in texels: the ink across them. */
-static float mean_width(const struct maker *maker)
+/* Returns the mean width of strokes in texels where they are widest: the ink across them. */
+static float widest(const struct maker *maker)
 {
-    float sum = 0;
-    for (int along = 0; along < T_BINS; along++)
+    float most = 0;
+    for (int along = 0; along < T_BINS; along++) {
+        float sum = 0;
         for (int bin = 0; bin < AWAY_BINS; bin++)
             sum += maker->share[along][bin];
-    return fmaxf(2 * AWAY_STEP * sum / T_BINS / maker->ink, 0.5f);
+        most = fmaxf(most, sum);
+    }
+    return fmaxf(2 * AWAY_STEP * most / maker->ink, 0.5f);
 }
 
 /* Adds a mark. The list of them grows in the scratch arena.
@@ -321,7 +324,7 @@ static enum hatch_status make(const struct hatch_tam *tam, struct hatch_arena *a
     HATCH_TRY(HATCH_ALLOC(scratch, &maker, 1, err));
     maker->tam = tam;
     HATCH_TRY(find_strokes(maker, scratch, err));
-    cover->width_px = mean_width(maker);
+    cover->width_px = widest(maker);
     cover->ink = maker->ink;
     for (uint32_t level = tam->levels; level-- > 0;) /* what a coarser level names is on finer ones, too */
         HATCH_TRY(mark_level(maker, level, scratch, cover, err));

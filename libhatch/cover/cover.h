@@ -28,7 +28,7 @@ struct hatch_cover {
     uint32_t texel_count, mark_count; /* of all levels together */
     uint32_t *ends;                   /* texel_count + 1 entries */
     struct hatch_cover_mark *marks;
-    float width_px; /* mean width of strokes, in texels */
+    float width_px; /* mean width of strokes where they are widest, in texels */
     float ink;      /* darkness of a stroke, 0 .. 1; the shares that strokes cover are relative to it */
 };
 

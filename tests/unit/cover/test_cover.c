@@ -97,8 +97,8 @@ START_TEST(strokes_have_all_their_ink)
     ck_assert_double_gt(marked, 0.93 * drawn);
     ck_assert_double_lt(marked, 1.07 * drawn);
     ck_assert_float_gt(cover.ink, 0.9f);
-    ck_assert_float_gt(cover.width_px, 0.6f * map.style.width_px);
-    ck_assert_float_lt(cover.width_px, 1.1f * map.style.width_px);
+    ck_assert_float_gt(cover.width_px, 0.8f * map.style.width_px);
+    ck_assert_float_lt(cover.width_px, 1.2f * map.style.width_px);
 }
 END_TEST
 
