@@ -150,6 +150,9 @@ map-color-triple draw teapot.glb --tam color.exr -t tam-triple
 map-color-flat draw lapped.glb --tam color.exr -t tam-flat --ink blue
 map-color-gouraud draw lapped.glb --tam color.exr -t tam-gouraud --paper sepia --ink cream
 map-ids draw teapot.glb --tam ids.exr
+strokes draw teapot.glb -t strokes
+strokes-map draw teapot.glb -t strokes --tam ids.exr
+strokes-lapped draw lapped.glb -t strokes
 map-atlas draw atlas.glb --tam map.exr --uv-scale 9
 hatch-turn draw teapot.glb --tam map.exr --hatch-turn 33 --hatch-scale 1.7
 hatch-lapped draw lapped.glb -t threshold --tam exact.ktx2 --hatch-turn -70 --hatch-scale 0.6

@@ -43,7 +43,6 @@ void gather_ink(mat2 pixels, float amount)
 
 void main()
 {
-    base_holes();
     vec2 asked = amounts();
     mat2 pixels = pixels_along_both();
     find_place(determinant(pixels) < 0.0);

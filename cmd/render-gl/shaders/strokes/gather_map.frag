@@ -40,7 +40,6 @@ void gather_ink(float amount)
 void main()
 {
     aim(v_texcoord);
-    base_holes();
     vec2 asked = amounts(), x = dFdx(v_texcoord), y = dFdy(v_texcoord);
     find_place(x.x * y.y - x.y * y.x < 0.0);
     ink_index = 0u;

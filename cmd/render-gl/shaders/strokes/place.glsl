@@ -4,11 +4,22 @@
 
 flat in uint v_chart;
 
-uint ink_index, place_index;
+uint ink_index, place_index, lapped;
+#ifdef OUTLINE
+layout(binding = UNIT_SOURCE) uniform sampler2D owners; // owner.frag
+#endif
 
-// Finds the index of the place: a texture may cover two places of a surface, one of them mirrored.
+// Finds the index of the place: a texture may cover two places of a surface, one of them mirrored. Fragments of a patch
+// are gathered where others lie over it, too.
 void find_place(bool mirrored)
 {
+#ifdef OUTLINE
+    float owner = texelFetch(owners, ivec2(gl_FragCoord.xy), 0).r;
+    lapped = FRAGMENT_LAPPED | (owner == float(v_chart + 2u) ? 0u : FRAGMENT_BELOW);
+#else
+    base_holes();
+    lapped = 0u;
+#endif
     place_index = mix_bits(0x85ebca6bu * item + 2u * v_chart + uint(mirrored));
 }
 
@@ -29,5 +40,5 @@ void add_fragment(uvec2 id, float t, float covered)
         return;
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     fragments[at] = uvec4(id, pixel.x | pixel.y << 16,
-                          uint(t * 65535.0 + 0.5) | uint(min(covered, 1.0) * 65535.0 + 0.5) << 16);
+                          uint(t * 65535.0 + 0.5) | uint(min(covered, 1.0) * 16383.0 + 0.5) << 18 | lapped);
 }

@@ -9,9 +9,11 @@ layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; };
 layout(std430, binding = STORAGE_SORTED) writeonly buffer Sorted { uvec2 sorted[]; }; // z and w of fragments
 layout(location = UNIFORM_COUNT) uniform uint count;
 
+const uint DROPPED = 0xffffffffu; // first fragment of a stroke that is not drawn
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i < count && fragments[i].x < uint(slots.length()))
+    if (i < count && fragments[i].x < uint(slots.length()) && slots[fragments[i].x].first != DROPPED)
         sorted[slots[fragments[i].x].first + fragments[i].y] = fragments[i].zw;
 }

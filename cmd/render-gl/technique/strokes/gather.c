@@ -10,6 +10,7 @@
 #define FRAGMENT_BYTES 16u
 #define SLOTS_LEAST 65536u
 #define SLOTS_MOST (1u << 22)
+#define DROPPED UINT32_MAX /* first fragment of a stroke that is not drawn */
 
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
 {
@@ -95,7 +96,8 @@ int strokes_compare(const void *a, const void *b)
     return first->id[1] > second->id[1] ? 1 : first->id[1] < second->id[1] ? -1 : 0;
 }
 
-/* Gives each stroke its range of the sorted fragments, and lists the strokes.
+/* Gives each stroke its range of the sorted fragments, and lists the strokes: those that their patch owns. Two's
+ * complement of `joined`, as shaders/strokes/route.comp leaves it, is negative for others.
  *   slots  the table; out: with the ranges
  *   found  out: the slots in use, sorted
  * Returns their number. */
@@ -103,8 +105,11 @@ static uint32_t list_strokes(struct strokes_slot *slots, uint32_t slot_count, st
 {
     uint32_t count = 0, first = 0;
     for (uint32_t i = 0; i < slot_count; i++)
-        if (slots[i].count > 0) {
+        if (slots[i].joined > INT32_MAX)
+            slots[i].first = DROPPED;
+        else if (slots[i].count > 0) {
             slots[i].first = first;
+            slots[i].joined = 0;
             first += slots[i].count;
             found[count++] = slots[i];
         }

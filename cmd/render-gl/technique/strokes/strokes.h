@@ -28,9 +28,10 @@ struct strokes_fragments_head {
 };
 
 struct strokes_state {
-    struct rptam_state seeds;  /* first: functions of the technique rptam find it there */
-    struct frame_shader paper; /* programs that draw bare paper */
-    struct frame_shader map;   /* programs that gather the strokes of a map */
+    struct rptam_state seeds;   /* first: functions of the technique rptam find it there */
+    struct frame_shader paper;  /* programs that draw bare paper */
+    struct frame_shader map;    /* programs that gather the strokes of a map */
+    struct frame_shader owners; /* programs that draw which patch lies on top */
     const struct gpu_program *route, *sort, *fit, *ribbon;
     struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
