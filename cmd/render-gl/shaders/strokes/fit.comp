@@ -3,7 +3,9 @@
 #include "frame/frame.glsl"
 #include "traced/style.glsl"
 #include "traced/noise.glsl"
+#include "strokes/fragments.glsl"
 #include "strokes/cubic.glsl"
+#include "strokes/patches.glsl"
 
 layout(local_size_x = 32) in;
 struct Slot {
@@ -90,14 +92,14 @@ float share_kept(float mean_width)
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
 // end, which thins it out before; short parts go on by less.
-vec2 with_overdraw(Slot slot, Cubic cubic, float widths[RIBBON_POINTS], float mean, float length_px)
+// ends: u without that; thick: widths there, in mean widths
+vec2 with_overdraw(Slot slot, Cubic cubic, vec2 ends, vec2 thick, float length_px)
 {
-    vec2 thick = vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
     float speed = max(0.5 * length_px, 1.0); // pixels per u
     vec2 further = clamp(2.0 * thick - 1.0, 0.0, 1.0) * min(overdraw, 0.5 * length_px) / speed;
     further *= vec2((slot.joined & 4u) == 0u, (slot.joined & 8u) == 0u);
     vec2 own = vec2(u_of(cubic, 0.0), u_of(cubic, 1.0));
-    return vec2(max(-1.0 - further.x, own.x), min(1.0 + further.y, own.y));
+    return vec2(max(ends.x - further.x, min(own.x, ends.x)), min(ends.y + further.y, max(own.y, ends.y)));
 }
 
 // Returns the factor by which a stroke is wider so that it has its area in spite of the ends that taper (ribbon.frag),
@@ -124,20 +126,30 @@ void main()
     for (int k = 0; k <= LAST; k++)
         mean += widths[k] / float(LAST + 1);
     float kept = share_kept(mean);
-    float seen = kept * path.lengths[LAST];
-    vec2 ends = with_overdraw(slot, cubic, widths, mean, path.lengths[LAST]);
+    vec2 ends = vec2(-1.0, 1.0), own = vec2(u_of(cubic, 0.0), u_of(cubic, 1.0));
+    vec2 thick = vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
+    bool elsewhere = false;
+    if (slot.joined == 0u && is_lapped(slot.first)) {
+        elsewhere = has_middle_elsewhere(cubic, own, thick);
+        ends = follow_both(cubic, own, thick);
+    }
+    float seen = kept * 0.5 * (ends.y - ends.x) * path.lengths[LAST];
+    ends = with_overdraw(slot, cubic, ends, thick, path.lengths[LAST]);
+    bvec2 whole_ends = bvec2(ends.x <= own.x, ends.y >= own.y);
     ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
     measure(cubic, ends.x, ends.y, path);
     float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
     // An end of its own tapers as the texture's stroke does.
-    uint tapered = (cubic.range.x < CUT ? 4u : 0u) | (cubic.range.y > 1.0 - CUT ? 8u : 0u) | slot.joined;
-    float gain = gain_of(seen, whole, 2 - bitCount(tapered)) / kept;
+    uint tapered = (cubic.range.x < CUT || whole_ends.x ? 4u : 0u) | slot.joined;
+    tapered |= cubic.range.y > 1.0 - CUT || whole_ends.y ? 8u : 0u;
+    float gain = elsewhere ? 0.0 : gain_of(seen, whole, 2 - bitCount(tapered)) / kept;
     for (int k = 0; k <= LAST; k++) {
         vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
         vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
         float u = mix(ends.x, ends.y, float(k) / float(LAST));
         float t = mix(cubic.range.x, cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
-        float thickness = min(gain * width_at(widths, u) / profile_at(t), thickest) * (1.0 + hand.x * wave_noise(slot.high, at));
+        float thickness = min(gain * width_at(widths, u) / profile_at(t), thickest);
+        thickness *= 1.0 + hand.x * wave_noise(slot.high, at);
         float aside = hand.z * wave_noise(slot.high ^ 0x5bd1e995u, at);
         float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(slot.high ^ 0x27d4eb2fu, at)));
         uint bits = (slot.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + tapered;

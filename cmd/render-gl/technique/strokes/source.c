@@ -36,7 +36,7 @@ static enum hatch_status draw_owners(struct technique_context *context, struct s
     const struct gpu_target *target;
     if (!has_patches(frame->scene))
         return HATCH_OK;
-    form.outputs[0] = GL_R32F;
+    form.outputs[0] = GL_RGBA32F;
     HATCH_TRY(frame_target(&frame->targets, &form, &target, err));
     const struct frame_pass clear = {.name = "clear", .target = target, .clear = nothing, .clear_depth = &far};
     frame_pass_begin(&clear);
