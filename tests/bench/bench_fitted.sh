@@ -16,7 +16,7 @@ row() {
     method=$1 scene=$2 part=$3
     shift 3
     draw -v -t strokes "$work/$scene.glb" -o "$work/strokes.exr" "$@" 2>"$work/said"
-    count=$(sed -n 's/.*: \([0-9]*\) strokes drawn.*/\1/p' "$work/said")
+    count=$(sed -n 's/.*: \([0-9]*\) strokes, [0-9]* fragments.*/\1/p' "$work/said")
     rms=$(hatchstat ink --reference "$work/$scene.exr" "$work/strokes.exr" | awk -F'\t' 'NR == 2 {print $7}')
     bias=$(hatchstat diff "$work/$scene.exr" "$work/strokes.exr" | awk -F'\t' 'NR == 2 {print $3}')
     printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$method" "$scene" "$part" "$count" "$rms" "$bias"

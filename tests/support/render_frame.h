@@ -62,7 +62,7 @@ static inline struct picture frame_picture(struct test_frame *frame, const char 
     ck_assert_int_lt(instance - frame->instances, FRAME_TECHNIQUES_MAX);
     if (!instance->technique)
         HATCH_TEST_OK(technique_open(instance, technique, &frame->technique_args, &frame->err), &frame->err);
-    if (technique->state_size == sizeof(struct rptam_state))
+    if (technique->read == rptam_read || technique == &technique_rptam_places)
         ((struct rptam_state *)instance->state)->model = frame->model;
     HATCH_TEST_OK(technique_prepare(&frame->technique_context, instance, &frame->err), &frame->err);
     return (struct picture){.context = &frame->technique_context,

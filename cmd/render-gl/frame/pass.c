@@ -8,22 +8,34 @@ static void enable(GLenum capability, bool enabled)
         glDisable(capability);
 }
 
+static const struct {
+    GLenum equation, color_from, color_to, alpha_from, alpha_to;
+} blends[] = {[FRAME_BLEND_REPLACE] = {GL_FUNC_ADD, GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
+              [FRAME_BLEND_OVER] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
+              [FRAME_BLEND_OVER_COLOR] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
+              [FRAME_BLEND_ADD] = {GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
+              [FRAME_BLEND_MAX] = {GL_MAX, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
+              [FRAME_BLEND_SET_ALPHA] = {GL_FUNC_ADD, GL_ZERO, GL_ONE, GL_ONE, GL_ZERO},
+              [FRAME_BLEND_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_ONE},
+              [FRAME_BLEND_ADD_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE}};
+
 void frame_pass_blend(enum frame_blend blend)
 {
-    static const struct {
-        GLenum equation, color_from, color_to, alpha_from, alpha_to;
-    } ways[] = {
-        [FRAME_BLEND_REPLACE] = {GL_FUNC_ADD, GL_ONE, GL_ZERO, GL_ONE, GL_ZERO},
-        [FRAME_BLEND_OVER] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA},
-        [FRAME_BLEND_OVER_COLOR] = {GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE},
-        [FRAME_BLEND_ADD] = {GL_FUNC_ADD, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
-        [FRAME_BLEND_MAX] = {GL_MAX, GL_ONE, GL_ONE, GL_ONE, GL_ONE},
-        [FRAME_BLEND_SET_ALPHA] = {GL_FUNC_ADD, GL_ZERO, GL_ONE, GL_ONE, GL_ZERO},
-        [FRAME_BLEND_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ZERO, GL_ONE},
-        [FRAME_BLEND_ADD_UNDER_ALPHA] = {GL_FUNC_ADD, GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE}};
     enable(GL_BLEND, blend != FRAME_BLEND_REPLACE);
-    glBlendEquation(ways[blend].equation);
-    glBlendFuncSeparate(ways[blend].color_from, ways[blend].color_to, ways[blend].alpha_from, ways[blend].alpha_to);
+    glBlendEquation(blends[blend].equation);
+    glBlendFuncSeparate(blends[blend].color_from, blends[blend].color_to, blends[blend].alpha_from,
+                        blends[blend].alpha_to);
+}
+
+void frame_pass_blend_output(uint32_t output, enum frame_blend blend)
+{
+    if (blend == FRAME_BLEND_REPLACE)
+        glDisablei(GL_BLEND, output);
+    else
+        glEnablei(GL_BLEND, output);
+    glBlendEquationi(output, blends[blend].equation);
+    glBlendFuncSeparatei(output, blends[blend].color_from, blends[blend].color_to, blends[blend].alpha_from,
+                         blends[blend].alpha_to);
 }
 
 static void set_depth(enum frame_depth depth)
@@ -66,6 +78,13 @@ void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei i
     glUseProgram(program->name);
     glBindVertexArray(array ? array : program->no_attributes);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
+}
+
+void frame_pass_points(const struct gpu_program *program, GLuint array, GLsizei count)
+{
+    glUseProgram(program->name);
+    glBindVertexArray(array);
+    glDrawArrays(GL_POINTS, 0, count);
 }
 
 void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)

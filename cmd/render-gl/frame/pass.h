@@ -43,8 +43,9 @@ struct frame_pass {
 /* Binds the target, sets the viewport to all of it, clears it if the pass says so, and sets the state. */
 void frame_pass_begin(const struct frame_pass *pass);
 
-/* Changes the blending within a pass. */
+/* Changes the blending within a pass, of all outputs or of one. Outputs of integers are not blended: REPLACE. */
 void frame_pass_blend(enum frame_blend blend);
+void frame_pass_blend_output(uint32_t output, enum frame_blend blend);
 
 /* Runs a program for every pixel of the target, by drawing one triangle that covers it. */
 void frame_pass_screen(const struct gpu_program *program);
@@ -52,6 +53,10 @@ void frame_pass_screen(const struct gpu_program *program);
 /* Draws instances of a quad: a strip of four vertices, which the vertex stage places by gl_VertexID.
  *   array  vertex array with attributes per instance; 0: none */
 void frame_pass_quads(const struct gpu_program *program, GLuint array, GLsizei instances);
+
+/* Draws points of one pixel.
+ *   array  vertex array with attributes per point */
+void frame_pass_points(const struct gpu_program *program, GLuint array, GLsizei count);
 
 /* Ends a pass and takes its time.
  *   timer  NULL: nothing is timed */

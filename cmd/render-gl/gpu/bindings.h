@@ -88,6 +88,9 @@
 #define ATTRIBUTE_MARK_HALF 1
 #define ATTRIBUTE_MARK_CONFIDENCE 2
 
+/* Vertex attribute of points that stand for fragments of strokes */
+#define ATTRIBUTE_FRAGMENT 0
+
 /* Vertex attributes of pieces, into which faces near the eye are cut (near/near.h) */
 #define ATTRIBUTE_PLACE 0
 #define ATTRIBUTE_FROM 1

@@ -31,6 +31,11 @@ enum hatch_status gpu_target_make(const struct gpu_target_form *form, struct gpu
     return status;
 }
 
+void gpu_target_clear(const struct gpu_target *target, uint32_t output, GLenum layout, GLenum type, const void *texel)
+{
+    glClearTexImage(target->outputs[output], 0, layout, type, texel);
+}
+
 void gpu_target_read(const struct gpu_target *target, uint32_t output, struct gpu_rectangle from, GLenum layout,
                      GLenum type, uint32_t row_length, void *texels)
 {

@@ -7,7 +7,7 @@
 
 #include "base/status.h"
 
-#define GPU_OUTPUTS_MAX 4u
+#define GPU_OUTPUTS_MAX 6u /* OpenGL promises 8 */
 
 /* Size and formats of a target. Targets of equal form are interchangeable. */
 struct gpu_target_form {
@@ -27,6 +27,11 @@ struct gpu_target {
 /* Makes a target with undefined content. HATCH_LIMIT when the GPU has no memory for it. */
 enum hatch_status gpu_target_make(const struct gpu_target_form *form, struct gpu_target *target,
                                   struct hatch_err *err) HATCH_MUST_USE;
+
+/* Clears an output.
+ *   layout, type  of the texel in memory, as in glClearTexImage (GL_RGBA, GL_FLOAT)
+ *   texel         NULL: zeros */
+void gpu_target_clear(const struct gpu_target *target, uint32_t output, GLenum layout, GLenum type, const void *texel);
 
 /* A rectangle of texels. x and y are those of its lower left corner; rows are counted from the bottom. */
 struct gpu_rectangle {

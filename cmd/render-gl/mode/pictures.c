@@ -60,6 +60,8 @@ void pictures_write(struct job *job)
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
+        if (options->technique->note)
+            options->technique->note(picture.instance);
         blank += !job->empty && is_blank(&image, job->frame.style.inks.paper);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};

@@ -17,6 +17,8 @@
 #define MOST_STROKES 1048576
 
 static int64_t most_strokes = 65536;
+static int aggregate; /* 0: sort, 1: blend */
+static const char *const aggregates[] = {"sort", "blend", NULL};
 static double overdraw_px = 4;
 
 static const struct cmd_option options[] = {
@@ -24,6 +26,9 @@ static const struct cmd_option options[] = {
      "+strokes: length by which strokes go on where they are cut off (default 4)", &overdraw_px, NULL, NULL},
     {0, "most-strokes", CMD_INT, 1, MOST_STROKES, "N",
      "+strokes: number of strokes that are drawn, the largest first (default 65536)", &most_strokes, NULL, NULL},
+    {0, "aggregate", CMD_CHOICE, 0, 0, "HOW",
+     "+strokes: collect the pixels of a stroke by sorting them, or by blending: sort or blend (default sort)",
+     &aggregate, aggregates, NULL},
     {0},
 };
 static const struct technique_param params[] = {{"overdraw", false, 1}, {0}};
@@ -38,12 +43,18 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     static const struct gpu_stages route = {.compute = "strokes/route.comp"};
     static const struct gpu_stages sort = {.compute = "strokes/sort.comp"};
     static const struct gpu_stages fit = {.compute = "strokes/fit.comp"};
+    static const struct gpu_stages points = {.vertex = "strokes/blend.vert", .fragment = "strokes/blend.frag"};
+    static const struct gpu_stages waiting = {.compute = "strokes/waiting.comp"};
+    static const struct gpu_stages fit_blend = {.compute = "strokes/fit_blend.comp"};
     static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
     struct gpu_programs *programs = &context->frame->programs;
     struct strokes_state *state = instance->state;
+    state->blends = aggregate == 1;
     HATCH_TRY(gpu_program_get(programs, &route, "", &state->route, err));
     HATCH_TRY(gpu_program_get(programs, &sort, "", &state->sort, err));
-    HATCH_TRY(gpu_program_get(programs, &fit, "", &state->fit, err));
+    HATCH_TRY(gpu_program_get(programs, &points, "", &state->blend.points, err));
+    HATCH_TRY(gpu_program_get(programs, &waiting, "", &state->blend.waiting, err));
+    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, "", &state->fit, err));
     strokes_take_brush(state);
     HATCH_TRY(gpu_program_get(programs, &ribbon, state->has_brush ? "#define BRUSH 1\n" : "", &state->ribbon, err));
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
@@ -98,6 +109,7 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
     frame_pass_begin(&pass);
     glUseProgram(state->ribbon->name);
     gpu_texture_bind(UNIT_TECHNIQUE, state->points_view, 0);
+    strokes_bind_brush(state);
     glVertexArrayElementBuffer(state->array, state->indices.name);
     glBindVertexArray(state->array);
     for (uint32_t ink = 0; ink < 2; ink++) {
@@ -145,8 +157,10 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
+    state->noted[0] += list->count;
     HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
-    cmd_note("%u strokes drawn, of %u fragments", list->count, list->fragments);
+    state->noted[1] += list->fragments;
+    state->noted[2] += state->waited;
     return HATCH_OK;
 }
 
@@ -168,6 +182,13 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     return status;
 }
 
+static void note(struct technique_instance *instance)
+{
+    struct strokes_state *state = instance->state;
+    cmd_note("%u strokes, %u fragments, %u waited", state->noted[0], state->noted[1], state->noted[2]);
+    memset(state->noted, 0, sizeof state->noted);
+}
+
 /* A stroke is found only where it is gathered whole. */
 static uint32_t reach_px(const struct technique_instance *instance)
 {
@@ -187,6 +208,7 @@ static void free_state(struct technique_instance *instance)
     glDeleteTextures(1, &state->points_view);
     glDeleteTextures(2, state->brush);
     glDeleteVertexArrays(1, &state->array);
+    strokes_blend_free(&state->blend);
     rptam_free(instance);
 }
 
@@ -208,6 +230,7 @@ const struct technique technique_strokes = {
     .read = rptam_read,
     .prepare = prepare,
     .draw = draw,
+    .note = note,
     .curves = strokes_curves,
     .reach_px = reach_px,
     .changed = rptam_changed,

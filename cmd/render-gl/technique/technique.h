@@ -84,6 +84,8 @@ struct technique {
     /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. NULL: shaded_draw. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
+    /* Tells with --verbose about the frames that it has drawn since the last call: those of a picture. */
+    void (*note)(struct technique_instance *instance);
     /* Finds the strokes of the posed scene as curves, between frame_begin and frame_end. NULL: it has none.
      *   pen_px  width of the pen that will draw them
      *   arena   for the curves */

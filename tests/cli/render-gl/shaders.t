@@ -128,6 +128,7 @@ volume --tam blocks.ktx2 --modulate texture.png
 threshold --tam exact.ktx2
 rptam --seed-loop brute
 rptam --seed-layers 3 --overlap 1
+strokes --aggregate blend
 END
 done
 ok "--show patches" drawn patches.glb --size 32x24 --show patches -o picture.png

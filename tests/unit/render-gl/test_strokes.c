@@ -29,10 +29,20 @@ enum {
 static struct test_frame frame;
 static struct hatch_rptam rptam;
 
+static const char *shader_text(const char *name)
+{
+    const struct shader_file *file = shader_files;
+    while (file->name && strcmp(file->name, name) != 0)
+        file++;
+    ck_assert_ptr_nonnull(file->name);
+    return file->text;
+}
+
 /* Compiles a compute stage that fits the strokes of a buffer and writes their factors. */
 static GLuint fit_program(void)
 {
-    static const char begin[] = "#version 450 core\n#define STORAGE_SORTED 0\n",
+    static const char include[] = "#include \"strokes/curve.glsl\"\n",
+                      begin[] = "#version 450 core\n#define STORAGE_SORTED 0\n",
                       end[] = "layout(local_size_x = 1) in;\n"
                               "layout(std430, binding = 1) readonly buffer Ranges { uvec2 ranges[]; };\n"
                               "layout(std430, binding = 2) writeonly buffer Cubics { vec4 cubics[]; };\n"
@@ -45,14 +55,12 @@ static GLuint fit_program(void)
                               "    cubics[4u * i + 2u] = vec4(cubic.range, cubic.origin);\n"
                               "    cubics[4u * i + 3u] = vec4(cubic.weight, place_on(cubic, 1.25), 0.0);\n"
                               "}\n";
-    const struct shader_file *fit = shader_files;
-    while (fit->name && strcmp(fit->name, "strokes/cubic.glsl") != 0)
-        fit++;
-    ck_assert_ptr_nonnull(fit->name);
-    const char *const texts[] = {begin, fit->text, end};
+    const char *fit = strstr(shader_text("strokes/cubic.glsl"), include);
+    ck_assert_ptr_nonnull(fit);
+    const char *const texts[] = {begin, shader_text("strokes/curve.glsl"), fit + sizeof include - 1, end};
     GLint linked = GL_FALSE;
     GLuint shader = glCreateShader(GL_COMPUTE_SHADER), program = glCreateProgram();
-    glShaderSource(shader, 3, texts, NULL);
+    glShaderSource(shader, 4, texts, NULL);
     glCompileShader(shader);
     glAttachShader(program, shader);
     glLinkProgram(program);

@@ -1,32 +1,11 @@
 // The fit of cubics to fragments: libhatch/fit/cubic.c, where it is explained.
-struct Cubic {
-    vec2 range;  // of t
-    vec2 origin; // in pixels
-    vec4 x, y;   // factors of Legendre polynomials 0 to 3
-    float weight;
-};
+#include "strokes/curve.glsl"
 
 layout(std430, binding = STORAGE_SORTED) readonly buffer Sorted { uvec2 sorted[]; };
 
 const float GRID = 524288.0;
 const double PENALTY = 2.0, SHORT_PX = 50.0;
 const int PASSES = 3;
-
-float t_of(uvec2 fragment)
-{
-    return float(fragment.y & 0xffffu) / 65535.0;
-}
-
-vec2 pixel_of(uvec2 fragment)
-{
-    return vec2(fragment.x & 0xffffu, fragment.x >> 16) + 0.5;
-}
-
-float u_of(Cubic cubic, float t)
-{
-    float half_range = 0.5 * (cubic.range.y - cubic.range.x);
-    return half_range > 0.0 ? (t - cubic.range.x) / half_range - 1.0 : 0.0;
-}
 
 void legendre(float u, out float values[7])
 {
@@ -146,13 +125,4 @@ Cubic fit(uint first, uint count)
     cubic.x = solve(a, pivots, penalty, x);
     cubic.y = solve(a, pivots, penalty, y);
     return cubic;
-}
-
-// Returns the place at u, in pixels; beyond -1 and 1 along the tangents.
-vec2 place_on(Cubic cubic, float u)
-{
-    float inside = clamp(u, -1.0, 1.0), square = inside * inside;
-    vec4 values = vec4(1.0, inside, 1.5 * square - 0.5, (2.5 * square - 1.5) * inside);
-    values += (u - inside) * vec4(0.0, 1.0, 3.0 * inside, 7.5 * square - 1.5);
-    return cubic.origin + vec2(dot(cubic.x, values), dot(cubic.y, values));
 }

@@ -1,6 +1,7 @@
 // Finds the slot of each fragment's stroke in a table with double hashing, and counts the fragments of each. In place
 // of the id, a fragment gets its slot and its rank among those of the stroke.
 #include "strokes/fragments.glsl"
+#include "strokes/hash.glsl"
 
 layout(local_size_x = 64) in;
 struct Slot { // struct strokes_slot of technique/strokes/strokes.h
@@ -35,11 +36,10 @@ bool takes(uint slot, uvec2 id)
 
 uint slot_of(uvec2 id)
 {
-    uint mask = uint(slots.length()) - 1u, slot = (id.x ^ id.x >> 15) & mask, way = id.y | 1u;
     for (uint n = 0u; n < PROBES; n++) {
+        uint slot = probe(id, n, uint(slots.length()));
         if (takes(slot, id))
             return slot;
-        slot = slot + way & mask;
     }
     return LOST;
 }

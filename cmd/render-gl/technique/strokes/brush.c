@@ -59,10 +59,13 @@ double strokes_use_brush(const struct strokes_state *state, bool even)
     glProgramUniform1fv(state->fit->name, UNIFORM_PROFILE, BRUSH_PROFILE, profile);
     for (uint32_t k = 0; k < BRUSH_PROFILE; k++)
         mean += (double)profile[k] / BRUSH_PROFILE;
-    if (!state->has_brush)
-        return mean;
-    glProgramUniform1f(state->ribbon->name, UNIFORM_BRUSH, (float)rptam_options.stroke_px[0]);
-    for (uint32_t i = 0; i < 2; i++)
-        gpu_texture_bind(UNIT_TECHNIQUE + 1 + i, state->brush[i], 0);
+    if (state->has_brush)
+        glProgramUniform1f(state->ribbon->name, UNIFORM_BRUSH, (float)rptam_options.stroke_px[0]);
     return mean;
+}
+
+void strokes_bind_brush(const struct strokes_state *state)
+{
+    for (uint32_t i = 0; i < 2 && state->has_brush; i++)
+        gpu_texture_bind(UNIT_TECHNIQUE + 1 + i, state->brush[i], 0);
 }

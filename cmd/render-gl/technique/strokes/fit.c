@@ -29,7 +29,10 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
     strokes_reserve(&state->missed, sizeof *missed * list->count);
     HATCH_TRY(gpu_check_memory(err, "%u strokes", list->count));
     gpu_buffer_update(state->found.name, list->strokes, sizeof *list->strokes * list->count);
-    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    if (state->blends)
+        strokes_blend_bind(state);
+    else
+        gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
     gpu_storage_bind(STORAGE_SLOTS, state->found.name);
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
@@ -134,6 +137,8 @@ enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *s
 {
     uint32_t before = list->count;
     float *missed;
+    if (state->blends)
+        return fit(frame, state, list, NULL, err);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
     HATCH_TRY(fit(frame, state, list, missed, err));
     HATCH_TRY(divide_all(state, missed, list, scratch, err));

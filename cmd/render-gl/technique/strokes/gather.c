@@ -7,7 +7,6 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/technique/strokes/strokes.h"
 
-#define FRAGMENT_BYTES 16u
 #define SLOTS_LEAST 65536u
 #define SLOTS_MOST (1u << 22)
 #define DROPPED UINT32_MAX /* first fragment of a stroke that is not drawn */
@@ -42,7 +41,7 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     gpu_buffer_update(state->fragments.name, &none, sizeof none);
     gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
     HATCH_TRY(strokes_draw_source(context, instance, target, err));
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
     gpu_buffer_read(state->fragments.name, &head, sizeof head);
     *count = head.count;
     return HATCH_OK;
@@ -61,7 +60,7 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
     gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
     for (;;) {
         strokes_reserve(&state->fragments,
-                        sizeof(struct strokes_fragments_head) + (size_t)FRAGMENT_BYTES * state->capacity);
+                        sizeof(struct strokes_fragments_head) + STROKES_FRAGMENT_BYTES * state->capacity);
         HATCH_TRY(gpu_check_memory(err, "%zu fragments of strokes", state->capacity));
         HATCH_TRY(draw_fragments(context, instance, count, err));
         if (*count <= state->capacity)
@@ -73,7 +72,7 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
     return HATCH_OK;
 }
 
-static void dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
+void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
 {
     const struct frame_dispatch pass = {.name = name,
                                         .program = program,
@@ -152,7 +151,7 @@ static enum hatch_status route(const struct frame *frame, struct strokes_state *
     glClearNamedBufferData(state->table.name, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
     gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
     gpu_storage_bind(STORAGE_SLOTS, state->table.name);
-    dispatch(frame, state->route, "route", count);
+    strokes_dispatch(frame, state->route, "route", count);
     gpu_buffer_read(state->table.name, *slots, size_bytes);
     return gpu_check_memory(err, "%u strokes", state->slot_count);
 }
@@ -166,32 +165,46 @@ static bool is_full(const struct strokes_slot *slots, uint32_t slot_count, uint3
     return routed < fragments;
 }
 
+/* Routes the fragments to their strokes, and puts those of each stroke side by side.
+ *   full  out: the table was too small, and fragments have lost their ids
+ *   list  out */
+static enum hatch_status sort(const struct frame *frame, struct strokes_state *state, uint32_t count, bool *full,
+                              struct strokes_list *list, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct strokes_slot *slots;
+    HATCH_TRY(route(frame, state, count, &slots, scratch, err));
+    *full = is_full(slots, state->slot_count, count);
+    if (*full && state->slot_count == SLOTS_MOST)
+        return hatch_fail(err, HATCH_LIMIT, "more than %u strokes are in sight: make them larger", SLOTS_MOST);
+    if (*full) {
+        state->slot_count *= 2;
+        return HATCH_OK;
+    }
+    HATCH_TRY(HATCH_ALLOC(scratch, &list->strokes, state->slot_count, err));
+    list->count = list_strokes(slots, state->slot_count, list->strokes);
+    gpu_buffer_update(state->table.name, slots, sizeof *slots * state->slot_count);
+    strokes_reserve(&state->sorted, STROKES_SORTED_BYTES * (size_t)count);
+    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    strokes_dispatch(frame, state->sort, "sort", count);
+    return gpu_check_memory(err, "%u fragments of strokes", count);
+}
+
 enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
                                  struct strokes_list *list, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
     const struct frame *frame = context->frame;
     struct hatch_arena *scratch = &context->args->scratch;
-    struct strokes_slot *slots;
-    uint32_t count = 0;
     *list = (struct strokes_list){.count = 0};
+    state->waited = 0;
     for (bool full = true; full;) {
-        HATCH_TRY(find_fragments(context, instance, &count, err));
-        if (!count)
+        HATCH_TRY(find_fragments(context, instance, &list->fragments, err));
+        if (!list->fragments)
             return HATCH_OK;
-        HATCH_TRY(route(frame, state, count, &slots, scratch, err));
-        full = is_full(slots, state->slot_count, count);
-        if (full && state->slot_count == SLOTS_MOST)
-            return hatch_fail(err, HATCH_LIMIT, "more than %u strokes are in sight: make them larger", SLOTS_MOST);
-        state->slot_count *= full ? 2 : 1;
+        full = false;
+        HATCH_TRY(state->blends ? strokes_blend(frame, state, list->fragments, list, scratch, err)
+                                : sort(frame, state, list->fragments, &full, list, scratch, err));
     }
-    HATCH_TRY(HATCH_ALLOC(scratch, &list->strokes, state->slot_count, err));
-    list->count = list_strokes(slots, state->slot_count, list->strokes);
-    list->fragments = count;
     drop_least(state, list);
-    gpu_buffer_update(state->table.name, slots, sizeof *slots * state->slot_count);
-    strokes_reserve(&state->sorted, STROKES_FRAGMENT_BYTES * (size_t)count);
-    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
-    dispatch(frame, state->sort, "sort", count);
-    return gpu_check_memory(err, "%u fragments of strokes", count);
+    return HATCH_OK;
 }

@@ -22,6 +22,16 @@ struct strokes_slot {
 #define STROKES_JOINED_START 4u /* it goes on before its start, after its end */
 #define STROKES_JOINED_END 8u
 
+/* Tables of strokes with the sums over their fragments, which blending computes. Zeroed: none. */
+struct strokes_blend {
+    const struct gpu_program *points, *waiting;
+    struct gpu_target tables[2]; /* of this frame and of the frame before */
+    int last;                    /* index of the table that was drawn last */
+    uint32_t slots;              /* of a table, a power of two; 0: there are no tables */
+    struct hatch_tile tile;      /* of the frame before; zeroed: there is none */
+    GLuint array;                /* the fragments as points */
+};
+
 /* std430: the head of the buffer of fragments, which are 4 words each. */
 struct strokes_fragments_head {
     uint32_t count, unused[3];
@@ -35,19 +45,24 @@ struct strokes_state {
     const struct gpu_program *route, *sort, *fit, *ribbon;
     struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
-    size_t capacity;      /* fragments that the buffer holds */
-    uint32_t slot_count;  /* of the table, a power of two */
-    uint32_t most;        /* strokes that are drawn */
-    double width_px;      /* nominal width of the frame's strokes */
-    bool warned;          /* that there are more */
-    GLuint points_view;   /* texture through which the points are read */
+    uint32_t waited;      /* strokes that shared a slot with others when the frame's fragments were first routed */
+    bool blends;          /* sums over fragments are computed by blending; else fragments are sorted by stroke */
+    struct strokes_blend blend;
+    uint32_t noted[3];   /* strokes, fragments and strokes that waited, since they were last told */
+    size_t capacity;     /* fragments that the buffer holds */
+    uint32_t slot_count; /* of the table, a power of two */
+    uint32_t most;       /* strokes that are drawn */
+    double width_px;     /* nominal width of the frame's strokes */
+    bool warned;         /* that there are more */
+    GLuint points_view;  /* texture through which the points are read */
     GLuint array, block_buffer;
     bool has_brush;  /* the ribbons have the image of a brush */
     GLuint brush[2]; /* textures: its alpha, its grain */
 };
 
-/* A fragment in the buffer `sorted`: as shaders/strokes/fragments.glsl has it, without the id. */
-#define STROKES_FRAGMENT_BYTES (2 * sizeof(uint32_t))
+/* Sizes of a fragment, as shaders/strokes/fragments.glsl has it, and in the buffer `sorted`, where it has no id. */
+#define STROKES_FRAGMENT_BYTES (4 * sizeof(uint32_t))
+#define STROKES_SORTED_BYTES (2 * sizeof(uint32_t))
 
 /* The strokes of a frame, ordered by strokes_compare. */
 struct strokes_list {
@@ -82,6 +97,20 @@ struct strokes_look strokes_look(const struct technique_instance *instance);
 enum hatch_status strokes_gather(struct technique_context *context, struct technique_instance *instance,
                                  struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Does the same by blending, from `count` fragments: the sums of each stroke are in the slot `first` of the last table.
+ * In the first frame of a tile no stroke is left out; in later ones those that share a slot. */
+enum hatch_status strokes_blend(const struct frame *frame, struct strokes_state *state, uint32_t count,
+                                struct strokes_list *list, struct hatch_arena *scratch,
+                                struct hatch_err *err) HATCH_MUST_USE;
+
+/* Binds the sums of the last table to five texture units. */
+void strokes_blend_bind(const struct strokes_state *state);
+
+void strokes_blend_free(struct strokes_blend *blend);
+
+/* Runs a compute pass over `count` fragments. */
+void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count);
+
 /* Fits the strokes and computes the points of their ribbons. Strokes that no cubic follows are divided.
  *   list  in, out: with the parts of divided strokes */
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
@@ -104,9 +133,12 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
 /* Uploads the brush of the drawing style if it has an image. Repeated calls do nothing. */
 void strokes_take_brush(struct strokes_state *state);
 
-/* Sets the uniforms and textures of the brush, and returns its mean ink.
+/* Sets the uniforms of the brush, and returns its mean ink.
  *   even  all strokes are alike, as a pen draws them */
 double strokes_use_brush(const struct strokes_state *state, bool even);
+
+/* Binds the textures of the brush. */
+void strokes_bind_brush(const struct strokes_state *state);
 
 /* Makes a buffer at least as large as wanted; its content is lost if it grows. */
 void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes);

@@ -1,0 +1,134 @@
+// A fitted cubic becomes a ribbon: RIBBON_POINTS points for traced/ribbon.vert. Included by the stages that fit.
+#include "frame/frame.glsl"
+#include "traced/style.glsl"
+#include "traced/noise.glsl"
+#include "strokes/curve.glsl"
+
+layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
+layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
+layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width of strokes that are drawn whole
+layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
+
+const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
+const float WIDEST = 1.5;   // greatest width, in widths of the pen
+const float TURNS = 4.0;    // waves of the noise along a whole stroke
+const float SHORTEST_PX = 1.0;
+const uint JOINED_START = 4u, JOINED_END = 8u; // a stroke goes on before its start, after its end
+const int LAST = RIBBON_POINTS - 1;
+
+struct Path {
+    vec2 places[RIBBON_POINTS];
+    float lengths[RIBBON_POINTS]; // from the first
+};
+
+// A stroke to draw. u runs from -1 to 1 over the part in sight.
+struct Drawn {
+    Cubic cubic;
+    uint high;   // upper word of its id
+    uint joined; // bits JOINED_...
+    uint own;    // the same bits: the end is the stroke's own, and tapers as that of the texture does
+    vec2 ends;   // u of both ends, without overdraw
+    float length_px; // from u -1 to 1
+    float widths[RIBBON_POINTS]; // at evenly spaced u from -1 to 1
+    float mean;                  // of the widths
+};
+
+void measure(Cubic cubic, float from, float to, out Path path)
+{
+    for (int k = 0; k <= LAST; k++) {
+        path.places[k] = place_on(cubic, mix(from, to, float(k) / float(LAST)));
+        path.lengths[k] = k == 0 ? 0.0 : path.lengths[k - 1] + distance(path.places[k], path.places[k - 1]);
+    }
+}
+
+float mean_of(float widths[RIBBON_POINTS])
+{
+    float mean = 0.0;
+    for (int k = 0; k <= LAST; k++)
+        mean += widths[k] / float(LAST + 1);
+    return mean;
+}
+
+float width_at(float widths[RIBBON_POINTS], float u)
+{
+    float at = clamp(0.5 + 0.5 * u, 0.0, 1.0) * float(LAST), width = 0.0, sum = 0.0;
+    for (int k = 0; k <= LAST; k++) {
+        float share = max(1.0 - 0.5 * abs(at - float(k)), 0.0);
+        width += share * widths[k];
+        sum += share;
+    }
+    return width / sum;
+}
+
+// Returns the widths at both ends, in mean widths.
+vec2 thickness_of(float widths[RIBBON_POINTS], float mean)
+{
+    return vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
+}
+
+float profile_at(float t)
+{
+    float at = clamp(t, 0.0, 1.0) * float(BRUSH_PROFILE - 1);
+    int low = min(int(at), BRUSH_PROFILE - 2);
+    return mix(profile[low], profile[low + 1], at - float(low));
+}
+
+// Returns the share of its length that a stroke keeps: a thin one is drawn shorter instead of thinner, and stays black.
+float share_kept(float mean_width)
+{
+    return clamp(mean_width / max(thinnest, 1e-6), SHORTEST, 1.0);
+}
+
+// Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
+// end, which thins it out before; short parts go on by less.
+vec2 with_overdraw(Drawn drawn)
+{
+    float speed = max(0.5 * drawn.length_px, 1.0); // pixels per u
+    vec2 further = clamp(2.0 * thickness_of(drawn.widths, drawn.mean) - 1.0, 0.0, 1.0);
+    further *= min(overdraw, 0.5 * drawn.length_px) / speed;
+    further *= vec2((drawn.joined & JOINED_START) == 0u, (drawn.joined & JOINED_END) == 0u);
+    vec2 own = vec2(u_of(drawn.cubic, 0.0), u_of(drawn.cubic, 1.0)), ends = drawn.ends;
+    return vec2(max(ends.x - further.x, min(own.x, ends.x)), min(ends.y + further.y, max(own.y, ends.y)));
+}
+
+// Returns the factor by which a stroke is wider so that it has its area in spite of the ends that taper (ribbon.frag),
+// and of those that go on.
+// seen, whole: length in pixels without and with these; count: of the ends that taper
+float gain_of(float seen, float whole, int count)
+{
+    float taper = min(hand.w, 0.3 * whole * float(3 - count));
+    return clamp(seen / max(whole - float(count) * taper / 3.0, SHORTEST_PX), 0.5, 2.0);
+}
+
+// Writes point k of a ribbon.
+// factor: of the widths; blunt: bits 4, 8: ends that the pen does not taper
+void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, uint blunt)
+{
+    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
+    vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
+    vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
+    float t = mix(drawn.cubic.range.x, drawn.cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
+    float thickness = min(factor * width_at(drawn.widths, u) / profile_at(t), thickest);
+    thickness *= 1.0 + hand.x * wave_noise(drawn.high, at);
+    float aside = hand.z * wave_noise(drawn.high ^ 0x5bd1e995u, at);
+    float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(drawn.high ^ 0x27d4eb2fu, at)));
+    uint bits = (drawn.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + blunt;
+    ribbon[to] = vec4(path.places[k] + aside * across, 0.5, 0.5 * thickness);
+    ribbon[to + 1u] = vec4(pressure, float(bits), path.lengths[k], whole - path.lengths[k]);
+    ribbon[to + 2u] = vec4(1.0, t, 1.0, 0.0);
+}
+
+// Writes the ribbon of stroke i.
+void extrude(uint i, Drawn drawn)
+{
+    float kept = share_kept(drawn.mean), seen = kept * 0.5 * (drawn.ends.y - drawn.ends.x) * drawn.length_px;
+    vec2 ends = with_overdraw(drawn);
+    uint blunt = drawn.own | drawn.joined;
+    ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
+    Path path;
+    measure(drawn.cubic, ends.x, ends.y, path);
+    float factor = gain_of(seen, max(path.lengths[LAST], SHORTEST_PX), 2 - bitCount(blunt)) / kept;
+    for (int k = 0; k <= LAST; k++)
+        put_point(3u * (i * uint(RIBBON_POINTS) + uint(k)), k, drawn, path, mix(ends.x, ends.y, float(k) / float(LAST)),
+                  factor, blunt);
+}
