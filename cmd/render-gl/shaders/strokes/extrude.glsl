@@ -104,7 +104,7 @@ float gain_of(float seen, float whole, int count)
 // factor: of the widths; blunt: bits 4, 8: ends that the pen does not taper
 void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, uint blunt)
 {
-    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + 0.5 * whole, WIDEST * pen.x); // no blots
+    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + whole, WIDEST * pen.x); // no blots
     vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
     vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
     float t = mix(drawn.cubic.range.x, drawn.cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;

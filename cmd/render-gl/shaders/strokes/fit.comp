@@ -42,6 +42,22 @@ float find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POI
     return float(far) / float(max(all, 1u));
 }
 
+// Makes a dot of a stroke that is shorter than wide: a square of the same area. Returns whether it is one.
+bool make_dot(inout Cubic cubic, inout Path path, inout float widths[RIBBON_POINTS])
+{
+    float side = clamp(sqrt(cubic.weight), SHORTEST_PX, WIDEST * pen.x);
+    if (path.lengths[LAST] >= side)
+        return false;
+    vec2 middle = place_on(cubic, 0.0) - cubic.origin, way = path.places[LAST] - path.places[0];
+    vec2 along = length(way) > 1e-3 ? normalize(way) : vec2(1.0, 0.0);
+    cubic.x = vec4(middle.x, 0.5 * side * along.x, 0.0, 0.0);
+    cubic.y = vec4(middle.y, 0.5 * side * along.y, 0.0, 0.0);
+    path.lengths[LAST] = side;
+    for (int k = 0; k <= LAST; k++)
+        widths[k] = cubic.weight / side;
+    return true;
+}
+
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
@@ -53,14 +69,17 @@ void main()
     float widths[RIBBON_POINTS];
     measure(cubic, -1.0, 1.0, path);
     missed[i] = find_widths(slot, cubic, path, widths);
+    bool is_dot = make_dot(cubic, path, widths);
     float mean = mean_of(widths);
     vec2 ends = vec2(-1.0, 1.0), own = vec2(u_of(cubic, 0.0), u_of(cubic, 1.0)), thick = thickness_of(widths, mean);
-    if (slot.joined == 0u && is_lapped(slot.first)) {
+    if (!is_dot && slot.joined == 0u && is_lapped(slot.first)) {
         ends = follow_both(cubic, own, thick);
         if (has_middle_elsewhere(cubic, own, thick))
             for (int k = 0; k <= LAST; k++)
                 widths[k] = 0.0;
     }
     uint whole = (cubic.range.x < CUT ? JOINED_START : 0u) | (cubic.range.y > 1.0 - CUT ? JOINED_END : 0u);
+    if (is_dot)
+        whole = JOINED_START | JOINED_END;
     extrude(i, Drawn(cubic, slot.high, slot.joined, whole, ends, path.lengths[LAST], widths, mean));
 }
