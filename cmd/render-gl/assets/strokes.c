@@ -1,5 +1,5 @@
-/* Uploads maps with ids as lists of the strokes that cover each texel: integers in rows of HATCH_EXACT_WIDTH, which
- * shaders fetch one by one.
+/* Uploads maps with ids as lists of the strokes that cover each texel: integers in rows of ROW_WORDS, which shaders
+ * fetch one by one.
  *
  *     0              unused
  *     1              width and height of the finest level, in texels
@@ -13,11 +13,13 @@
 #include <string.h>
 
 #include "render-gl/assets/asset.h"
+#include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 #include "cover/cover.h"
-#include "tam/exact.h"
 
+#define ROW_WORDS (1u << LIST_ROW_BITS)
+#define HEAD 8u
 #define MARK_WORDS (sizeof(struct hatch_cover_mark) / sizeof(uint32_t))
 
 static bool is_map_with_ids(const struct asset *asset)
@@ -27,12 +29,12 @@ static bool is_map_with_ids(const struct asset *asset)
 
 static void fill(const struct asset *asset, const struct hatch_cover *cover, uint32_t *words)
 {
-    size_t ends = HATCH_EXACT_HEAD + cover->levels, marks = ends + cover->texel_count + 1;
+    size_t ends = HEAD + cover->levels, marks = ends + cover->texel_count + 1;
     words[1] = asset->map.size_px;
     words[2] = cover->levels;
     words[3] = (uint32_t)marks;
     for (uint32_t level = 0; level < cover->levels; level++)
-        words[HATCH_EXACT_HEAD + level] = (uint32_t)ends + cover->first[level];
+        words[HEAD + level] = (uint32_t)ends + cover->first[level];
     memcpy(words + ends, cover->ends, sizeof *words * ((size_t)cover->texel_count + 1));
     memcpy(words + marks, cover->marks, sizeof *cover->marks * cover->mark_count);
 }
@@ -40,19 +42,19 @@ static void fill(const struct asset *asset, const struct hatch_cover *cover, uin
 static enum hatch_status upload_cover(const struct asset *asset, const struct hatch_cover *cover, uint32_t size_max_px,
                                       struct hatch_arena *arena, struct asset_tones *tones, struct hatch_err *err)
 {
-    size_t count = HATCH_EXACT_HEAD + cover->levels + (size_t)cover->texel_count + 1 + MARK_WORDS * cover->mark_count;
-    size_t rows = (count + HATCH_EXACT_WIDTH - 1) / HATCH_EXACT_WIDTH;
+    size_t count = HEAD + cover->levels + (size_t)cover->texel_count + 1 + MARK_WORDS * cover->mark_count;
+    size_t rows = (count + ROW_WORDS - 1) / ROW_WORDS;
     uint32_t *words;
     if (rows > size_max_px)
-        return hatch_fail(err, HATCH_LIMIT, "the lists of the map's strokes have %zu rows, the GPU's limit is %u", rows,
-                          size_max_px);
-    HATCH_TRY(HATCH_ALLOC(arena, &words, rows * HATCH_EXACT_WIDTH, err));
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the lists of the map's strokes have %zu rows, the GPU's limit is %u: use a smaller map",
+                          rows, size_max_px);
+    HATCH_TRY(HATCH_ALLOC(arena, &words, rows * ROW_WORDS, err));
     fill(asset, cover, words);
     tones->stroke_px = cover->width_px;
     tones->stroke_ink = cover->ink;
-    tones->texture = gpu_texture_2d(GL_R32UI, HATCH_EXACT_WIDTH, (uint32_t)rows);
-    glTextureSubImage2D(tones->texture, 0, 0, 0, HATCH_EXACT_WIDTH, (GLsizei)rows, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                        words);
+    tones->texture = gpu_texture_2d(GL_R32UI, ROW_WORDS, (uint32_t)rows);
+    glTextureSubImage2D(tones->texture, 0, 0, 0, ROW_WORDS, (GLsizei)rows, GL_RED_INTEGER, GL_UNSIGNED_INT, words);
     return gpu_check_memory(err, "%zu rows of lists of strokes", rows);
 }
 

@@ -32,6 +32,9 @@
 #define STORAGE_SORTED 6
 #define STORAGE_MISSED 7
 
+/* Words per row of a texture of lists (assets/strokes.c), as a power of two */
+#define LIST_ROW_BITS 13
+
 /* Points of a fitted stroke's ribbon */
 #define RIBBON_POINTS 17
 

@@ -2,6 +2,7 @@
 // footprint of the pixel. What a fragment counts follows from the blends of levels and columns, so that strokes that
 // only one of them has fade in and out. libhatch/cover/cover.h explains the marks.
 #define RATIO 4.0 // as with four samples per pixel: the fit takes the mean of many fragments
+#define ROW_BITS LIST_ROW_BITS
 #include "frame/amounts.glsl"
 #include "tones/targets.glsl"
 #include "tones/tones.glsl"

@@ -3,11 +3,15 @@
 #include "frame/frame.glsl"
 
 #ifdef EXACT
-layout(binding = UNIT_TONES) uniform usampler2D columns; // words of exact runs, 1024 per row (tamthresh(5))
+layout(binding = UNIT_TONES) uniform usampler2D columns; // words of exact runs, 1024 per row, or of lists
+
+#ifndef ROW_BITS
+#define ROW_BITS 10
+#endif
 
 uint word(uint i)
 {
-    return texelFetch(columns, ivec2(i & 1023u, i >> 10), 0).r;
+    return texelFetch(columns, ivec2(i & (1u << ROW_BITS) - 1u, i >> ROW_BITS), 0).r;
 }
 
 vec2 columns_size()
