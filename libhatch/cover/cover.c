@@ -34,9 +34,10 @@ struct maker {
     uint32_t id_max;
     struct hatch_cover_owner *owners; /* of the level */
     struct hatch_cover_texels texels; /* of the level */
-    uint32_t level, size;
-    uint32_t *slot_of; /* per texel: index of its entry in `near`, plus 1; 0: none */
-    struct near *near; /* texels near the stroke in hand */
+    uint32_t size;                    /* of the level */
+    float scale;                      /* its size as a share of the finest level's */
+    uint32_t *slot_of;                /* per texel: index of its entry in `near`, plus 1; 0: none */
+    struct near *near;                /* texels near the stroke in hand */
     uint32_t near_count;
     float reach;                        /* distance of texels from their stroke's curve */
     float share[T_BINS][AWAY_BINS + 1]; /* mean ink of a stroke's texels, by t and distance */
@@ -50,8 +51,8 @@ struct maker {
 static void place_at(const struct maker *maker, const struct hatch_cover_stroke *stroke, float t, float place[2])
 {
     hatch_cover_stroke_at(stroke, t, place);
-    place[0] = ldexpf(place[0], -(int)maker->level);
-    place[1] = ldexpf(place[1], -(int)maker->level);
+    place[0] *= maker->scale;
+    place[1] *= maker->scale;
 }
 
 /* Notes that a texel lies near a stroke, or that it lies nearer than was known. */
@@ -89,7 +90,7 @@ static void note_piece(struct maker *maker, const float from[2], const float to[
 /* Finds the texels near a stroke. */
 static void find_near(struct maker *maker, const struct hatch_cover_stroke *stroke)
 {
-    float length = ldexpf(stroke->length, -(int)maker->level), from[2], to[2];
+    float length = stroke->length * maker->scale, from[2], to[2];
     int pieces = (int)ceilf(fminf(length / STEP_TEXELS, (float)maker->size)) + 1;
     maker->near_count = 0;
     place_at(maker, stroke, 0, from);
@@ -248,8 +249,8 @@ static enum hatch_status begin_level(struct maker *maker, uint32_t level, struct
                                      struct hatch_err *err)
 {
     uint32_t count;
-    maker->level = level;
     maker->size = hatch_mip_size(maker->tam->size_px, level);
+    maker->scale = (float)maker->size / (float)maker->tam->size_px;
     count = maker->size * maker->size;
     hatch_cover_find_owners(maker->tam, level, maker->owners);
     for (uint32_t i = 0; i < count; i++) /* ids that the finest level does not name have no curve */
@@ -298,6 +299,7 @@ static enum hatch_status find_strokes(struct maker *maker, struct hatch_arena *s
 {
     uint32_t count = maker->tam->size_px * maker->tam->size_px;
     maker->size = maker->tam->size_px;
+    maker->scale = 1;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &maker->owners, count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &maker->slot_of, count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &maker->near, count, err));
