@@ -10,6 +10,7 @@ layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width 
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
 
 const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
+const float SHORT_WIDTHS = 3.0; // a stroke of so many widths of the pen keeps its length
 const float WIDEST = 1.5;   // greatest width, in widths of the pen
 const float TURNS = 4.0;    // waves of the noise along a whole stroke
 const float SHORTEST_PX = 1.0;
@@ -74,9 +75,9 @@ float profile_at(float t)
 }
 
 // Returns the share of its length that a stroke keeps: a thin one is drawn shorter instead of thinner, and stays black.
-float share_kept(float mean_width)
+float share_kept(float mean_width, float length_px)
 {
-    return clamp(mean_width / max(thinnest, 1e-6), SHORTEST, 1.0);
+    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : clamp(mean_width / max(thinnest, 1e-6), SHORTEST, 1.0);
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
@@ -121,7 +122,8 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
 // Writes the ribbon of stroke i.
 void extrude(uint i, Drawn drawn)
 {
-    float kept = share_kept(drawn.mean), seen = kept * 0.5 * (drawn.ends.y - drawn.ends.x) * drawn.length_px;
+    float kept = share_kept(drawn.mean, drawn.length_px);
+    float seen = kept * 0.5 * (drawn.ends.y - drawn.ends.x) * drawn.length_px;
     vec2 ends = with_overdraw(drawn);
     uint blunt = drawn.own | drawn.joined;
     ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
