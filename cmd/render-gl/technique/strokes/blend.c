@@ -15,7 +15,7 @@
 #define FARTHEST -1e9f /* less than any of the extremes */
 
 /* Outputs of shaders/strokes/blend.frag. */
-enum { OUTPUT_POWERS, OUTPUT_HIGHER, OUTPUT_X, OUTPUT_Y, OUTPUT_EXTREMES, OUTPUT_IDS, OUTPUT_COUNT };
+enum { OUTPUT_POWERS, OUTPUT_HIGHER, OUTPUT_X, OUTPUT_Y, OUTPUT_EXTREMES, OUTPUT_IDS };
 
 /* What a table holds after the fragments have been drawn. */
 struct survey {
@@ -31,6 +31,7 @@ static enum hatch_status make_tables(struct strokes_blend *blend, uint32_t slots
         .width = TABLE_WIDTH,
         .height = slots / TABLE_WIDTH + 1, /* fragments without a slot are drawn into the last row */
         .outputs = {GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RGBA32F, GL_RG32UI}};
+    blend->slots = 0; /* until both are made */
     for (int i = 0; i < 2; i++) {
         struct gpu_target *table = &blend->tables[i];
         gpu_target_free(table);
@@ -74,7 +75,7 @@ static void read_output(const struct gpu_target *table, uint32_t output, GLenum 
 }
 
 /* Reads the last table back.
- *   found  out: strokes with a slot of their own, room for all slots; `first` is the slot */
+ *   found  out: strokes with a slot of their own, room for all slots; `first` is the slot, `count` 0 */
 static enum hatch_status look(const struct strokes_blend *blend, struct strokes_slot *found, struct survey *survey,
                               struct hatch_arena *scratch, struct hatch_err *err)
 {
