@@ -23,6 +23,9 @@ is "a picture is equal to itself" "$(hatchstat diff grey.ppm grey.ppm | field ps
 is "grey 128 is 0.2159 in linear light" \
     "$(hatchstat diff grey.ppm black.ppm | field mean | cut -c 1-6)" 0.2158
 is "grey 128 is 128/255 in sRGB" "$(hatchstat diff --srgb grey.ppm black.ppm | field bias)" 0.501960814
+awk 'BEGIN {print "P2\n4 2\n255"; for (i = 0; i < 8; i++) print 30 * i}' >steps.pgm
+awk 'BEGIN {print "P3\n4 2\n255"; for (i = 0; i < 24; i++) print 30 * int(i / 3)}' >steps.ppm
+is "a grey picture is equal to the same in colour" "$(hatchstat diff steps.pgm steps.ppm | field max)" 0
 is "JSON has no number for infinity" \
     "$(hatchstat diff --json grey.ppm grey.ppm | grep -o '"psnr_db": [a-z]*')" '"psnr_db": null'
 

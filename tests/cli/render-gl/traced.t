@@ -39,6 +39,9 @@ refused "a pen that does not exist" 2 2
 for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
     near "a plane seen from $camera" "$(mean_ink --size 200x200 --camera $camera --fov 25 --tone-range .4:.4)" .4 .02
 done
+# Marks and their overlaps grow with the width.
+near "sketched marks three times as wide" "$(mean_ink --stroke-style sketch --stroke-width 6 --size 200x200 \
+    --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4)" .4 .02
 for pen in etching woodcut sketch pencil stipple; do
     draw plane.glb --stroke-style $pen --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
     near "a plane drawn by $pen" "$(ink)" .4 .025
