@@ -94,11 +94,13 @@ vec2 with_overdraw(Drawn drawn)
 
 // Returns the factor by which a stroke is wider so that it has its area in spite of the ends that taper (ribbon.frag),
 // and of those that go on.
-// seen, whole: length in pixels without and with these; count: of the ends that taper
-float gain_of(float seen, float whole, int count)
+// seen, whole: length in pixels without and with these; free: 1 for an end that tapers, else 0; thick: widths at the
+// ends, in mean widths
+float gain_of(float seen, float whole, vec2 free, vec2 thick)
 {
-    float taper = min(hand.w, 0.3 * whole * float(3 - count));
-    return clamp(seen / max(whole - float(count) * taper / 3.0, SHORTEST_PX), 0.5, 2.0);
+    float taper = min(hand.w, 0.3 * whole * (3.0 - free.x - free.y));
+    float lost = dot(free, clamp(thick, 0.0, 1.0)) * taper / 3.0;
+    return clamp(seen / max(whole - lost, SHORTEST_PX), 0.5, 2.0);
 }
 
 // Writes point k of a ribbon.
@@ -129,7 +131,9 @@ void extrude(uint i, Drawn drawn)
     ends = 0.5 * (ends.x + ends.y) + 0.5 * kept * vec2(ends.x - ends.y, ends.y - ends.x);
     Path path;
     measure(drawn.cubic, ends.x, ends.y, path);
-    float factor = gain_of(seen, max(path.lengths[LAST], SHORTEST_PX), 2 - bitCount(blunt)) / kept;
+    vec2 free = vec2((blunt & JOINED_START) == 0u, (blunt & JOINED_END) == 0u);
+    vec2 thick = thickness_of(drawn.widths, drawn.mean);
+    float factor = gain_of(seen, max(path.lengths[LAST], SHORTEST_PX), free, thick) / kept;
     for (int k = 0; k <= LAST; k++)
         put_point(3u * (i * uint(RIBBON_POINTS) + uint(k)), k, drawn, path, mix(ends.x, ends.y, float(k) / float(LAST)),
                   factor, blunt);
