@@ -112,8 +112,8 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
     strokes_bind_brush(state);
     glVertexArrayElementBuffer(state->array, state->indices.name);
     glBindVertexArray(state->array);
-    for (uint32_t ink = 0; ink < 2; ink++) {
-        uint32_t end = first;
+    while (first < list->count) {
+        uint32_t end = first, ink = list->strokes[first].id[0] & 1;
         while (end < list->count && (list->strokes[end].id[0] & 1) == ink)
             end++;
         glUniform1i(UNIFORM_INK, (GLint)ink);

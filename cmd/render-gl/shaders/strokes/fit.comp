@@ -13,6 +13,7 @@ layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; };
 layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
 layout(location = UNIFORM_COUNT) uniform uint count;
 
+const uint DRAWN = 16u;  // bit of `joined`: the stroke has its ribbon
 const float REACH = 1.5; // distance of a stroke's fragments from its curve, in widths of the pen
 const float CUT = 0.04;  // share of t by which a stroke that is cut off falls short of its own end
 
@@ -64,6 +65,8 @@ void main()
     if (i >= count)
         return;
     Slot slot = slots[i];
+    if ((slot.joined & DRAWN) != 0u)
+        return;
     Cubic cubic = fit(slot.first, slot.count);
     Path path;
     float widths[RIBBON_POINTS];

@@ -83,13 +83,15 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct strok
                                      const struct point *points, uint32_t *layer_count, struct hatch_err *err)
 {
     *layer_count = 0;
-    for (uint32_t i = 0; i < list->count && !(list->strokes[i].id[0] & 1); i++, points += RIBBON_POINTS) {
+    for (uint32_t i = 0; i < list->count; i++, points += RIBBON_POINTS) {
         uint32_t layer = list->strokes[i].id[0] >> 1 & 63;
         if (layer >= HATCH_CURVE_FAMILIES_MAX)
             layer = HATCH_CURVE_FAMILIES_MAX - 1;
         const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[1]};
         const double mean = mean_half_width(points);
-        *layer_count = layer + 1;
+        if (list->strokes[i].id[0] & 1)
+            continue;
+        *layer_count = layer >= *layer_count ? layer + 1 : *layer_count;
         if (2 * mean < drawing->thin_px)
             continue;
         drawing->half_px = STROKES_THIN * mean;

@@ -2,6 +2,7 @@
  * divided on the processor and fitted again. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "fit/split.h"
 #include "render-gl/gpu/bindings.h"
@@ -12,16 +13,16 @@
 #define MISSED_MOST 0.05f /* share of a stroke's weight that its curve may miss */
 #define REACH 1.5f        /* as in shaders/strokes/fit.comp */
 #define PLACES 8u         /* places along a stroke whose parts have different ids */
-#define POINT_BYTES (12 * sizeof(float))
+#define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
 
 /* Fits the strokes of a list.
  *   missed  out: for each, the share of its weight that its curve misses; NULL: not wanted */
 static enum hatch_status fit(const struct frame *frame, struct strokes_state *state, const struct strokes_list *list,
                              float *missed, struct hatch_err *err)
 {
-    const size_t bytes = POINT_BYTES * RIBBON_POINTS * list->count, before = state->points.size_bytes;
-    strokes_reserve(&state->points, bytes);
-    if (state->points.size_bytes != before) {
+    const size_t bytes = RIBBON_BYTES * list->count;
+    if (bytes > state->points.size_bytes) {
+        strokes_reserve(&state->points, bytes + bytes / 2); /* room for the parts of divided strokes */
         glDeleteTextures(1, &state->points_view);
         state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
     }
@@ -104,12 +105,13 @@ static enum hatch_status divide(const struct strokes_slot *stroke, double reach_
     return HATCH_OK;
 }
 
-/* Divides the strokes of a list whose curves miss too much. */
+/* Divides the strokes of a list whose curves miss too much. The first part takes the place of the stroke; the others
+ * come after all strokes, ordered by ink as these are. */
 static enum hatch_status divide_all(struct strokes_state *state, const float *missed, struct strokes_list *list,
                                     struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct strokes_slot *strokes;
-    uint32_t(*words)[2], poor = 0, count = 0;
+    struct strokes_slot *strokes, parts[HATCH_FIT_PARTS_MAX];
+    uint32_t(*words)[2], poor = 0, count = list->count;
     for (uint32_t i = 0; i < list->count; i++)
         poor += missed[i] > MISSED_MOST;
     if (!poor)
@@ -119,13 +121,19 @@ static enum hatch_status divide_all(struct strokes_state *state, const float *mi
     gpu_buffer_read(state->sorted.name, words, sizeof *words * list->fragments);
     for (uint32_t i = 0; i < list->count; i++) {
         const struct strokes_slot *stroke = &list->strokes[i];
-        uint32_t parts = 1;
-        strokes[count] = *stroke;
-        if (missed[i] > MISSED_MOST)
-            HATCH_TRY(divide(stroke, (double)REACH * state->width_px + 1, words + stroke->first, scratch,
-                             strokes + count, &parts, err));
-        count += parts;
+        uint32_t part_count;
+        strokes[i] = *stroke;
+        strokes[i].joined = STROKES_DRAWN;
+        if (missed[i] <= MISSED_MOST)
+            continue;
+        HATCH_TRY(divide(stroke, (double)REACH * state->width_px + 1, words + stroke->first, scratch, parts,
+                         &part_count, err));
+        strokes[i] = parts[0];
+        memcpy(&strokes[count], &parts[1], sizeof *parts * (part_count - 1));
+        count += part_count - 1;
     }
+    for (uint32_t i = 0; RIBBON_BYTES * count > state->points.size_bytes && i < list->count; i++)
+        strokes[i].joined &= ~STROKES_DRAWN; /* the ribbons will be made in a larger buffer */
     gpu_buffer_update(state->sorted.name, words, sizeof *words * list->fragments);
     list->strokes = strokes;
     list->count = count;
@@ -135,12 +143,12 @@ static enum hatch_status divide_all(struct strokes_state *state, const float *mi
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
                               struct hatch_arena *scratch, struct hatch_err *err)
 {
-    uint32_t before = list->count;
+    const struct strokes_slot *before = list->strokes;
     float *missed;
     if (state->blends)
         return fit(frame, state, list, NULL, err);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
     HATCH_TRY(fit(frame, state, list, missed, err));
     HATCH_TRY(divide_all(state, missed, list, scratch, err));
-    return list->count == before ? HATCH_OK : fit(frame, state, list, NULL, err);
+    return list->strokes == before ? HATCH_OK : fit(frame, state, list, NULL, err);
 }

@@ -21,6 +21,7 @@ struct strokes_slot {
 };
 #define STROKES_JOINED_START 4u /* it goes on before its start, after its end */
 #define STROKES_JOINED_END 8u
+#define STROKES_DRAWN 16u /* it has its ribbon */
 
 /* Tables of strokes with the sums over their fragments, which blending computes. Zeroed: none. */
 struct strokes_blend {
