@@ -262,7 +262,7 @@ static void measure(const struct fit_stroke *stroke, const struct fitted *fitted
     note(&errors->off[errors->count++], off);
 }
 
-/* What is in sight of the strokes of a row, and how it is known. */
+/* Parts in sight of the strokes of a row, and how they are known. */
 struct work {
     const char *sweep;
     double parameters; /* different ones of the fragments, or 0: as many as the pixels have */

@@ -28,7 +28,7 @@ for style in pencil charcoal sketch; do
         awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .3 && (a - b) ^ 2 < .012 ^ 2)}'
 done
 
-# What is random about a stroke follows from its number, not from the order of threads.
+# The random looks of a stroke follow from its number, not from the order of threads.
 draw torus.glb --size 320x240
 for n in 1 2; do
     LP_NUM_THREADS=$n render-gl -q -t strokes --lines none -o again$n.exr torus.glb --size 320x240

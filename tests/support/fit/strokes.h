@@ -40,7 +40,7 @@ static inline double fit_between(uint64_t seed, uint64_t stream, uint64_t index,
     return least + (most - least) * (double)hatch_random_unit(seed, stream, index);
 }
 
-/* What is in sight of a stroke. */
+/* Parts of a stroke that are in sight. */
 enum fit_kind {
     FIT_WHOLE,
     FIT_PART, /* a quarter to three quarters of it */

@@ -4,6 +4,7 @@
 #include "strokes/hash.glsl"
 
 layout(local_size_x = 64) in;
+#include "strokes/index.glsl"
 struct Slot { // struct strokes_slot of technique/strokes/strokes.h
     uint low, high; // id; 0: free
     uint count, first;
@@ -46,7 +47,7 @@ uint slot_of(uvec2 id)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i >= count)
         return;
     uint slot = slot_of(fragments[i].xy);

@@ -2,6 +2,7 @@
 #include "strokes/fragments.glsl"
 
 layout(local_size_x = 64) in;
+#include "strokes/index.glsl"
 struct Slot {
     uint low, high, count, first, joined;
 };
@@ -13,7 +14,7 @@ const uint DROPPED = 0xffffffffu; // first fragment of a stroke that is not draw
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i < count && fragments[i].x < uint(slots.length()) && slots[fragments[i].x].first != DROPPED)
         sorted[slots[fragments[i].x].first + fragments[i].y] = fragments[i].zw;
 }

@@ -3,6 +3,7 @@
 #include "strokes/slots.glsl"
 
 layout(local_size_x = 64) in;
+#include "strokes/index.glsl"
 layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D extremes; // output of blend.frag
 layout(std430, binding = STORAGE_SORTED) buffer Waiting {
     uint waiting_count, unused_word;
@@ -12,7 +13,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i >= count)
         return;
     uvec2 id = fragments[i].xy;

@@ -17,7 +17,7 @@
 /* Outputs of shaders/strokes/blend.frag. */
 enum { OUTPUT_POWERS, OUTPUT_HIGHER, OUTPUT_X, OUTPUT_Y, OUTPUT_EXTREMES, OUTPUT_IDS };
 
-/* What a table holds after the fragments have been drawn. */
+/* Content of a table after the fragments have been drawn. */
 struct survey {
     uint32_t found;  /* slots of one stroke alone */
     uint32_t shared; /* slots of several strokes */

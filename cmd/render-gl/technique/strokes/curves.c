@@ -13,7 +13,7 @@ struct point {
     float x, y, depth, half_width, rest[8];
 };
 
-/* What a pen draws of the segments of ribbons. */
+/* Paths of a pen along the segments of ribbons. */
 struct drawing {
     double half_px;   /* half the width from which on the stroke is drawn */
     double thin_px;   /* mean width from which on a stroke is drawn */

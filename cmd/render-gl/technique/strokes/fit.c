@@ -74,9 +74,10 @@ static double middle_of(const struct hatch_fragment *fragments, uint32_t count)
     return 0.5 * (double)(low + high);
 }
 
-/* Divides a stroke whose curve misses fragments by more than reach_px. The id of a part depends on its place along the
- * stroke, so that it is the same in the next frame. words  its fragments; reordered parts  out: HATCH_FIT_PARTS_MAX at
- * most, count of them */
+/* Divides a stroke into parts. The id of a part depends on its place along the stroke: the next frame has the same one.
+ *   reach_px  distance of fragments that a curve misses
+ *   words     the stroke's fragments; reordered
+ *   parts     out: count of them, at most HATCH_FIT_PARTS_MAX */
 static enum hatch_status divide(const struct strokes_slot *stroke, double reach_px, uint32_t (*words)[2],
                                 struct hatch_arena *scratch, struct strokes_slot *parts, uint32_t *count,
                                 struct hatch_err *err)

@@ -7,6 +7,7 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/technique/strokes/strokes.h"
 
+#define GROUPS_MOST 65535u /* work groups in a row that OpenGL guarantees */
 #define SLOTS_LEAST 65536u
 #define SLOTS_MOST (1u << 22)
 #define DROPPED UINT32_MAX /* first fragment of a stroke that is not drawn */
@@ -20,7 +21,7 @@ void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
     buffer->size_bytes = size_bytes;
 }
 
-/* Draws the items into a target with one sample per pixel.
+/* Draws the items into a target with one sample per pixel, as large as the tile: drawings have a smaller canvas.
  *   count  out: number of fragments found, which may exceed the capacity of the buffer */
 static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
                                         uint32_t *count, struct hatch_err *err)
@@ -29,11 +30,14 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     static const struct strokes_fragments_head none = {0};
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
-    const struct canvas *canvas = frame->request.canvas;
+    const struct hatch_tile *tile = frame->request.tile;
     const struct gpu_target_form form = {
-        .width = canvas->width, .height = canvas->height, .depth = GL_DEPTH_COMPONENT32F};
+        .width = (uint32_t)tile->width, .height = (uint32_t)tile->height, .depth = GL_DEPTH_COMPONENT32F};
     const struct gpu_target *target;
     struct strokes_fragments_head head;
+    if (form.width > frame->size_max_px || form.height > frame->size_max_px)
+        return hatch_fail(err, HATCH_LIMIT, "strokes are found in pictures of at most %u pixels a side",
+                          frame->size_max_px);
     HATCH_TRY(frame_target(&frame->targets, &form, &target, err));
     const struct frame_pass clear = {.name = "clear", .target = target, .clear_depth = &far};
     frame_pass_begin(&clear);
@@ -74,10 +78,12 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
 
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
 {
-    const struct frame_dispatch pass = {.name = name,
-                                        .program = program,
-                                        .groups = {(count + 63) / 64, 1, 1},
-                                        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
+    const uint32_t groups = (count + 63) / 64;
+    const struct frame_dispatch pass = {
+        .name = name,
+        .program = program,
+        .groups = {groups < GROUPS_MOST ? groups : GROUPS_MOST, (groups + GROUPS_MOST - 1) / GROUPS_MOST, 1},
+        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
     glProgramUniform1ui(program->name, UNIFORM_COUNT, count);
     frame_dispatch(&pass, frame->timer);
 }

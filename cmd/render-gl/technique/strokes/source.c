@@ -1,4 +1,4 @@
-/* What the strokes come from: seed points, or a tonal art map with ids. */
+/* Sources of strokes: seed points, or a tonal art map with ids. */
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/texture.h"
 #include "render-gl/scene/attributes.h"
