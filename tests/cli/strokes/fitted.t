@@ -63,6 +63,16 @@ try render-gl -v -t strokes --lines none --stroke 3x1 --seed-tile 16 --tone-rang
     --camera 0,0,2.4:0,0,0 -o many.png plane.glb
 ok "all strokes find room" awk '/strokes, of which/ && $3 > 80000 {found = 1} END {exit !found}' .err
 
+# More fragments than one row of work groups takes: 4,194,240.
+try render-gl -v -t strokes --lines none --stroke 300x8 --tone-range .6:.6 --size 2300x2000 --samples 1 \
+    --camera 0,0,2.4:0,0,0 -o large.png plane.glb
+ok "a large picture" awk '/ fragments/ && $4 > 4194240 {found = 1} END {exit !found}' .err
+is "its status" $status 0
+
+# A drawing wider than a canvas, 8192 pixels, which is about 2170 mm: strokes are up to its right border.
+render-gl -q -t strokes --lines none --stroke 80x4 --tone-range .5:.5 --size 8300x100 --camera 0,0,0.04:0,0,0 -o wide.svg plane.glb
+ok "a wide drawing" perl -ne 'while (/M([\d.]+) /g) {$right++ if $1 > 1200} END {exit !($right > 20)}' wide.svg
+
 # Drawings: ink of the paths of a plane, from their length and the pen's width, if they overlap at random.
 drawn() {
     render-gl -q -t strokes --lines none --size 800x800 --camera 0,0,2.4:0,0,0 --tone-range "$1:$1" -o plane.svg plane.glb
