@@ -9,10 +9,10 @@
 #include "math/angle.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
-#include "render-gl/gpu/shader_files.h"
 #include "render-gl/technique/strokes/strokes.h"
 #include "render_frame.h"
 #include "rptam_model.h"
+#include "gpu/stage.h"
 
 enum {
     STROKES = 400,
@@ -28,15 +28,6 @@ enum {
 
 static struct test_frame frame;
 static struct hatch_rptam rptam;
-
-static const char *shader_text(const char *name)
-{
-    const struct shader_file *file = shader_files;
-    while (file->name && strcmp(file->name, name) != 0)
-        file++;
-    ck_assert_ptr_nonnull(file->name);
-    return file->text;
-}
 
 /* Compiles a compute stage that fits the strokes of a buffer and writes their factors. */
 static GLuint fit_program(void)
@@ -58,16 +49,7 @@ static GLuint fit_program(void)
     const char *fit = strstr(shader_text("strokes/cubic.glsl"), include);
     ck_assert_ptr_nonnull(fit);
     const char *const texts[] = {begin, shader_text("strokes/curve.glsl"), fit + sizeof include - 1, end};
-    GLint linked = GL_FALSE;
-    GLuint shader = glCreateShader(GL_COMPUTE_SHADER), program = glCreateProgram();
-    glShaderSource(shader, 4, texts, NULL);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    glLinkProgram(program);
-    glDeleteShader(shader);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    ck_assert_int_eq(linked, GL_TRUE);
-    return program;
+    return compute_program(4, texts);
 }
 
 /* Packs a fragment as shaders do, and rounds it to what they read. */

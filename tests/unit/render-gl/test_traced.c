@@ -8,9 +8,9 @@
 #include "field_make.h"
 #include "filter/difference.h"
 #include "render-gl/gpu/buffer.h"
-#include "render-gl/gpu/shader_files.h"
 #include "render-gl/technique/traced/traced.h"
 #include "render_frame.h"
+#include "gpu/stage.h"
 #include "trace/trace.h"
 
 enum { TONES = 21, THRESHOLDS = 41, SCALES = 13, DENSEST = 5, WIDTHS = TONES * THRESHOLDS * SCALES * DENSEST };
@@ -32,21 +32,8 @@ static GLuint width_program(void)
                               "    vec3 law = width_law(pen, at.x, at.y, at.z, at.w, false);\n"
                               "    widths[gl_GlobalInvocationID.x] = law.x * law.y;\n"
                               "}\n";
-    const struct shader_file *law = shader_files;
-    while (law->name && strcmp(law->name, "traced/width.glsl") != 0)
-        law++;
-    ck_assert_ptr_nonnull(law->name);
-    const char *const texts[] = {begin, law->text, end};
-    GLint linked = GL_FALSE;
-    GLuint shader = glCreateShader(GL_COMPUTE_SHADER), program = glCreateProgram();
-    glShaderSource(shader, 3, texts, NULL);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    glLinkProgram(program);
-    glDeleteShader(shader);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    ck_assert_int_eq(linked, GL_TRUE);
-    return program;
+    const char *const texts[] = {begin, shader_text("traced/width.glsl"), end};
+    return compute_program(3, texts);
 }
 
 /* Fills in the places: thresholds around the one that the tone asks for with a pen, and densest ones around it, too. */
