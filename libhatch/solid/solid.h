@@ -1,0 +1,44 @@
+/* Solid textures: cubes of texels that repeat along each axis, in which objects are carved. A solid texture needs no
+ * texture coordinates: the position of a point on the object is its place in the texture. solid(5) describes the file.
+ */
+#ifndef HATCH_SOLID_SOLID_H
+#define HATCH_SOLID_SOLID_H
+
+#include "image/texels.h"
+
+#define HATCH_SOLID_SIZE_MIN 8u
+#define HATCH_SOLID_SIZE_MAX 512u
+
+/* Keys of the file: the style or method that made the texture, and its random seed. */
+#define HATCH_SOLID_KEY "hatch:solid"
+#define HATCH_SOLID_KEY_SEED "hatch:seed"
+
+/* The finest level of a solid texture. Texel (x, y, z) covers [x, x + 1) / size and so on along each axis; what lies
+ * beyond is repeated. */
+struct hatch_solid {
+    uint32_t size;     /* texels along each axis, a power of two, HATCH_SOLID_SIZE_MIN .. HATCH_SOLID_SIZE_MAX */
+    uint32_t channels; /* 1: grey; 3: R G B */
+    uint8_t *texels;   /* [((z * size + y) * size + x) * channels + c]: linear reflectance, 255 is paper, 0 is ink */
+};
+
+/* Makes a solid texture whose texels are 0.
+ *   size, channels  as in struct hatch_solid
+ *   solid           out, in arena
+ * HATCH_LIMIT, before any work, when the memory does not suffice. */
+enum hatch_status hatch_solid_make(struct hatch_arena *arena, uint32_t size, uint32_t channels,
+                                   struct hatch_solid *solid, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Makes the mip chain of a solid texture, down to one texel. A texel of a coarser level is the mean of eight.
+ *   texture  out: a 3D texture in arena; its finest level is solid->texels itself
+ * HATCH_LIMIT when the memory does not suffice. */
+enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch_arena *arena,
+                                   struct hatch_texels *texture, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Takes the solid texture from a texture that a file held.
+ *   solid  out: its finest level, by reference; in arena if the texture had alpha, which is left out
+ * HATCH_BAD_INPUT, with the reason, when it is no cube of plain texels with one, three or four channels whose side is
+ * a power of two in range; HATCH_LIMIT when the memory does not suffice. */
+enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct hatch_arena *arena,
+                                   struct hatch_solid *solid, struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
