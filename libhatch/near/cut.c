@@ -17,10 +17,10 @@ static enum hatch_status add_piece(void *context, const struct hatch_piece_corne
 {
     struct cutting *cutting = context;
     struct hatch_near_vertex vertices[3];
-    struct hatch_pair origin[2];
-    for (int axis = 0; axis < 2; axis++) {
-        struct hatch_pair rest = hatch_piece_fixed(corner[0]->uv[axis], vertices[0].origin[axis]);
-        origin[axis] = hatch_pair_sub(corner[0]->uv[axis], rest);
+    struct hatch_pair origin[3];
+    for (int axis = 0; axis < 3; axis++) {
+        struct hatch_pair rest = hatch_piece_fixed(corner[0]->place[axis], vertices[0].origin[axis]);
+        origin[axis] = hatch_pair_sub(corner[0]->place[axis], rest);
     }
     for (int i = 0; i < 3; i++) {
         struct hatch_near_vertex *vertex = &vertices[i];
@@ -28,9 +28,8 @@ static enum hatch_status add_piece(void *context, const struct hatch_piece_corne
             vertex->position[k] = (float)corner[i]->at[k].high;
             vertex->weight[k] = (float)corner[i]->weight[k];
             vertex->corner[k] = cutting->corner[k];
+            vertex->place[k] = (float)hatch_pair_sub(corner[i]->place[k], origin[k]).high;
         }
-        for (int axis = 0; axis < 2; axis++)
-            vertex->uv[axis] = (float)hatch_pair_sub(corner[i]->uv[axis], origin[axis]).high;
         if (i > 0)
             memcpy(vertex->origin, vertices[0].origin, sizeof vertex->origin);
     }
@@ -52,13 +51,24 @@ static void set_position(const struct hatch_near_frame *frame, const double worl
 }
 
 /* Computes the texture coordinates as hatch_texcoord in the shader vertex.glsl does, in double-double precision. */
-static void set_uv(const double turn[2], const float texcoord[2], const float repeat[2], struct hatch_pair uv[2])
+static void set_uv(const double turn[2], const float texcoord[2], const float repeat[2], struct hatch_pair uv[3])
 {
     double tiles[2];
     for (int k = 0; k < 2; k++)
         tiles[k] = (double)texcoord[k] * (double)repeat[k];
     uv[0] = hatch_pair_sub(hatch_pair_product(turn[0], tiles[0]), hatch_pair_product(turn[1], tiles[1]));
     uv[1] = hatch_pair_add(hatch_pair_product(turn[1], tiles[0]), hatch_pair_product(turn[0], tiles[1]));
+    uv[2] = hatch_pair_of(0);
+}
+
+/* Computes the place of a vertex in a solid texture.
+ *   origin  of the mesh */
+static void set_rest(const struct hatch_item_rest *rest, const double origin[3], const float position[3],
+                     struct hatch_pair place[3])
+{
+    for (int k = 0; k < 3; k++)
+        place[k] = hatch_pair_add(hatch_pair_scale(hatch_pair_sum((double)position[k], -origin[k]), 1 / rest->unit),
+                                  hatch_pair_of(rest->offset[k]));
 }
 
 /* Returns the region that the tile shows, with a margin. */
@@ -85,14 +95,20 @@ enum hatch_status hatch_near_cut_faces(const struct hatch_near_frame *frame, con
     const struct hatch_item *item = target->item;
     struct cutting cutting = {.buffer = buffer};
     const struct hatch_piece_view picture = visible_region(frame);
-    const float *texcoord = hatch_mesh_find(frame->scene->meshes[item->mesh].mesh, "TEXCOORD_0", 2);
+    const struct hatch_unit_mesh *mesh = &frame->scene->meshes[item->mesh];
+    const float *texcoord = hatch_mesh_find(mesh->mesh, "TEXCOORD_0", 2);
+    const float *position = hatch_mesh_find(mesh->mesh, "POSITION", 3);
+    const struct hatch_item_rest rest = hatch_item_rest(frame->scene, (uint32_t)(item - frame->scene->items));
     for (uint32_t i = 0; i < choice->piece_count; i++) {
         struct hatch_piece_corner corner[3];
         for (size_t k = 0; k < 3; k++) {
             size_t vertex = cutting.corner[k] = hatch_near_corner(&target->faces, choice->piece_faces[i], k);
             set_position(frame, target->shape->positions + 3 * vertex, corner[k].at);
-            set_uv(frame->options->turn, texcoord ? texcoord + 2 * vertex : none,
-                   item->repeats ? item->repeats + 2 * vertex : item->repeat, corner[k].uv);
+            if (frame->options->places == HATCH_NEAR_REST)
+                set_rest(&rest, mesh->origin, position + 3 * vertex, corner[k].place);
+            else
+                set_uv(frame->options->turn, texcoord ? texcoord + 2 * vertex : none,
+                       item->repeats ? item->repeats + 2 * vertex : item->repeat, corner[k].place);
             for (size_t j = 0; j < 3; j++)
                 corner[k].weight[j] = j == k;
         }

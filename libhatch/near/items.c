@@ -143,7 +143,7 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
     HATCH_TRY(choose(&frame, choices, err));
     if (view->near_is_automatic && !view->orthographic)
         view->near = near->plane = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);
-    return options->pieces ? cut_all(&frame, choices, err) : HATCH_OK;
+    return options->places != HATCH_NEAR_NONE ? cut_all(&frame, choices, err) : HATCH_OK;
 }
 
 const struct hatch_near_item *hatch_near_item_at(const struct hatch_near *near, uint32_t item)

@@ -13,10 +13,10 @@
 /* A vertex of a piece, as a vertex shader reads it. */
 struct hatch_near_vertex {
     float position[3];     /* camera coordinates: right, up, back */
-    float uv[2];           /* relative to origin */
+    float place[3];        /* in the texture, relative to origin */
     float weight[3];       /* barycentric coordinates in the face; their sum is 1 */
     uint32_t corner[3];    /* the face's vertices, as indices into the item's mesh */
-    uint32_t origin[2][4]; /* texture coordinates of the piece's first corner, u and v, as fixed-point numbers of
+    uint32_t origin[3][4]; /* place in the texture of the piece's first corner, as fixed-point numbers of
                               hatch_piece_fixed */
 };
 
@@ -47,8 +47,15 @@ struct hatch_near {
     double plane; /* distance of the near plane in the last frame */
 };
 
+/* Where a vertex lies in the texture. */
+enum hatch_near_places {
+    HATCH_NEAR_NONE,      /* no pieces are made: only the near plane is set */
+    HATCH_NEAR_TEXCOORDS, /* at its texture coordinates: u, v and 0 */
+    HATCH_NEAR_REST       /* at its place in a solid texture: struct hatch_item_rest */
+};
+
 struct hatch_near_options {
-    bool pieces;                   /* false: only the near plane is set */
+    enum hatch_near_places places;
     double turn[2];                /* cosine and sine of the rotation of texture coordinates, times their scale */
     const struct hatch_tile *tile; /* part of the picture that is drawn */
     uint64_t max_memory;           /* limit of each arena, bytes */

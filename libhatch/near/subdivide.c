@@ -78,12 +78,11 @@ static bool is_outside(const struct cutting *c, const struct hatch_piece_corner 
 static void set_middle(const struct hatch_piece_corner *a, const struct hatch_piece_corner *b,
                        struct hatch_piece_corner *middle)
 {
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         middle->at[k] = hatch_pair_half(hatch_pair_add(a->at[k], b->at[k]));
-    for (int k = 0; k < 2; k++)
-        middle->uv[k] = hatch_pair_half(hatch_pair_add(a->uv[k], b->uv[k]));
-    for (int k = 0; k < 3; k++)
+        middle->place[k] = hatch_pair_half(hatch_pair_add(a->place[k], b->place[k]));
         middle->weight[k] = 0.5 * (a->weight[k] + b->weight[k]);
+    }
 }
 
 static double corner_distance(const struct hatch_piece_corner *a, const struct hatch_piece_corner *b)

@@ -11,9 +11,9 @@
 #include "math/pair.h"
 
 struct hatch_piece_corner {
-    struct hatch_pair at[3]; /* position in camera coordinates: right, up, back; the eye is at 0 0 0 */
-    struct hatch_pair uv[2]; /* texture coordinates */
-    double weight[3];        /* barycentric coordinates in the face; their sum is 1 */
+    struct hatch_pair at[3];    /* position in camera coordinates: right, up, back; the eye is at 0 0 0 */
+    struct hatch_pair place[3]; /* in the texture: u, v and 0, or a place in a solid texture */
+    double weight[3];           /* barycentric coordinates in the face; their sum is 1 */
 };
 
 /* The visible region in camera coordinates. */

@@ -148,6 +148,36 @@ void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_
         hatch_bounds_to_unit(&unit->bounds, positions + 3 * v, positions + 3 * v);
 }
 
+/* Returns the factor by which a posed item's matrix, or that of its first joint, scales volumes. */
+static double volume_factor(const struct hatch_unit_scene *unit, const struct hatch_item *item)
+{
+    double world[16], cofactors[9], factor = 1;
+    uint32_t skin = unit->scene->nodes[item->node].skin, node = item->node;
+    if (skin != HATCH_NONE && unit->scene->skins[skin].joint_count > 0) {
+        const float *bind = unit->scene->skins[skin].inverse_bind;
+        for (int i = 0; i < 16; i++)
+            world[i] = (double)bind[i];
+        hatch_pose_normal_matrix(world, cofactors);
+        factor = world[0] * cofactors[0] + world[1] * cofactors[1] + world[2] * cofactors[2];
+        node = unit->scene->skins[skin].joints[0];
+    }
+    hatch_pose_matrix(&unit->pose, node, world);
+    hatch_pose_normal_matrix(world, cofactors);
+    return fabs(factor * (world[0] * cofactors[0] + world[1] * cofactors[1] + world[2] * cofactors[2]));
+}
+
+struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint32_t index)
+{
+    const struct hatch_item *item = &unit->items[index];
+    const struct hatch_unit_mesh *mesh = &unit->meshes[item->mesh];
+    double half = fmax(mesh->half[0], fmax(mesh->half[1], mesh->half[2])), factor = cbrt(volume_factor(unit, item));
+    struct hatch_item_rest rest = {.unit = half > 0 ? exp2(floor(log2(half))) : 1};
+    for (int k = 0; k < 3; k++)
+        rest.offset[k] = fmod(mesh->origin[k] / rest.unit, 64);
+    rest.scale = (factor > 0 && factor < INFINITY ? factor : 1) * rest.unit / unit->bounds.radius;
+    return rest;
+}
+
 uint32_t hatch_unit_scene_vertices_max(const struct hatch_unit_scene *unit)
 {
     uint32_t most = 0;

@@ -69,6 +69,18 @@ void hatch_item_deform(struct hatch_unit_scene *unit, struct hatch_item *item, d
 void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_item *item, double *positions,
                         float *normals);
 
+/* Where the undeformed surface of an item lies in a solid texture: the place of a vertex is
+ *     (its position in the mesh at rest - the mesh's origin) / unit + offset
+ * Meshes of one node have the same units but for powers of two, so that a texture continues from one to the next. */
+struct hatch_item_rest {
+    double unit;      /* a power of two, about the mesh's size */
+    double offset[3]; /* the mesh's origin in units, less a multiple of 64 */
+    double scale;     /* length in the unit scene, at the pose, of a unit: the cube root of the volume's factor */
+};
+
+/* Finds it for a posed item. A skinned item has the scale of its first joint. */
+struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint32_t item);
+
 /* Returns the number of vertices of the item with the largest surface. */
 uint32_t hatch_unit_scene_vertices_max(const struct hatch_unit_scene *unit);
 

@@ -16,7 +16,7 @@ static void clear(const struct frame *frame)
     frame_pass_end(&pass, frame->timer);
 }
 
-enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, bool pieces,
+enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, enum hatch_near_places places,
                               struct hatch_err *err)
 {
     const struct frame_style *style = &frame->style;
@@ -29,7 +29,7 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
     frame_block_set_inks(block, &style->inks);
     frame_block_set_curve(block, &style->curve);
     frame_block_set_hatch(block, style->hatch_turn_rad, style->hatch_scale);
-    const struct hatch_near_options options = {.pieces = pieces && !frame->floats_alone,
+    const struct hatch_near_options options = {.places = frame->floats_alone ? HATCH_NEAR_NONE : places,
                                                .turn = {(double)block->hatch[0], (double)block->hatch[1]},
                                                .tile = request->tile,
                                                .max_memory = frame->programs.scratch->limit_bytes};

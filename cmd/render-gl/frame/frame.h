@@ -61,9 +61,9 @@ struct frame {
 
 /* Writes the uniform block, cuts near faces into pieces, draws the shadow maps and clears the canvas. The block's tones
  * must be set before.
- *   pieces  the technique can draw near faces as pieces (TECHNIQUE_PIECES)
+ *   places  what the technique needs to know of places in its texture to draw near faces as pieces
  * HATCH_LIMIT when main memory or the GPU's memory does not suffice. */
-enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, bool pieces,
+enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, enum hatch_near_places places,
                               struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws haloes and averages the samples.

@@ -9,11 +9,12 @@ static void make_array(struct near *near)
 {
     static const struct gpu_attribute attributes[] = {
         {ATTRIBUTE_PLACE, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, position)},
-        {ATTRIBUTE_FROM, 2, GL_FLOAT, offsetof(struct hatch_near_vertex, uv)},
+        {ATTRIBUTE_FROM, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, place)},
         {ATTRIBUTE_WEIGHT, 3, GL_FLOAT, offsetof(struct hatch_near_vertex, weight)},
         {ATTRIBUTE_CORNER, 3, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, corner)},
         {ATTRIBUTE_ORIGIN_U, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[0])},
-        {ATTRIBUTE_ORIGIN_V, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[1])}};
+        {ATTRIBUTE_ORIGIN_V, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[1])},
+        {ATTRIBUTE_ORIGIN_W, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[2])}};
     glCreateBuffers(1, &near->buffer);
     glCreateTextures(GL_TEXTURE_BUFFER, 3, near->views);
     glCreateVertexArrays(1, &near->array);

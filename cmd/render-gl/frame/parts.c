@@ -1,5 +1,7 @@
 #include "render-gl/frame/parts.h"
 
+#include <math.h>
+
 #include "render-gl/gpu/bindings.h"
 
 void frame_use_item(const struct scene *scene, uint32_t index, float lightness, const struct gpu_program *program)
@@ -11,7 +13,12 @@ void frame_use_item(const struct scene *scene, uint32_t index, float lightness, 
         glBindTextureUnit(UNIT_BASE, item->base_texture);
     if (item->normals)
         glBindTextureUnit(UNIT_NORMALS, item->normals);
+    const struct hatch_item_rest rest = hatch_item_rest(&scene->unit, index);
     glUniform1ui(UNIFORM_ITEM, index);
+    glUniform1ui(UNIFORM_MATERIAL, scene->unit.scene->meshes[unit->mesh].material);
+    glUniform4f(UNIFORM_REST, (float)rest.offset[0], (float)rest.offset[1], (float)rest.offset[2],
+                (float)(1 / rest.unit));
+    glUniform1f(UNIFORM_REST_LOG, (float)log2(rest.scale));
     glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
     glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);
     glUniformMatrix3fv(UNIFORM_NORMAL_FROM_MESH, 1, GL_FALSE, unit->normal);

@@ -21,6 +21,7 @@
 #define UNIT_HALO_DEPTHS 14
 #define UNIT_HALO_CELLS 15
 #define UNIT_HALO_BLOCKS 16
+#define UNIT_SOLIDS 17 /* eight units, 17 .. 24 */
 
 /* Storage buffers of compute stages */
 #define STORAGE_VERTICES 0 /* struct scene_vertex, as single floats */
@@ -57,7 +58,10 @@
 #define UNIFORM_OVERDRAW 14
 #define UNIFORM_BRUSH 15 /* length of the brush's stroke in pixels; mean of its grain */
 #define UNIFORM_THINNEST 16
-#define UNIFORM_PROFILE 32 /* BRUSH_PROFILE locations */
+#define UNIFORM_REST 17     /* place of an item in solid textures: offset, and units of a mesh's length */
+#define UNIFORM_REST_LOG 18 /* binary logarithm of a unit's length in the unit scene */
+#define UNIFORM_MATERIAL 19 /* index of the item's material */
+#define UNIFORM_PROFILE 32  /* BRUSH_PROFILE locations */
 #define BRUSH_PROFILE 17
 #define UNIFORM_CLIP_FROM_CAMERA 20
 #define UNIFORM_PIECES 21
@@ -82,6 +86,7 @@
 #define ATTRIBUTE_TANGENT 8
 #define ATTRIBUTE_NORMAL_TEXCOORD 9
 #define ATTRIBUTE_CHART 10
+#define ATTRIBUTE_REST 11 /* position in the undeformed mesh */
 
 /* Vertex attributes of overlays, per instance */
 #define ATTRIBUTE_LINE_ENDS 0
@@ -101,5 +106,6 @@
 #define ATTRIBUTE_CORNER 3
 #define ATTRIBUTE_ORIGIN_U 4
 #define ATTRIBUTE_ORIGIN_V 5
+#define ATTRIBUTE_ORIGIN_W 6
 
 #endif

@@ -1,6 +1,7 @@
 #include "render-gl/scene/attributes.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "base/random.h"
 #include "mesh/fans.h"
@@ -64,6 +65,19 @@ enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena 
         HATCH_TRY(status);
     }
     return HATCH_OK;
+}
+
+void scene_set_rest(struct scene *scene)
+{
+    static const struct gpu_attribute attribute = {ATTRIBUTE_REST, 3, GL_FLOAT,
+                                                   offsetof(struct scene_vertex, position)};
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        const struct scene_item *item = &scene->items[i];
+        GLuint vertices = scene->meshes[scene->unit.items[i].mesh].vertices;
+        const GLuint arrays[] = {item->vertex_array, item->surface_array};
+        for (int k = 0; k < 2 && arrays[k]; k++)
+            gpu_array_attach(arrays[k], SCENE_SLOT_REST, vertices, sizeof(struct scene_vertex), &attribute, 1);
+    }
 }
 
 static enum hatch_status make_patch_tones(const struct hatch_patch_mesh *patches, struct hatch_arena *scratch,

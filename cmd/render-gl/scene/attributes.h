@@ -17,6 +17,9 @@ enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_r
 enum hatch_status scene_set_uv_tangents(struct scene *scene, struct hatch_arena *scratch,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
+/* Makes the positions of undeformed vertices an attribute of every item. Repeated calls change nothing. */
+void scene_set_rest(struct scene *scene);
+
 /* Gives every patch of lapped meshes a random tone, as a vertex attribute, so that patches can be told apart. Repeated
  * calls make no new tones. */
 enum hatch_status scene_set_patch_tones(struct scene *scene, struct hatch_arena *scratch,

@@ -24,7 +24,8 @@ enum {
     SCENE_SLOT_PATCHES,
     SCENE_SLOT_UV_TANGENTS,
     SCENE_SLOT_TANGENTS,
-    SCENE_SLOT_CHARTS
+    SCENE_SLOT_CHARTS,
+    SCENE_SLOT_REST
 };
 
 /* Buffers of a mesh. */

@@ -18,7 +18,8 @@
     X(threshold)                                                                                                       \
     X(threshold_soft)                                                                                                  \
     X(traced)                                                                                                          \
-    X(strokes)
+    X(strokes)                                                                                                         \
+    X(solid)
 
 /* Declares a variable technique_NAME for each NAME of the list. It is defined in technique/NAME.c. */
 #define TECHNIQUE_DECLARE(name) extern const struct technique technique_##name;

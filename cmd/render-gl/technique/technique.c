@@ -52,7 +52,7 @@ static enum hatch_status begin(struct technique_context *context, struct techniq
         asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
     else
         frame_block_set_tones(&frame->block, NULL, 0, false);
-    enum hatch_status status = frame_begin(frame, request, technique->features & TECHNIQUE_PIECES, err);
+    enum hatch_status status = frame_begin(frame, request, technique->places, err);
     frame->style.curve.high = high;
     return status;
 }

@@ -17,11 +17,10 @@
 enum technique_feature {
     TECHNIQUE_STROKES = 1,      /* draws strokes along texture coordinates; feature lines are drawn by default */
     TECHNIQUE_PIXEL_LIGHT = 2,  /* can compute light per pixel */
-    TECHNIQUE_PIECES = 4,       /* can draw faces near the eye as pieces (near/near.h): precise at any zoom */
-    TECHNIQUE_NO_COLOR = 8,     /* writes numbers instead of colours: no haloes are drawn over them */
-    TECHNIQUE_REFERENCE = 16,   /* draws the tone without strokes: --time compares with it */
-    TECHNIQUE_ALL_COLUMNS = 32, /* blends all columns of a map, coloured ones too */
-    TECHNIQUE_LINES = 64        /* feature lines are drawn by default, though its strokes need no texture coordinates */
+    TECHNIQUE_NO_COLOR = 4,     /* writes numbers instead of colours: no haloes are drawn over them */
+    TECHNIQUE_REFERENCE = 8,    /* draws the tone without strokes: --time compares with it */
+    TECHNIQUE_ALL_COLUMNS = 16, /* blends all columns of a map, coloured ones too */
+    TECHNIQUE_LINES = 32        /* feature lines are drawn by default, though its strokes need no texture coordinates */
 };
 
 /* An option that --animate and the window's keys can change. */
@@ -66,6 +65,7 @@ struct technique {
     const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
     const struct asset_kind *extra;       /* kind of asset that it reads if there is one; NULL: none, or `asset` */
     uint32_t features;                    /* bits of enum technique_feature */
+    enum hatch_near_places places;        /* how faces near the eye are drawn as pieces, precise at any zoom; or NONE */
     uint32_t samples;                     /* its default for --samples, a square number; 0: the option's default */
     double tone_scale;                    /* factor for the darkest tone; 0 counts as 1 */
     size_t state_size;                    /* size of its state in bytes; 0: the state is a struct shaded_state */

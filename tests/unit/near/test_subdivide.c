@@ -38,8 +38,9 @@ static void make_face(const double at[3][3], struct hatch_piece_corner face[3])
             face[i].at[k] = hatch_pair_of(at[i][k]);
             face[i].weight[k] = i == k;
         }
-        face[i].uv[0] = hatch_pair_sum(at[i][0] + 0.3, 0x1p-60);
-        face[i].uv[1] = hatch_pair_of(at[i][1]);
+        face[i].place[0] = hatch_pair_sum(at[i][0] + 0.3, 0x1p-60);
+        face[i].place[1] = hatch_pair_of(at[i][1]);
+        face[i].place[2] = hatch_pair_sum(at[i][2], 0x1p-70);
     }
 }
 
@@ -110,8 +111,8 @@ START_TEST(corners_are_exact)
         struct hatch_pair uv = {0, 0};
         ck_assert(corner->weight[0] + corner->weight[1] + corner->weight[2] == 1);
         for (int k = 0; k < 3; k++)
-            uv = hatch_pair_add(uv, hatch_pair_scale(face[k].uv[0], corner->weight[k]));
-        ck_assert(fabs(hatch_pair_round(hatch_pair_sub(uv, corner->uv[0]))) <= 0x1p-100);
+            uv = hatch_pair_add(uv, hatch_pair_scale(face[k].place[0], corner->weight[k]));
+        ck_assert(fabs(hatch_pair_round(hatch_pair_sub(uv, corner->place[0]))) <= 0x1p-100);
     }
 }
 END_TEST

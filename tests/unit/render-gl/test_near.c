@@ -142,7 +142,8 @@ START_TEST(too_little_memory_is_a_limit)
     frame_open(&torus, &frame_unit, NULL, &frame);
     struct hatch_view view = view_near(&torus, 0x1p-30, nowhere);
     for (uint64_t bytes = 1024; bytes < (uint64_t)64 << 20; bytes += bytes / 3) {
-        const struct hatch_near_options options = {.pieces = true, .turn = {1, 0}, .tile = &tile, .max_memory = bytes};
+        const struct hatch_near_options options = {
+            .places = HATCH_NEAR_TEXCOORDS, .turn = {1, 0}, .tile = &tile, .max_memory = bytes};
         struct hatch_near near = {.is_open = false};
         enum hatch_status status = HATCH_LIMIT;
         for (int again = 0; again < 3; again++)

@@ -3,11 +3,12 @@
 // into variables that are named like the usual inputs.
 #ifdef PIECES
 layout(location = ATTRIBUTE_PLACE) in vec3 a_place;   // in camera space
-layout(location = ATTRIBUTE_FROM) in vec2 a_from;    // texture coordinates relative to the piece's origin
+layout(location = ATTRIBUTE_FROM) in vec3 a_from;    // place in the texture relative to the piece's origin
 layout(location = ATTRIBUTE_WEIGHT) in vec3 a_weight;  // barycentric coordinates in the face
 layout(location = ATTRIBUTE_CORNER) in uvec3 a_corner; // indices of the face's vertices
 layout(location = ATTRIBUTE_ORIGIN_U) in uvec4 a_origin_u; // fixed-point, 64.64 bits, lowest word first
 layout(location = ATTRIBUTE_ORIGIN_V) in uvec4 a_origin_v;
+layout(location = ATTRIBUTE_ORIGIN_W) in uvec4 a_origin_w;
 layout(location = UNIFORM_CLIP_FROM_CAMERA) uniform mat4 clip_from_camera;
 layout(location = UNIFORM_PIECES) uniform vec4 has; // 1: spans; 1: repeats; zw: repeat of all vertices without them
 layout(binding = UNIT_PIECES) uniform samplerBuffer corner_vertices; // 10 floats each: struct scene_vertex

@@ -7,25 +7,8 @@ in vec3 v_along_u, v_along_v;
 // fraction and its two lowest integer bits matter. In pieces, multiples of 4 tiles are therefore left out of the
 // origin, which saves precision.
 #ifdef PIECES
+#include "frame/fixed.glsl"
 flat in uvec4 v_origin_u, v_origin_v;
-
-uint word_of(uvec4 number, int word)
-{
-    if (word < 0)
-        return 0u;
-    return word < 4 ? number[word] : (number.w >> 31) * 0xffffffffu;
-}
-
-// Returns a fixed-point number of 64.64 bits, divided by 2^depth and taken modulo 4: 32 of its bits, two of them before
-// the binary point.
-float bits_at(uvec4 number, int depth)
-{
-    int low = depth + 34, word = low >> 5, shift = low & 31;
-    uint bits = word_of(number, word) >> shift;
-    if (shift > 0)
-        bits |= word_of(number, word + 1) << (32 - shift);
-    return float(bits) / 1073741824.0;
-}
 
 vec2 place_at(float depth)
 {

@@ -1,0 +1,162 @@
+#include "render-gl/assets/solid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "image/color.h"
+#include "io/texture/container.h"
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
+
+static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)
+{
+    struct hatch_texels texels;
+    struct hatch_err err;
+    const char *name = cmd_input_name(path);
+    struct hatch_bytes file = cmd_read(args, path);
+    cmd_check(hatch_ktx2_read(file, &args->keep, &texels, &err), name, &err);
+    cmd_check(hatch_solid_take(&texels, &args->keep, solid, &err), name, &err);
+}
+
+void solid_files_read(struct cmd_args *args, const char *paths, struct solid_files *files)
+{
+    struct hatch_err err;
+    *files = (struct solid_files){.count = 0};
+    for (const char *at = paths; at;) {
+        const char *comma = strchr(at, ',');
+        size_t length = comma ? (size_t)(comma - at) : strlen(at);
+        if (files->count == SOLIDS_MAX)
+            cmd_usage("--solid: more than %u files", SOLIDS_MAX);
+        if (length == 0)
+            cmd_usage("--solid %s: an empty name", paths);
+        const char *path = hatch_arena_text(&args->keep, at, length, &err);
+        cmd_check(path ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+        read_one(args, path, &files->solids[files->count++]);
+        at = comma ? comma + 1 : NULL;
+    }
+}
+
+/* Computes the standard deviation and the mean of a texture's first value. */
+static void set_deviation(const struct hatch_solid *solid, float *deviation, float *mean)
+{
+    size_t count = (size_t)solid->size * solid->size * solid->size;
+    uint64_t sum = 0, squares = 0;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t texel = solid->texels[i * solid->channels];
+        sum += texel;
+        squares += texel * texel;
+    }
+    double middle = (double)sum / (double)count;
+    *mean = (float)(middle / 255);
+    *deviation = (float)(sqrt(fmax((double)squares / (double)count - middle * middle, 1)) / 255);
+}
+
+static void set_colors(const struct hatch_zoom *zoom, struct solids *solids, uint32_t index)
+{
+    size_t count = (size_t)zoom->base.size * zoom->base.size * zoom->base.size;
+    float mean[3];
+    for (size_t k = 0; k < 3; k++)
+        mean[k] = solids->colors[index].offset[k] = zoom->offset[k];
+    for (size_t c = 0; c < zoom->base.channels; c++) {
+        uint64_t sum = 0;
+        for (size_t i = 0; i < count; i++)
+            sum += zoom->base.texels[i * zoom->base.channels + c];
+        for (size_t k = 0; k < 3; k++) {
+            solids->colors[index].axes[c][k] = zoom->axes[c][k];
+            mean[k] += zoom->axes[c][k] * (float)((double)sum / (255.0 * (double)count));
+        }
+    }
+    solids->colors[index].offset[3] = zoom->base.channels == 1 ? mean[0] : hatch_color_luminance(mean);
+    solids->colors[index].axes[0][3] = (float)zoom->octaves.size;
+    set_deviation(&zoom->octaves, &solids->colors[index].axes[1][3], &solids->colors[index].axes[2][3]);
+}
+
+static void upload_octaves(const struct hatch_texels *mips, GLuint *texture)
+{
+    GLenum layout = mips->channels == 1 ? GL_RED : GL_RGB;
+    *texture = gpu_texture_make(GL_TEXTURE_3D, (GLsizei)mips->level_count, mips->channels == 1 ? GL_R8 : GL_RGBA8,
+                                mips->width, mips->height, mips->depth);
+    for (uint32_t level = 0; level < mips->level_count; level++) {
+        GLsizei side = (GLsizei)hatch_mip_size(mips->width, level);
+        glTextureSubImage3D(*texture, (GLint)level, 0, 0, 0, side, side, side, layout, GL_UNSIGNED_BYTE,
+                            mips->texels[level]);
+    }
+    glTextureParameteri(*texture, GL_TEXTURE_WRAP_R, GL_REPEAT);
+    glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+}
+
+/* Makes the texture A of a solid texture and its table, and uploads them.
+ *   arena, scratch  two arenas */
+static enum hatch_status upload_one(const struct solid_files *files, uint32_t index, const struct solids_form *form,
+                                    struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct solids *solids, struct hatch_err *err)
+{
+    const struct hatch_solid *solid = &files->solids[index];
+    struct hatch_zoom zoom;
+    struct hatch_zoom_table table;
+    struct hatch_texels mips;
+    uint32_t size = solid->size;
+    while (size < 0.75 * form->period_px && size < 4 * solid->size && size < HATCH_SOLID_SIZE_MAX)
+        size *= 2;
+    HATCH_TRY(hatch_zoom_make(solid, size, form->grey, pool, arena, scratch, &zoom, err));
+    HATCH_TRY(hatch_zoom_mips(&zoom, form->blend, arena, &mips, err));
+    HATCH_TRY(hatch_zoom_table_make(&zoom, &mips, form->blend, arena, scratch, &table, err));
+    set_colors(&zoom, solids, index);
+    solids->size = size > solids->size ? size : solids->size;
+    upload_octaves(&mips, &solids->octaves[index]);
+    for (uint32_t c = 0; c < solids->channels; c++) {
+        uint32_t from = c < zoom.octaves.channels ? c : 0;
+        glTextureSubImage3D(solids->tables, 0, 0, 0, (GLint)(index * solids->channels + c), HATCH_ZOOM_VALUES,
+                            HATCH_ZOOM_STEPS, 1, GL_RED, GL_UNSIGNED_SHORT, table.entries[from]);
+    }
+    return gpu_check_memory(err, "a solid texture of %u texels along a side", size);
+}
+
+static enum hatch_status upload_all(const struct solid_files *files, const struct solids_form *form,
+                                    struct hatch_pool *pool, struct hatch_arena *scratch, struct solids *solids,
+                                    struct hatch_err *err)
+{
+    enum hatch_status status = HATCH_OK;
+    solids->tables = gpu_texture_make(GL_TEXTURE_2D_ARRAY, 1, GL_R16, HATCH_ZOOM_VALUES, HATCH_ZOOM_STEPS,
+                                      files->count * solids->channels);
+    glTextureParameteri(solids->tables, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(solids->tables, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(solids->tables, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    for (uint32_t i = 0; status == HATCH_OK && i < files->count; i++) {
+        struct hatch_arena arena;
+        hatch_arena_init(&arena, scratch->limit_bytes);
+        status = upload_one(files, i, form, pool, &arena, scratch, solids, err);
+        hatch_arena_free(&arena);
+    }
+    return status;
+}
+
+enum hatch_status solids_upload(const struct solid_files *files, const struct solids_form *form,
+                                struct hatch_pool *pool, struct hatch_arena *scratch, struct solids *solids,
+                                struct hatch_err *err)
+{
+    struct solids made = {.count = files->count, .channels = 1};
+    for (uint32_t i = 0; i < files->count && !form->grey; i++)
+        made.channels = files->solids[i].channels == 3 ? 3 : made.channels;
+    enum hatch_status status = upload_all(files, form, pool, scratch, &made, err);
+    if (status == HATCH_OK)
+        *solids = made;
+    else
+        solids_free(&made);
+    return status;
+}
+
+void solids_use(const struct solids *solids)
+{
+    gpu_texture_bind(UNIT_TECHNIQUE, solids->tables, 0);
+    for (GLuint i = 0; i < solids->count; i++)
+        gpu_texture_bind(UNIT_SOLIDS + i, solids->octaves[i], 0);
+}
+
+void solids_free(struct solids *solids)
+{
+    glDeleteTextures(SOLIDS_MAX, solids->octaves);
+    glDeleteTextures(1, &solids->tables);
+    *solids = (struct solids){.count = 0};
+}

@@ -1,0 +1,23 @@
+// Draws ink where the texture's rank is below the tone: its values are thresholds, each covering an equal share of the
+// surface (section 4.2). TABLES are those of HATCH_ZOOM_RANK.
+#include "frame/amounts.glsl"
+#include "frame/inks.glsl"
+#include "solid/zoom.glsl"
+
+out vec4 o_color;
+
+// Returns the share of the fragment that is under ink. step: change of the rank to the next fragment
+float covered(float rank, float step, float tone)
+{
+    return clamp((tone * (1.0 + step) - rank) / step, 0.0, 1.0);
+}
+
+void main()
+{
+    base_holes();
+    vec2 asked = amounts();
+    Cycle cycle = cycle_here();
+    float rank = values_here(solid_of_material(), cycle).r;
+    float step = clamp(length(vec2(dFdx(rank), dFdy(rank))), 0.01, 0.7);
+    o_color = vec4(ink_on_paper(vec3(covered(rank, step, asked.x)), vec3(covered(1.0 - rank, step, asked.y))), 1.0);
+}

@@ -1,0 +1,27 @@
+// Inputs of the passes over the image: what the first pass has drawn, and the paper behind it.
+#include "frame/frame.glsl"
+#include "frame/inks.glsl"
+
+layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
+    vec4 zoom; // y: samples along a period of the paper
+    vec4 marks;
+    vec4 edges;
+};
+
+layout(binding = UNIT_SOLIDS) uniform sampler3D paper_octaves;
+layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D wash;
+layout(binding = UNIT_TECHNIQUE + 2) uniform sampler2D grain;
+layout(binding = UNIT_TECHNIQUE + 3) uniform sampler2D blurred;
+layout(binding = UNIT_TECHNIQUE + 4) uniform sampler2D depths;
+
+ivec2 inside(vec2 at)
+{
+    return clamp(ivec2(at), ivec2(0), textureSize(depths, 0) - 1);
+}
+
+// Returns the height of the paper behind the scene, -1 .. 1.
+float paper_height(vec2 at, float depth)
+{
+    vec3 place = vec3((at + viewport.zw * sqrt(curve.w)) / zoom.y, depth);
+    return clamp(4.0 * (textureLod(paper_octaves, place, 0.0).r - 0.5), -1.0, 1.0);
+}

@@ -1,0 +1,135 @@
+/* Dynamic solid textures (Bénard, Bousseau & Thollot 2009): objects carved from a texture that keeps its size on the
+ * screen. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/scene/attributes.h"
+#include "render-gl/technique/list.h"
+#include "render-gl/technique/solid/solid.h"
+
+static const struct technique_param params[] = {
+    {"solid-size", true, 1.1},    {"grain", false, 0.05}, {"bands", false, 1},
+    {"wobble", false, 0.5},       {"dry", false, 0.05},   {"edge-darkening", false, 0.05},
+    {"paper-grain", false, 0.05}, {"border", false, 0.5}, {NULL, false, 0}};
+
+static enum solid_look look(void)
+{
+    return (enum solid_look)solid_options.look;
+}
+
+static const struct frame_shading *shading_of(const struct technique *technique)
+{
+    const struct frame_shading *own = solid_look_shading(look());
+    return own ? own : &technique->shading;
+}
+
+static void read_files(struct technique_context *context, struct technique_instance *instance)
+{
+    struct solid_state *state = instance->state;
+    if (!solid_options.files)
+        cmd_usage("--technique solid needs --solid FILE: solidgen makes solid textures");
+    solid_files_read(context->args, solid_options.files, &state->files);
+}
+
+static struct solids_form wanted_form(const struct solid_state *state)
+{
+    bool ranks = look() == SOLID_BINARY || look() == SOLID_WATERCOLOR;
+    double period_px = solid_options.period_px > 0 ? solid_options.period_px : 2.0 * state->files.solids[0].size;
+    return (struct solids_form){.period_px = period_px,
+                                .grey = ranks,
+                                .blend = ranks ? HATCH_ZOOM_RANK : (enum hatch_zoom_blend)solid_options.blend};
+}
+
+static enum hatch_status upload(struct technique_context *context, struct solid_state *state, struct hatch_err *err)
+{
+    const struct solids_form form = wanted_form(state);
+    struct solids fresh;
+    if (state->solids.count && form.grey == state->form.grey && form.blend == state->form.blend)
+        return HATCH_OK;
+    HATCH_TRY(solids_upload(&state->files, &form, cmd_pool(context->args), &context->args->scratch, &fresh, err));
+    solids_free(&state->solids);
+    state->solids = fresh;
+    state->form = form;
+    memcpy(state->block.colors, fresh.colors, sizeof fresh.colors);
+    return HATCH_OK;
+}
+
+static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
+                                 struct hatch_err *err)
+{
+    struct solid_state *state = instance->state;
+    struct shaded_state *shaded = &state->shaded;
+    char defines[SHADED_DEFINES_BYTES];
+    HATCH_TRY(upload(context, state, err));
+    scene_set_rest(context->frame->scene);
+    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s", state->solids.count,
+             state->solids.channels, state->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "");
+    if (strcmp(defines, shaded->defines) != 0) {
+        memset(&shaded->shader, 0, sizeof shaded->shader);
+        memcpy(shaded->defines, defines, sizeof defines);
+    }
+    return frame_shader_prepare(context->frame, shading_of(instance->technique), shaded->defines, &shaded->shader, err);
+}
+
+/* Writes the values that depend on the view and on the options. */
+static void set_block(const struct frame *frame, struct solid_state *state)
+{
+    const struct solids_form form = wanted_form(state);
+    double side = frame->request.canvas->side;
+    double unit_px = frame->request.tile->full_height / (2 * frame->view.half_height);
+    const float marks[4] = {(float)solid_options.grain, (float)(solid_options.wobble_px * side),
+                            (float)solid_options.dry, (float)solid_options.darkening};
+    state->block.zoom[0] = (float)log2(form.period_px / unit_px);
+    state->block.zoom[1] = (float)(form.period_px * side);
+    state->block.edges[0] = (float)solid_options.bands;
+    state->block.edges[2] = (float)solid_options.paper_grain;
+    memcpy(state->block.marks, marks, sizeof marks);
+    gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &state->block, sizeof state->block);
+}
+
+static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
+                              struct hatch_err *err)
+{
+    struct solid_state *state = instance->state;
+    struct frame *frame = context->frame;
+    set_block(frame, state);
+    solids_use(&state->solids);
+    return solid_look_draw(frame, look(), &state->shaded, shading_of(instance->technique), err);
+}
+
+static uint32_t reach_px(const struct technique_instance *instance)
+{
+    (void)instance;
+    return solid_look_reach_px(look());
+}
+
+static void free_state(struct technique_instance *instance)
+{
+    struct solid_state *state = instance->state;
+    solids_free(&state->solids);
+    glDeleteBuffers(1, &state->block_buffer);
+    state->block_buffer = 0;
+}
+
+const struct technique technique_solid = {
+    .name = "solid",
+    .summary = "surfaces carved from a solid texture that has the same size at every distance",
+    .options = solid_option_table,
+    .params = params,
+    .features = TECHNIQUE_PIXEL_LIGHT,
+    .places = HATCH_NEAR_REST,
+    .state_size = sizeof(struct solid_state),
+    .shading = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/plain.frag"},
+                .pixel_light = true,
+                .pieces = true,
+                .patches = FRAME_PATCHES_UNSEEN,
+                .passes = {{.name = "plain", .depth = FRAME_DEPTH_NEARER}}},
+    .read = read_files,
+    .prepare = prepare,
+    .draw = draw,
+    .reach_px = reach_px,
+    .free = free_state,
+};

@@ -1,0 +1,165 @@
+/* The looks of solid textures: their passes over the items and over the image. */
+#include <math.h>
+
+#include "render-gl/gpu/bindings.h"
+#include "render-gl/gpu/texture.h"
+#include "render-gl/technique/solid/solid.h"
+
+#define EDGE_PX 4.0 /* radius in which the pigment at the edges of washes has gathered */
+
+static const struct frame_shading binary = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/binary.frag"},
+                                            .pixel_light = true,
+                                            .pieces = true,
+                                            .patches = FRAME_PATCHES_UNSEEN,
+                                            .passes = {{.name = "binary", .depth = FRAME_DEPTH_NEARER}}};
+static const struct frame_shading watercolor = {
+    .stages = {.vertex = "solid/solid.vert", .fragment = "solid/marks.frag"},
+    .pixel_light = true,
+    .pieces = true,
+    .patches = FRAME_PATCHES_UNSEEN,
+    .passes = {{.name = "marks", .depth = FRAME_DEPTH_NEARER}}};
+static const struct frame_shading collage = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/collage.frag"},
+                                             .pixel_light = true,
+                                             .pieces = true,
+                                             .patches = FRAME_PATCHES_UNSEEN,
+                                             .passes = {{.name = "strips", .depth = FRAME_DEPTH_NEARER}}};
+
+const struct frame_shading *solid_look_shading(enum solid_look look)
+{
+    static const struct frame_shading *const shadings[] = {
+        [SOLID_PLAIN] = NULL, [SOLID_BINARY] = &binary, [SOLID_WATERCOLOR] = &watercolor, [SOLID_COLLAGE] = &collage};
+    return shadings[look];
+}
+
+/* A pass over the image. */
+struct pass {
+    const char *name, *fragment;
+    GLenum output; /* format of its transient target; 0: it draws into the canvas */
+};
+
+enum { WASH, BLUR, WATERCOLOR, STRIPS, PASTE };
+static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", GL_RGBA16F},
+                                     [BLUR] = {"blur", "solid/blur.frag", GL_RGBA16F},
+                                     [WATERCOLOR] = {"paint", "solid/watercolor.frag", 0},
+                                     [STRIPS] = {"borders", "solid/strips.frag", GL_RGBA16F},
+                                     [PASTE] = {"paste", "solid/paste.frag", 0}};
+
+static enum hatch_status program_of(struct frame *frame, const struct pass *pass, const struct gpu_program **program,
+                                    struct hatch_err *err)
+{
+    const struct gpu_stages stages = {.vertex = "canvas/screen.vert", .fragment = pass->fragment};
+    return gpu_program_get(&frame->programs, &stages, "", program, err);
+}
+
+enum hatch_status solid_look_prepare(struct frame *frame, enum solid_look look, struct hatch_err *err)
+{
+    static const int first[] = {[SOLID_WATERCOLOR] = WASH, [SOLID_COLLAGE] = STRIPS};
+    static const int last[] = {[SOLID_WATERCOLOR] = WATERCOLOR, [SOLID_COLLAGE] = PASTE};
+    const struct gpu_program *program;
+    for (int i = first[look]; (look == SOLID_WATERCOLOR || look == SOLID_COLLAGE) && i <= last[look]; i++)
+        HATCH_TRY(program_of(frame, &passes[i], &program, err));
+    return HATCH_OK;
+}
+
+/* Runs a pass over the image.
+ *   along   direction, for passes that have one
+ *   radius  samples, likewise
+ *   target  out: its transient target, or the canvas */
+static enum hatch_status run(struct frame *frame, int which, const GLint along[2], double radius,
+                             const struct gpu_target **target, struct hatch_err *err)
+{
+    const struct pass *pass = &passes[which];
+    const struct gpu_target *canvas = &frame->request.canvas->samples;
+    const struct gpu_target_form form = {
+        .width = canvas->form.width, .height = canvas->form.height, .outputs = {pass->output}};
+    const struct gpu_program *program;
+    *target = canvas;
+    HATCH_TRY(program_of(frame, pass, &program, err));
+    if (pass->output)
+        HATCH_TRY(frame_target(&frame->targets, &form, target, err));
+    const struct frame_pass screen = {
+        .name = pass->name, .target = *target, .depth = pass->output ? FRAME_DEPTH_NONE : FRAME_DEPTH_NEARER};
+    if (along) {
+        glProgramUniform2iv(program->name, UNIFORM_A, 1, along);
+        glProgramUniform1f(program->name, UNIFORM_B, (float)radius);
+    }
+    frame_pass_begin(&screen);
+    frame_pass_screen(program);
+    frame_pass_end(&screen, frame->timer);
+    return HATCH_OK;
+}
+
+/* Runs a pass along y and then along x. */
+static enum hatch_status run_both(struct frame *frame, int which, GLuint from, double radius,
+                                  const struct gpu_target **target, struct hatch_err *err)
+{
+    static const GLint along[2][2] = {{0, 1}, {1, 0}};
+    gpu_texture_bind(UNIT_SOURCE, from, 0);
+    HATCH_TRY(run(frame, which, along[0], radius, target, err));
+    gpu_texture_bind(UNIT_SOURCE, (*target)->outputs[0], 0);
+    return run(frame, which, along[1], radius, target, err);
+}
+
+/* Draws the items into a target with two outputs and depth, and binds all three for the passes over the image. */
+static enum hatch_status draw_items(struct frame *frame, struct shaded_state *shaded,
+                                    const struct frame_shading *shading, const struct gpu_target **target,
+                                    struct hatch_err *err)
+{
+    static const float far = 0;
+    const struct gpu_target *canvas = &frame->request.canvas->samples;
+    const struct gpu_target_form form = {.width = canvas->form.width,
+                                         .height = canvas->form.height,
+                                         .outputs = {GL_RGBA16F, GL_RGBA16F},
+                                         .depth = GL_DEPTH_COMPONENT32F};
+    HATCH_TRY(frame_target(&frame->targets, &form, target, err));
+    const struct frame_pass clear = {.name = "clear", .target = *target, .clear_depth = &far};
+    frame_pass_begin(&clear);
+    for (uint32_t i = 0; i < 2; i++)
+        gpu_target_clear(*target, i, GL_RGBA, GL_FLOAT, NULL);
+    frame_pass_end(&clear, frame->timer);
+    HATCH_TRY(frame_draw_items(frame, *target, shading, shaded->defines, &shaded->shader, err));
+    gpu_texture_bind(UNIT_TECHNIQUE + 1, (*target)->outputs[0], 0);
+    gpu_texture_bind(UNIT_TECHNIQUE + 2, (*target)->outputs[1], 0);
+    gpu_texture_bind(UNIT_TECHNIQUE + 4, (*target)->depth, 0);
+    return HATCH_OK;
+}
+
+static enum hatch_status draw_watercolor(struct frame *frame, struct shaded_state *shaded,
+                                         const struct frame_shading *shading, struct hatch_err *err)
+{
+    const struct gpu_target *marks, *wash, *blurred, *canvas;
+    HATCH_TRY(draw_items(frame, shaded, shading, &marks, err));
+    HATCH_TRY(run(frame, WASH, NULL, 0, &wash, err));
+    HATCH_TRY(run_both(frame, BLUR, wash->outputs[0], EDGE_PX * frame->request.canvas->side, &blurred, err));
+    gpu_texture_bind(UNIT_TECHNIQUE + 1, wash->outputs[0], 0);
+    gpu_texture_bind(UNIT_TECHNIQUE + 3, blurred->outputs[0], 0);
+    return run(frame, WATERCOLOR, NULL, 0, &canvas, err);
+}
+
+static enum hatch_status draw_collage(struct frame *frame, struct shaded_state *shaded,
+                                      const struct frame_shading *shading, struct hatch_err *err)
+{
+    const struct gpu_target *strips, *ranges, *canvas;
+    HATCH_TRY(draw_items(frame, shaded, shading, &strips, err));
+    HATCH_TRY(run_both(frame, STRIPS, strips->outputs[1], solid_options.border_px * frame->request.canvas->side,
+                       &ranges, err));
+    gpu_texture_bind(UNIT_TECHNIQUE + 2, ranges->outputs[0], 0);
+    return run(frame, PASTE, NULL, 0, &canvas, err);
+}
+
+enum hatch_status solid_look_draw(struct frame *frame, enum solid_look look, struct shaded_state *shaded,
+                                  const struct frame_shading *shading, struct hatch_err *err)
+{
+    if (look == SOLID_WATERCOLOR)
+        return draw_watercolor(frame, shaded, shading, err);
+    if (look == SOLID_COLLAGE)
+        return draw_collage(frame, shaded, shading, err);
+    return frame_draw_items(frame, &frame->request.canvas->samples, shading, shaded->defines, &shaded->shader, err);
+}
+
+uint32_t solid_look_reach_px(enum solid_look look)
+{
+    if (look == SOLID_WATERCOLOR)
+        return (uint32_t)ceil(solid_options.wobble_px + EDGE_PX) + 1;
+    return look == SOLID_COLLAGE ? (uint32_t)ceil(1.5 * solid_options.border_px) + 1 : 0;
+}

@@ -1,0 +1,258 @@
+#include "run.h"
+
+#include <math.h>
+
+#include "arenas.h"
+#include "base/random.h"
+#include "fail_alloc.h"
+#include "solid/zoom.h"
+
+#define SIZE 16u
+#define POINTS 20000u
+
+static struct hatch_solid solid;
+
+/* Fills the texture with noise whose values have an uneven distribution. */
+static void make_noise(uint32_t channels)
+{
+    HATCH_TEST_OK(hatch_solid_make(&keep, SIZE, channels, &solid, &err), &err);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE * channels; i++) {
+        float value = hatch_random_unit(7, 1, i);
+        solid.texels[i] = hatch_unorm8(value * value);
+    }
+}
+
+static void make_zoom(uint32_t size, enum hatch_zoom_blend blend, struct hatch_zoom *zoom, struct hatch_texels *mips)
+{
+    HATCH_TEST_OK(hatch_zoom_make(&solid, size, false, NULL, &keep, &scratch, zoom, &err), &err);
+    HATCH_TEST_OK(hatch_zoom_mips(zoom, blend, &keep, mips, &err), &err);
+}
+
+START_TEST(weights_meet_the_papers_constraints)
+{
+    double begin[HATCH_ZOOM_OCTAVES], end[HATCH_ZOOM_OCTAVES], between[HATCH_ZOOM_OCTAVES];
+    hatch_zoom_weights(0, begin);
+    hatch_zoom_weights(1, end);
+    ck_assert_double_eq(begin[0], 0);
+    ck_assert_double_eq(end[3], 0);
+    for (int i = 0; i + 1 < (int)HATCH_ZOOM_OCTAVES; i++)
+        ck_assert_double_eq_tol(end[i], begin[i + 1], 1e-16);
+    for (int step = 0; step <= 100; step++) {
+        double s = step / 100.0, sum = 0;
+        hatch_zoom_weights(s, between);
+        for (int i = 0; i < (int)HATCH_ZOOM_OCTAVES; i++)
+            sum += between[i];
+        ck_assert_double_eq_tol(sum, 1, 1e-15);
+        ck_assert_double_eq_tol(between[0], s / 2, 1e-15);
+        ck_assert_double_eq_tol(between[2], 1.0 / 3 - s / 6, 1e-15);
+    }
+}
+END_TEST
+
+/* At centres of texels of A, where it is not interpolated, the blend is the sum of the octaves of T. */
+START_TEST(two_scales_of_a_are_four_octaves_of_t)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips, base;
+    make_noise(1);
+    make_zoom(4 * SIZE, HATCH_ZOOM_LINEAR, &zoom, &mips);
+    HATCH_TEST_OK(hatch_solid_mips(&solid, &keep, &base, &err), &err);
+    for (uint32_t i = 0; i < 300; i++)
+        for (int s = 0; s <= 1; s++) {
+            double weights[HATCH_ZOOM_OCTAVES], sum = 0;
+            float place[3], value[3];
+            for (uint32_t k = 0; k < 3; k++)
+                place[k] = (s ? 2.0f : 1.0f) * (floorf(64 * hatch_random_unit(3, k, i)) + 0.5f) / 64;
+            hatch_zoom_weights(s, weights);
+            for (int octave = 0; octave < (int)HATCH_ZOOM_OCTAVES; octave++) {
+                float scaled[3], texel[3];
+                for (int k = 0; k < 3; k++)
+                    scaled[k] = ldexpf(place[k], octave - 1);
+                hatch_zoom_sample(&base, 0, scaled, texel);
+                sum += weights[octave] * (double)texel[0];
+            }
+            hatch_zoom_blend_at(&mips, place, (float)s, 0, value);
+            ck_assert_double_eq_tol((double)value[0], sum, 0.51 / 255);
+        }
+}
+END_TEST
+
+START_TEST(a_cycle_ends_where_the_next_begins)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    make_noise(3);
+    make_zoom(2 * SIZE, HATCH_ZOOM_HISTOGRAM, &zoom, &mips);
+    for (uint32_t i = 0; i < 500; i++) {
+        float end[3], begin[3], place[3], half[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            place[k] = 9 * hatch_random_unit(4, k, i);
+            half[k] = place[k] / 2;
+        }
+        hatch_zoom_blend_at(&mips, place, 1, 2, end);
+        hatch_zoom_blend_at(&mips, half, 0, 1, begin);
+        for (int c = 0; c < 3; c++)
+            ck_assert_float_eq_tol(end[c], begin[c], 1e-6f);
+    }
+}
+END_TEST
+
+/* Mean and deviation of blended values at random points, changed by the table's row for s. */
+static void measure(const struct hatch_texels *mips, const struct hatch_zoom_table *table, uint32_t step, double *mean,
+                    double *deviation, double below[10])
+{
+    double sum = 0, squares = 0;
+    for (int t = 0; t < 10; t++)
+        below[t] = 0;
+    for (uint32_t i = 0; i < POINTS; i++) {
+        float place[3], value[3];
+        for (uint32_t k = 0; k < 3; k++)
+            place[k] = 2 * hatch_random_unit(5, k, i);
+        hatch_zoom_blend_at(mips, place, (float)step / (HATCH_ZOOM_STEPS - 1), 0, value);
+        uint32_t entry = (uint32_t)fminf(value[0] * HATCH_ZOOM_VALUES, HATCH_ZOOM_VALUES - 1);
+        double changed = table->entries[0][step][entry] / 65535.0;
+        sum += changed / POINTS;
+        squares += changed * changed / POINTS;
+        for (int t = 0; t < 10; t++)
+            below[t] += (changed < t / 10.0) / (double)POINTS;
+    }
+    *mean = sum;
+    *deviation = sqrt(squares - sum * sum);
+}
+
+static void spread_of_texture(double *mean, double *deviation)
+{
+    double sum = 0, squares = 0, count = SIZE * SIZE * SIZE;
+    for (size_t i = 0; i < (size_t)count; i++) {
+        sum += solid.texels[i] / 255.0 / count;
+        squares += solid.texels[i] / 255.0 * solid.texels[i] / 255.0 / count;
+    }
+    *mean = sum;
+    *deviation = sqrt(squares - sum * sum);
+}
+
+START_TEST(tables_give_back_mean_and_contrast)
+{
+    static const double most[] = {
+        [HATCH_ZOOM_LINEAR] = 0.62, [HATCH_ZOOM_CONTRAST] = 1.03, [HATCH_ZOOM_HISTOGRAM] = 1.03};
+    static const double least[] = {
+        [HATCH_ZOOM_LINEAR] = 0.25, [HATCH_ZOOM_CONTRAST] = 0.93, [HATCH_ZOOM_HISTOGRAM] = 0.97};
+    double mean, deviation, now_mean, now_deviation, below[10];
+    make_noise(1);
+    spread_of_texture(&mean, &deviation);
+    for (int blend = HATCH_ZOOM_LINEAR; blend <= HATCH_ZOOM_HISTOGRAM; blend++) {
+        struct hatch_zoom zoom;
+        struct hatch_texels mips;
+        struct hatch_zoom_table table;
+        make_zoom(4 * SIZE, (enum hatch_zoom_blend)blend, &zoom, &mips);
+        HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, &keep, &scratch, &table, &err),
+                      &err);
+        for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step += 4) {
+            measure(&mips, &table, step, &now_mean, &now_deviation, below);
+            ck_assert_double_eq_tol(now_mean, mean, blend == HATCH_ZOOM_CONTRAST ? 0.02 : 0.006);
+            ck_assert_double_le(now_deviation, most[blend] * deviation);
+            ck_assert_double_ge(now_deviation, least[blend] * deviation);
+        }
+    }
+}
+END_TEST
+
+START_TEST(ranks_cover_what_tones_ask_for)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    struct hatch_zoom_table table;
+    double mean, deviation, below[10];
+    make_noise(1);
+    make_zoom(2 * SIZE, HATCH_ZOOM_RANK, &zoom, &mips);
+    HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_RANK, &keep, &scratch, &table, &err), &err);
+    for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
+        measure(&mips, &table, step, &mean, &deviation, below);
+        for (int t = 0; t < 10; t++)
+            ck_assert_double_eq_tol(below[t], t / 10.0, 0.02);
+    }
+}
+END_TEST
+
+START_TEST(axes_keep_colors)
+{
+    struct hatch_zoom zoom;
+    HATCH_TEST_OK(hatch_solid_make(&keep, SIZE, 3, &solid, &err), &err);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++) {
+        float mix = hatch_random_unit(8, 0, i);
+        solid.texels[3 * i] = hatch_unorm8(0.9f - 0.5f * mix); /* red and green change together */
+        solid.texels[3 * i + 1] = hatch_unorm8(0.1f + 0.4f * mix);
+        solid.texels[3 * i + 2] = hatch_unorm8(0.5f + 0.05f * hatch_random_unit(8, 1, i));
+    }
+    HATCH_TEST_OK(hatch_zoom_make(&solid, SIZE, false, NULL, &keep, &scratch, &zoom, &err), &err);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
+        for (int k = 0; k < 3; k++) {
+            float color = zoom.offset[k];
+            for (int c = 0; c < 3; c++)
+                color += zoom.axes[c][k] * zoom.base.texels[3 * i + (size_t)c] / 255;
+            ck_assert_float_eq_tol(color, solid.texels[3 * i + (size_t)k] / 255.0f, 1.0f / 255);
+        }
+    double dot = 0;
+    for (int k = 0; k < 3; k++)
+        dot += (double)(zoom.axes[0][k] * zoom.axes[1][k]);
+    ck_assert_double_eq_tol(dot, 0, 1e-6);
+    ck_assert_float_ge(hypotf(zoom.axes[0][0], zoom.axes[0][1]), 0.6f); /* the first axis is theirs */
+}
+END_TEST
+
+START_TEST(one_value_stays_one_value)
+{
+    HATCH_TEST_OK(hatch_solid_make(&keep, SIZE, 1, &solid, &err), &err);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
+        solid.texels[i] = 100;
+    for (int blend = HATCH_ZOOM_LINEAR; blend <= HATCH_ZOOM_HISTOGRAM; blend++) {
+        struct hatch_zoom zoom;
+        struct hatch_texels mips;
+        struct hatch_zoom_table table;
+        make_zoom(SIZE, (enum hatch_zoom_blend)blend, &zoom, &mips);
+        HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, &keep, &scratch, &table, &err),
+                      &err);
+        for (uint32_t level = 0; level < mips.level_count; level++)
+            ck_assert_uint_eq(mips.texels[level][0], 100);
+        for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++)
+            ck_assert_double_eq_tol(table.entries[0][step][100] / 65535.0, 100 / 255.0, 0.004);
+    }
+}
+END_TEST
+
+static enum hatch_status make_all(void *context, struct hatch_arena *keeping, struct hatch_arena *working,
+                                  struct hatch_err *error)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, NULL, keeping, working, &zoom, error));
+    HATCH_TRY(hatch_zoom_mips(&zoom, HATCH_ZOOM_HISTOGRAM, keeping, &mips, error));
+    return hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, keeping, working, context, error);
+}
+
+START_TEST(every_failed_allocation_is_a_limit)
+{
+    struct hatch_zoom_table table = {NULL};
+    make_noise(3);
+    hatch_test_fail_alloc(make_all, &table, &table, sizeof table);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("solid");
+    TCase *tests = tcase_create("zoom");
+    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_test(tests, weights_meet_the_papers_constraints);
+    tcase_add_test(tests, two_scales_of_a_are_four_octaves_of_t);
+    tcase_add_test(tests, a_cycle_ends_where_the_next_begins);
+    tcase_add_test(tests, tables_give_back_mean_and_contrast);
+    tcase_add_test(tests, ranks_cover_what_tones_ask_for);
+    tcase_add_test(tests, axes_keep_colors);
+    tcase_add_test(tests, one_value_stays_one_value);
+    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
