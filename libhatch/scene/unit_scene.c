@@ -168,12 +168,16 @@ static double volume_factor(const struct hatch_unit_scene *unit, const struct ha
 
 struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint32_t index)
 {
+    static const double away[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703}; /* on no grid */
     const struct hatch_item *item = &unit->items[index];
-    const struct hatch_unit_mesh *mesh = &unit->meshes[item->mesh];
-    double half = fmax(mesh->half[0], fmax(mesh->half[1], mesh->half[2])), factor = cbrt(volume_factor(unit, item));
+    const struct hatch_node *node = &unit->scene->nodes[item->node];
+    double half = 0, factor = cbrt(volume_factor(unit, item));
+    for (uint32_t i = 0; i < node->mesh_count; i++)
+        for (int k = 0; k < 3; k++)
+            half = fmax(half, unit->meshes[node->first_mesh + i].half[k]);
     struct hatch_item_rest rest = {.unit = half > 0 ? exp2(floor(log2(half))) : 1};
     for (int k = 0; k < 3; k++)
-        rest.offset[k] = fmod(mesh->origin[k] / rest.unit, 64);
+        rest.offset[k] = fmod(unit->meshes[item->mesh].origin[k] / rest.unit, 64) + away[k];
     rest.scale = (factor > 0 && factor < INFINITY ? factor : 1) * rest.unit / unit->bounds.radius;
     return rest;
 }

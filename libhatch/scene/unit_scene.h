@@ -71,10 +71,11 @@ void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_
 
 /* Where the undeformed surface of an item lies in a solid texture: the place of a vertex is
  *     (its position in the mesh at rest - the mesh's origin) / unit + offset
- * Meshes of one node have the same units but for powers of two, so that a texture continues from one to the next. */
+ * Meshes of one node have the same units, so that a texture continues from one to the next. Place 0, where copies of
+ * the texture at all scales meet, lies outside of most surfaces. */
 struct hatch_item_rest {
-    double unit;      /* a power of two, about the mesh's size */
-    double offset[3]; /* the mesh's origin in units, less a multiple of 64 */
+    double unit;      /* a power of two, about the size of the node's meshes */
+    double offset[3]; /* the mesh's origin in units, less a multiple of 64, plus a constant */
     double scale;     /* length in the unit scene, at the pose, of a unit: the cube root of the volume's factor */
 };
 

@@ -63,8 +63,9 @@ static void set_colors(const struct hatch_zoom *zoom, struct solids *solids, uin
         for (size_t i = 0; i < count; i++)
             sum += zoom->base.texels[i * zoom->base.channels + c];
         for (size_t k = 0; k < 3; k++) {
-            solids->colors[index].axes[c][k] = zoom->axes[c][k];
-            mean[k] += zoom->axes[c][k] * (float)((double)sum / (255.0 * (double)count));
+            float axis = zoom->base.channels == 1 ? 1.0f : zoom->axes[c][k]; /* grey has one axis, to white */
+            solids->colors[index].axes[c][k] = axis;
+            mean[k] += axis * (float)((double)sum / (255.0 * (double)count));
         }
     }
     solids->colors[index].offset[3] = zoom->base.channels == 1 ? mean[0] : hatch_color_luminance(mean);
