@@ -7,7 +7,7 @@
 /* Computes the axes, of length 1, from the sums over all texels. */
 static void find_axes(const struct hatch_solid *solid, double axes[9])
 {
-    size_t count = (size_t)solid->size * solid->size * solid->size;
+    size_t count = hatch_solid_count(solid);
     uint64_t sum[3] = {0}, products[3][3] = {{0}};
     double covariance[9], values[3];
     for (size_t i = 0; i < count; i++)
@@ -32,9 +32,9 @@ static double along(const double axis[3], const uint8_t texel[3])
 enum hatch_status hatch_zoom_turn(const struct hatch_solid *solid, struct hatch_arena *arena, struct hatch_zoom *zoom,
                                   struct hatch_err *err)
 {
-    size_t count = (size_t)solid->size * solid->size * solid->size;
+    size_t count = hatch_solid_count(solid);
     double axes[9];
-    HATCH_TRY(hatch_solid_make(arena, solid->size, 3, &zoom->base, err));
+    HATCH_TRY(hatch_solid_make_like(arena, solid, solid->size, 3, &zoom->base, err));
     find_axes(solid, axes);
     for (size_t k = 0; k < 3; k++)
         zoom->offset[k] = 0;

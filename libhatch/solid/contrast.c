@@ -23,10 +23,11 @@ void hatch_zoom_sample(const struct hatch_texels *mips, uint32_t level, const fl
     size_t at[2][3];
     float share[3];
     for (int k = 0; k < 3; k++) {
-        float texel = place[k] * (float)size - 0.5f, below = floorf(texel);
+        uint32_t side = k < 2 ? size : hatch_mip_size(mips->depth, level);
+        float texel = place[k] * (float)side - 0.5f, below = floorf(texel);
         share[k] = texel - below;
-        at[0][k] = repeated((int64_t)below, size);
-        at[1][k] = repeated((int64_t)below + 1, size);
+        at[0][k] = repeated((int64_t)below, side);
+        at[1][k] = repeated((int64_t)below + 1, side);
     }
     for (uint32_t c = 0; c < channels; c++)
         value[c] = 0;
@@ -73,7 +74,7 @@ static void finish(struct spread *spread, double count)
 static void spread_of_texels(const uint8_t *texels, const struct hatch_solid *shape, uint32_t channel,
                              struct spread *spread)
 {
-    size_t count = (size_t)shape->size * shape->size * shape->size;
+    size_t count = hatch_solid_count(shape);
     *spread = (struct spread){.mean = 0};
     for (size_t i = 0; i < count; i++)
         add(spread, texels[i * shape->channels + channel] / 255.0);
@@ -172,8 +173,9 @@ static enum hatch_status fill(const struct hatch_zoom *zoom, const struct hatch_
 static void sharpen(const struct spread *finest, const struct hatch_texels *mips, uint32_t level, uint32_t channel,
                     struct spread *now)
 {
-    const struct hatch_solid shape = {mips->width >> level, mips->channels, mips->texels[level]};
-    size_t count = (size_t)shape.size * shape.size * shape.size;
+    const struct hatch_solid shape = {mips->width >> level, mips->channels, mips->texels[level],
+                                      hatch_mip_size(mips->depth, level)};
+    size_t count = hatch_solid_count(&shape);
     spread_of_texels(shape.texels, &shape, channel, now);
     double gain = fmin(finest->deviation / fmax(now->deviation, 1e-6), HATCH_ZOOM_GAIN_MAX);
     for (size_t i = 0; i < count; i++) {

@@ -24,6 +24,7 @@ struct taps {
 struct octave {
     const uint8_t *texels;
     uint32_t size;
+    bool flat;
     float weight;
     struct taps taps; /* the same along each axis */
 };
@@ -41,7 +42,8 @@ static enum hatch_status make_octave(const struct hatch_texels *mips, uint32_t s
     uint32_t level = 0;
     while (level + 1 < mips->level_count && ((mips->width >> level) << index) > size)
         level++;
-    *octave = (struct octave){mips->texels[level], mips->width >> level, weights[index], {NULL, NULL, NULL}};
+    *octave = (struct octave){
+        mips->texels[level], mips->width >> level, mips->depth == 1, weights[index], {NULL, NULL, NULL}};
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.first, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.second, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.share, size, err));
@@ -111,21 +113,20 @@ static enum hatch_status sum_octaves(const struct hatch_solid *solid, uint32_t s
     struct hatch_texels mips;
     struct octave octaves[3];
     struct summing summing = {octaves, out, NULL};
-    HATCH_TRY(hatch_solid_make(arena, size, solid->channels, out, err));
+    HATCH_TRY(hatch_solid_make_like(arena, solid, size, solid->channels, out, err));
     HATCH_TRY(hatch_solid_mips(solid, scratch, &mips, err));
     for (uint32_t i = 0; i < 3; i++)
         HATCH_TRY(make_octave(&mips, size, i, scratch, &octaves[i], err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &summing.rows, 2 * (size_t)size * size * solid->channels, err));
-    hatch_parallel_for(pool, size, sum_slice, &summing);
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &summing.rows, 2 * (size_t)size * out->depth * solid->channels, err));
+    hatch_parallel_for(pool, out->depth, sum_slice, &summing);
     return HATCH_OK;
 }
 
 static enum hatch_status make_grey(const struct hatch_solid *solid, struct hatch_arena *arena, struct hatch_solid *out,
                                    struct hatch_err *err)
 {
-    HATCH_TRY(hatch_solid_make(arena, solid->size, 1, out, err));
-    size_t count = (size_t)solid->size * solid->size * solid->size;
-    for (size_t i = 0; i < count; i++) {
+    HATCH_TRY(hatch_solid_make_like(arena, solid, solid->size, 1, out, err));
+    for (size_t i = 0; i < hatch_solid_count(solid); i++) {
         float rgb[3];
         for (size_t c = 0; c < 3; c++)
             rgb[c] = (float)solid->texels[3 * i + c] / 255.0f;

@@ -1,6 +1,7 @@
 #include "solid/solid.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdbool.h>
 
 static bool is_size(uint32_t size)
@@ -8,30 +9,72 @@ static bool is_size(uint32_t size)
     return size >= HATCH_SOLID_SIZE_MIN && size <= HATCH_SOLID_SIZE_MAX && (size & (size - 1)) == 0;
 }
 
-enum hatch_status hatch_solid_make(struct hatch_arena *arena, uint32_t size, uint32_t channels,
-                                   struct hatch_solid *solid, struct hatch_err *err)
+enum hatch_status hatch_solid_make_like(struct hatch_arena *arena, const struct hatch_solid *like, uint32_t size,
+                                        uint32_t channels, struct hatch_solid *solid, struct hatch_err *err)
 {
     assert(is_size(size));
     assert(channels == 1 || channels == 3);
-    struct hatch_solid made = {.size = size, .channels = channels};
-    HATCH_TRY(HATCH_ALLOC(arena, &made.texels, (size_t)size * size * size * channels, err));
+    struct hatch_solid made = {.size = size, .channels = channels, .depth = like->depth > 1 ? size : 1};
+    HATCH_TRY(HATCH_ALLOC(arena, &made.texels, hatch_solid_count(&made) * channels, err));
     *solid = made;
     return HATCH_OK;
 }
 
-/* Fills a level with the means of eight texels of the finer one.
- *   size  texels along a side of the coarser level */
-static void fill_level(const uint8_t *finer, uint32_t size, uint32_t channels, uint8_t *texels)
+enum hatch_status hatch_solid_make(struct hatch_arena *arena, uint32_t size, uint32_t channels,
+                                   struct hatch_solid *solid, struct hatch_err *err)
 {
-    size_t row = 2 * (size_t)size * channels, plane = row * 2 * size;
-    for (uint32_t z = 0; z < size; z++)
-        for (uint32_t y = 0; y < size; y++) {
-            const uint8_t *from = finer + 2 * z * plane + 2 * y * row;
-            for (uint32_t x = 0; x < size; x++, from += channels)
+    return hatch_solid_make_like(arena, &(struct hatch_solid){.depth = size}, size, channels, solid, err);
+}
+
+/* Computes a row of a flat texture: means over the image's pixels under each texel. */
+static void fill_row(const struct hatch_image *image, const struct hatch_solid *solid, uint32_t y)
+{
+    double down = (double)image->height / solid->size, across = (double)image->width / solid->size;
+    for (uint32_t x = 0; x < solid->size; x++) {
+        double sum[3] = {0}, area = 0;
+        double left = x * across, right = left + across, top = y * down, bottom = top + down;
+        for (uint32_t row = (uint32_t)top; row < image->height && row < bottom; row++)
+            for (uint32_t column = (uint32_t)left; column < image->width && column < right; column++) {
+                double part =
+                    (fmin(row + 1.0, bottom) - fmax(row, top)) * (fmin(column + 1.0, right) - fmax(column, left));
+                const float *pixel = image->pixels + ((size_t)row * image->width + column) * image->channel_count;
+                for (uint32_t c = 0; c < solid->channels; c++)
+                    sum[c] += part * (double)pixel[c];
+                area += part;
+            }
+        for (uint32_t c = 0; c < solid->channels; c++)
+            solid->texels[((size_t)y * solid->size + x) * solid->channels + c] = hatch_unorm8((float)(sum[c] / area));
+    }
+}
+
+enum hatch_status hatch_solid_of_image(const struct hatch_image *image, struct hatch_arena *arena,
+                                       struct hatch_solid *solid, struct hatch_err *err)
+{
+    uint32_t size = HATCH_SOLID_SIZE_MIN, longer = image->width > image->height ? image->width : image->height;
+    while (size < longer && size < HATCH_SOLID_SIZE_MAX)
+        size *= 2;
+    HATCH_TRY(hatch_solid_make_like(arena, &(struct hatch_solid){.depth = 1}, size, image->channel_count >= 3 ? 3 : 1,
+                                    solid, err));
+    for (uint32_t y = 0; y < size; y++)
+        fill_row(image, solid, y);
+    return HATCH_OK;
+}
+
+/* Fills a level with the means of the texels of the finer one.
+ *   coarser  size and depth of the level
+ *   flat     the texture is flat: what lies below a texel is the texel itself */
+static void fill_level(const uint8_t *finer, const struct hatch_solid *coarser, bool flat, uint8_t *texels)
+{
+    size_t channels = coarser->channels, row = 2 * (size_t)coarser->size * channels, plane = row * 2 * coarser->size;
+    size_t next = flat ? 0 : plane;
+    for (uint32_t z = 0; z < coarser->depth; z++)
+        for (uint32_t y = 0; y < coarser->size; y++) {
+            const uint8_t *from = finer + 2 * z * next + 2 * y * row;
+            for (uint32_t x = 0; x < coarser->size; x++, from += channels)
                 for (uint32_t c = 0; c < channels; c++, from++) {
-                    const uint8_t *next = from + plane;
-                    unsigned sum = (unsigned)from[0] + from[channels] + from[row] + from[row + channels] + next[0] +
-                                   next[channels] + next[row] + next[row + channels];
+                    const uint8_t *deep = from + next;
+                    unsigned sum = (unsigned)from[0] + from[channels] + from[row] + from[row + channels] + deep[0] +
+                                   deep[channels] + deep[row] + deep[row + channels];
                     *texels++ = (uint8_t)((sum + 4) / 8);
                 }
         }
@@ -41,12 +84,14 @@ enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch
                                    struct hatch_texels *texture, struct hatch_err *err)
 {
     struct hatch_texels made = {
-        .width = solid->size, .height = solid->size, .depth = solid->size, .channels = solid->channels};
+        .width = solid->size, .height = solid->size, .depth = solid->depth, .channels = solid->channels};
     made.level_count = hatch_texels_chain_length(&made);
     made.texels[0] = solid->texels;
     for (uint32_t level = 1; level < made.level_count; level++) {
+        const struct hatch_solid coarser = {solid->size >> level, solid->channels, NULL,
+                                            hatch_mip_size(solid->depth, level)};
         HATCH_TRY(HATCH_ALLOC(arena, &made.texels[level], hatch_texels_level_size(&made, level), err));
-        fill_level(made.texels[level - 1], solid->size >> level, solid->channels, made.texels[level]);
+        fill_level(made.texels[level - 1], &coarser, solid->depth == 1, made.texels[level]);
     }
     *texture = made;
     return HATCH_OK;
@@ -55,23 +100,24 @@ enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch
 enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct hatch_arena *arena,
                                    struct hatch_solid *solid, struct hatch_err *err)
 {
-    if (!texture->depth)
-        return hatch_fail(err, HATCH_BAD_INPUT, "a 2D texture, want a 3D one (solidgen makes it)");
+    uint32_t depth = texture->depth ? texture->depth : 1;
+    if (texture->layers)
+        return hatch_fail(err, HATCH_BAD_INPUT, "an array of %u textures, want one texture (solidgen makes it)",
+                          texture->layers);
     if (texture->code != HATCH_TEXELS_PLAIN || texture->channels == 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "texels of a format other than R8, RGB8 and RGBA8");
-    if (texture->width != texture->height || texture->width != texture->depth)
-        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, want a cube", texture->width, texture->height,
-                          texture->depth);
+    if (texture->width != texture->height || (depth > 1 && texture->width != depth))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, want a cube or a square", texture->width,
+                          texture->height, depth);
     if (!is_size(texture->width))
         return hatch_fail(err, HATCH_BAD_INPUT, "%u texels along a side, want a power of two from %u to %u",
                           texture->width, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX);
     if (texture->channels != 4) {
-        *solid = (struct hatch_solid){texture->width, texture->channels, texture->texels[0]};
+        *solid = (struct hatch_solid){texture->width, texture->channels, texture->texels[0], depth};
         return HATCH_OK;
     }
-    HATCH_TRY(hatch_solid_make(arena, texture->width, 3, solid, err));
-    size_t count = (size_t)solid->size * solid->size * solid->size;
-    for (size_t i = 0; i < count; i++)
+    HATCH_TRY(hatch_solid_make_like(arena, &(struct hatch_solid){.depth = depth}, texture->width, 3, solid, err));
+    for (size_t i = 0; i < hatch_solid_count(solid); i++)
         memcpy(solid->texels + 3 * i, texture->texels[0] + 4 * i, 3);
     return HATCH_OK;
 }

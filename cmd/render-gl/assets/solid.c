@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "image/color.h"
+#include "io/foreign/foreign.h"
 #include "io/texture/container.h"
+#include "render-gl/assets/texture.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
@@ -12,9 +14,15 @@
 static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)
 {
     struct hatch_texels texels;
+    struct hatch_image image;
     struct hatch_err err;
-    const char *name = cmd_input_name(path);
+    const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
     struct hatch_bytes file = cmd_read(args, path);
+    if (!tone_texture_is(file)) {
+        cmd_check(hatch_image_read_any(file, path, plugin, &args->keep, &args->scratch, &image, &err), name, &err);
+        cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
+        return;
+    }
     cmd_check(hatch_ktx2_read(file, &args->keep, &texels, &err), name, &err);
     cmd_check(hatch_solid_take(&texels, &args->keep, solid, &err), name, &err);
 }
@@ -32,7 +40,11 @@ void solid_files_read(struct cmd_args *args, const char *paths, struct solid_fil
             cmd_usage("--solid %s: an empty name", paths);
         const char *path = hatch_arena_text(&args->keep, at, length, &err);
         cmd_check(path ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-        read_one(args, path, &files->solids[files->count++]);
+        struct hatch_solid *solid = &files->solids[files->count++];
+        read_one(args, path, solid);
+        if (files->count > 1 && files->flat != (solid->depth == 1))
+            cmd_usage("--solid: %s is %s, the others are not", path, solid->depth == 1 ? "flat" : "a solid texture");
+        files->flat = solid->depth == 1;
         at = comma ? comma + 1 : NULL;
     }
 }
@@ -40,7 +52,7 @@ void solid_files_read(struct cmd_args *args, const char *paths, struct solid_fil
 /* Computes the standard deviation and the mean of a texture's first value. */
 static void set_deviation(const struct hatch_solid *solid, float *deviation, float *mean)
 {
-    size_t count = (size_t)solid->size * solid->size * solid->size;
+    size_t count = hatch_solid_count(solid);
     uint64_t sum = 0, squares = 0;
     for (size_t i = 0; i < count; i++) {
         uint64_t texel = solid->texels[i * solid->channels];
@@ -54,7 +66,7 @@ static void set_deviation(const struct hatch_solid *solid, float *deviation, flo
 
 static void set_colors(const struct hatch_zoom *zoom, struct solids *solids, uint32_t index)
 {
-    size_t count = (size_t)zoom->base.size * zoom->base.size * zoom->base.size;
+    size_t count = hatch_solid_count(&zoom->base);
     float mean[3];
     for (size_t k = 0; k < 3; k++)
         mean[k] = solids->colors[index].offset[k] = zoom->offset[k];
@@ -80,8 +92,8 @@ static void upload_octaves(const struct hatch_texels *mips, GLuint *texture)
                                 mips->width, mips->height, mips->depth);
     for (uint32_t level = 0; level < mips->level_count; level++) {
         GLsizei side = (GLsizei)hatch_mip_size(mips->width, level);
-        glTextureSubImage3D(*texture, (GLint)level, 0, 0, 0, side, side, side, layout, GL_UNSIGNED_BYTE,
-                            mips->texels[level]);
+        glTextureSubImage3D(*texture, (GLint)level, 0, 0, 0, side, side, (GLsizei)hatch_mip_size(mips->depth, level),
+                            layout, GL_UNSIGNED_BYTE, mips->texels[level]);
     }
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_R, GL_REPEAT);
     glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);

@@ -12,6 +12,7 @@
 /* The files of solid textures. */
 struct solid_files {
     uint32_t count; /* 0: none */
+    bool flat;      /* they are flat textures: KTX2 files of 2D textures, or pictures */
     struct hatch_solid solids[SOLIDS_MAX];
 };
 
@@ -30,7 +31,7 @@ struct solids {
 
 /* Reads the files of a list.
  *   paths  names, separated by commas; "-" is standard input
- * Exits with a message on failure. */
+ * Exits with a message on failure, and where some are flat and some are not. */
 void solid_files_read(struct cmd_args *args, const char *paths, struct solid_files *files);
 
 /* How solid textures are prepared for drawing. */

@@ -20,18 +20,14 @@ static enum solid_look look(void)
     return (enum solid_look)solid_options.look;
 }
 
-static const struct frame_shading *shading_of(const struct technique *technique)
-{
-    const struct frame_shading *own = solid_look_shading(look());
-    return own ? own : &technique->shading;
-}
-
 static void read_files(struct technique_context *context, struct technique_instance *instance)
 {
     struct solid_state *state = instance->state;
     if (!solid_options.files)
         cmd_usage("--technique solid needs --solid FILE: solidgen makes solid textures");
     solid_files_read(context->args, solid_options.files, &state->files);
+    state->shading = solid_look_shading(look(), state->files.flat);
+    instance->places = state->files.flat ? HATCH_NEAR_TEXCOORDS : HATCH_NEAR_REST;
 }
 
 static struct solids_form wanted_form(const struct solid_state *state)
@@ -57,6 +53,24 @@ static enum hatch_status upload(struct technique_context *context, struct solid_
     return HATCH_OK;
 }
 
+/* Prepares the attributes of vertices that flat textures need. */
+static enum hatch_status prepare_flat(struct technique_context *context, const struct solid_state *state,
+                                      struct hatch_err *err)
+{
+    struct scene *scene = context->frame->scene;
+    struct hatch_arena *scratch = &context->args->scratch;
+    const struct hatch_uv_repeat how = {
+        .view = context->view, .height_px = context->height_px, .size_px = state->files.solids[0].size, .levels = 1};
+    for (uint32_t i = 0; i < scene->unit.item_count; i++)
+        if (!hatch_mesh_find(scene->unit.meshes[scene->unit.items[i].mesh].mesh, "TEXCOORD_0", 2))
+            return hatch_fail(err, HATCH_BAD_INPUT,
+                              "primitive %u has no texture coordinates, which 2D textures need; 3D textures, which "
+                              "solidgen makes, need none",
+                              scene->unit.items[i].mesh);
+    HATCH_TRY(scene_set_repeats(scene, &how, &context->args->keep, scratch, err));
+    return scene_set_uv_tangents(scene, scratch, err);
+}
+
 static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err)
 {
@@ -64,14 +78,17 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     struct shaded_state *shaded = &state->shaded;
     char defines[SHADED_DEFINES_BYTES];
     HATCH_TRY(upload(context, state, err));
-    scene_set_rest(context->frame->scene);
+    if (state->files.flat)
+        HATCH_TRY(prepare_flat(context, state, err));
+    else
+        scene_set_rest(context->frame->scene);
     snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s", state->solids.count,
              state->solids.channels, state->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "");
     if (strcmp(defines, shaded->defines) != 0) {
         memset(&shaded->shader, 0, sizeof shaded->shader);
         memcpy(shaded->defines, defines, sizeof defines);
     }
-    return frame_shader_prepare(context->frame, shading_of(instance->technique), shaded->defines, &shaded->shader, err);
+    return frame_shader_prepare(context->frame, &state->shading, shaded->defines, &shaded->shader, err);
 }
 
 /* Writes the values that depend on the view and on the options. */
@@ -84,6 +101,7 @@ static void set_block(const struct frame *frame, struct solid_state *state)
                             (float)solid_options.dry, (float)solid_options.darkening};
     state->block.zoom[0] = (float)log2(form.period_px / unit_px);
     state->block.zoom[1] = (float)(form.period_px * side);
+    state->block.zoom[2] = (float)log2(form.period_px);
     state->block.edges[0] = (float)solid_options.bands;
     state->block.edges[2] = (float)solid_options.paper_grain;
     memcpy(state->block.marks, marks, sizeof marks);
@@ -97,7 +115,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     struct frame *frame = context->frame;
     set_block(frame, state);
     solids_use(&state->solids);
-    return solid_look_draw(frame, look(), &state->shaded, shading_of(instance->technique), err);
+    return solid_look_draw(frame, look(), &state->shaded, &state->shading, err);
 }
 
 static uint32_t reach_px(const struct technique_instance *instance)
@@ -122,11 +140,6 @@ const struct technique technique_solid = {
     .features = TECHNIQUE_PIXEL_LIGHT,
     .places = HATCH_NEAR_REST,
     .state_size = sizeof(struct solid_state),
-    .shading = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/plain.frag"},
-                .pixel_light = true,
-                .pieces = true,
-                .patches = FRAME_PATCHES_UNSEEN,
-                .passes = {{.name = "plain", .depth = FRAME_DEPTH_NEARER}}},
     .read = read_files,
     .prepare = prepare,
     .draw = draw,

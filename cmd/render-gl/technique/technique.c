@@ -25,7 +25,7 @@ enum hatch_status technique_open(struct technique_instance *instance, const stru
     void *state = HATCH_NEW(&args->keep, char, size_bytes, err);
     if (!state)
         return HATCH_LIMIT;
-    *instance = (struct technique_instance){.technique = technique, .state = state};
+    *instance = (struct technique_instance){.technique = technique, .state = state, .places = technique->places};
     return HATCH_OK;
 }
 
@@ -52,7 +52,7 @@ static enum hatch_status begin(struct technique_context *context, struct techniq
         asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
     else
         frame_block_set_tones(&frame->block, NULL, 0, false);
-    enum hatch_status status = frame_begin(frame, request, technique->places, err);
+    enum hatch_status status = frame_begin(frame, request, instance->places, err);
     frame->style.curve.high = high;
     return status;
 }

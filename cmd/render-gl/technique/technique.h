@@ -44,6 +44,7 @@ struct technique_instance {
     const struct technique *technique;
     void *state;                     /* state_size bytes, zeroed before `read` */
     const struct asset_tones *tones; /* its uploaded asset; NULL: it has none, or is not prepared */
+    enum hatch_near_places places;   /* that of the technique, unless its function `read` changes it */
 };
 
 /* The strokes of a frame as curves, for drawings by a pen. */

@@ -9,7 +9,7 @@ out vec4 o_color;
 // Returns the share of the fragment that is under ink. step: change of the rank to the next fragment
 float covered(float rank, float step, float tone)
 {
-    return clamp((tone * (1.0 + step) - rank) / step, 0.0, 1.0);
+    return clamp((tone * (1.0 + step) - rank) / step, 0.0, opacity);
 }
 
 void main()
@@ -19,5 +19,5 @@ void main()
     Cycle cycle = cycle_here();
     float rank = values_here(solid_of_material(), cycle).r;
     float step = clamp(length(vec2(dFdx(rank), dFdy(rank))), 0.01, 0.7);
-    o_color = vec4(ink_on_paper(vec3(covered(rank, step, asked.x)), vec3(covered(1.0 - rank, step, asked.y))), 1.0);
+    o_color = vec4(ink_on_paper(vec3(covered(rank, step, asked.x)), vec3(covered(1.0 - rank, step, asked.y))), opacity);
 }

@@ -11,5 +11,5 @@ void main()
     vec2 asked = amounts();
     Cycle cycle = cycle_here();
     vec3 grain = mix(vec3(1.0), texture_color(solid_of_material(), cycle), marks.x);
-    o_color = vec4(ink_on_paper(1.0 - grain * (1.0 - asked.x), asked.yyy * grain), 1.0);
+    o_color = vec4(ink_on_paper(1.0 - grain * (1.0 - asked.x), asked.yyy * grain), opacity);
 }

@@ -1,9 +1,14 @@
 // The infinite zoom on solid textures: Dynamic Solid Textures (2009), section 3, as solid/zoom.h writes it. SOLIDS is
 // the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values.
+// With FLAT they are 2D textures, whose places are texture coordinates.
+#ifdef FLAT
+#include "rptam/place.glsl"
+#else
 in vec3 v_place;
 #ifdef PIECES
 #include "frame/fixed.glsl"
 flat in uvec4 v_origin_u, v_origin_v, v_origin_w;
+#endif
 #endif
 
 struct Color {
@@ -12,8 +17,8 @@ struct Color {
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
-    vec4 zoom;  // binary logarithm of the period, in units of the scene at distance 1; unused
-    vec4 marks; // struct solid_block of technique/solid/solid.h
+    vec4 zoom;  // struct solid_block of technique/solid/solid.h
+    vec4 marks;
     vec4 edges;
     Color colors[8];
 };
@@ -28,6 +33,19 @@ struct Cycle {
     float s, level;
 };
 
+#ifdef FLAT
+Cycle cycle_here()
+{
+    Cycle cycle;
+    mat2 pixels = pixels_along_both();
+    float far = zoom.z - 0.5 * log2(clamp(abs(determinant(pixels)), 1e-36, 1e36)), whole = floor(far);
+    vec2 x = dFdx(v_texcoord), y = dFdy(v_texcoord);
+    cycle.s = far - whole;
+    cycle.place = vec3(place_at(whole), 0.5);
+    cycle.level = 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-37)) - whole;
+    return cycle;
+}
+#else
 Cycle cycle_here()
 {
     Cycle cycle;
@@ -42,6 +60,7 @@ Cycle cycle_here()
     cycle.level = 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-37)) - whole;
     return cycle;
 }
+#endif
 
 vec3 octaves_at(int solid, vec3 place, float level)
 {

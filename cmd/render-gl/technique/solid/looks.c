@@ -7,28 +7,24 @@
 
 #define EDGE_PX 4.0 /* radius in which the pigment at the edges of washes has gathered */
 
-static const struct frame_shading binary = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/binary.frag"},
-                                            .pixel_light = true,
-                                            .pieces = true,
-                                            .patches = FRAME_PATCHES_UNSEEN,
-                                            .passes = {{.name = "binary", .depth = FRAME_DEPTH_NEARER}}};
-static const struct frame_shading watercolor = {
-    .stages = {.vertex = "solid/solid.vert", .fragment = "solid/marks.frag"},
-    .pixel_light = true,
-    .pieces = true,
-    .patches = FRAME_PATCHES_UNSEEN,
-    .passes = {{.name = "marks", .depth = FRAME_DEPTH_NEARER}}};
-static const struct frame_shading collage = {.stages = {.vertex = "solid/solid.vert", .fragment = "solid/collage.frag"},
-                                             .pixel_light = true,
-                                             .pieces = true,
-                                             .patches = FRAME_PATCHES_UNSEEN,
-                                             .passes = {{.name = "strips", .depth = FRAME_DEPTH_NEARER}}};
-
-const struct frame_shading *solid_look_shading(enum solid_look look)
+struct frame_shading solid_look_shading(enum solid_look look, bool flat)
 {
-    static const struct frame_shading *const shadings[] = {
-        [SOLID_PLAIN] = NULL, [SOLID_BINARY] = &binary, [SOLID_WATERCOLOR] = &watercolor, [SOLID_COLLAGE] = &collage};
-    return shadings[look];
+    static const struct {
+        const char *name, *fragment;
+        enum frame_patches patches; /* of flat textures */
+    } looks[] = {[SOLID_PLAIN] = {"plain", "solid/plain.frag", FRAME_PATCHES_BLEND},
+                 [SOLID_BINARY] = {"binary", "solid/binary.frag", FRAME_PATCHES_BLEND},
+                 [SOLID_WATERCOLOR] = {"marks", "solid/marks.frag", FRAME_PATCHES_COVER},
+                 [SOLID_COLLAGE] = {"strips", "solid/collage.frag", FRAME_PATCHES_COVER}};
+    return (struct frame_shading){
+        .stages = {.vertex = flat ? "rptam/rptam.vert" : "solid/solid.vert", .fragment = looks[look].fragment},
+        .defines = !flat                  ? NULL
+                   : look == SOLID_BINARY ? "#define FLAT 1\n#define THRESHOLD 1\n"
+                                          : "#define FLAT 1\n",
+        .pixel_light = true,
+        .pieces = true,
+        .patches = flat ? looks[look].patches : FRAME_PATCHES_UNSEEN,
+        .passes = {{.name = looks[look].name, .depth = FRAME_DEPTH_NEARER}}};
 }
 
 /* A pass over the image. */

@@ -14,8 +14,9 @@ static const char *const looks[] = {"plain", "binary", "watercolor", "collage", 
 static const char *const blends[] = {"linear", "contrast", "histogram", NULL}; /* enum hatch_zoom_blend */
 
 const struct cmd_option solid_option_table[] = {
-    {0, "solid", CMD_TEXT, 0, 0, "FILE", "solid: texture made by solidgen, or several with commas, one per material",
-     &solid_options.files, NULL, NULL},
+    {0, "solid", CMD_TEXT, 0, 0, "FILE",
+     "solid: texture of solidgen, or a picture; several with commas: one per material", &solid_options.files, NULL,
+     NULL},
     {0, "look", CMD_CHOICE, 0, 0, "LOOK", "solid: plain, binary, watercolor or collage (default plain)",
      &solid_options.look, looks, NULL},
     {0, "solid-size", CMD_REAL, 4, 4096, "PX", "+solid: period of the texture in pixels (default: 2 per texel)",

@@ -28,7 +28,7 @@ extern const struct cmd_option solid_option_table[];
 /* The uniform block of the shaders (solid/zoom.glsl, solid/image.glsl). */
 struct solid_block {
     float zoom[4];  /* binary logarithm of the period, in units of the scene at distance 1; samples along a period of
-                       the paper behind the scene; unused */
+                       the paper behind the scene; binary logarithm of the period in pixels */
     float marks[4]; /* grain; wobble in samples; share that a dry brush skips; darkening of edges */
     float edges[4]; /* number of tones; unused; grain of the paper; unused */
     struct {
@@ -38,6 +38,7 @@ struct solid_block {
 
 struct solid_state {
     struct shaded_state shaded; /* the pass that draws the items */
+    struct frame_shading shading;
     struct solid_files files;
     struct solids solids;
     struct solids_form form; /* that solids were uploaded in */
@@ -45,8 +46,9 @@ struct solid_state {
     GLuint block_buffer; /* 0: not made */
 };
 
-/* Returns the pass in which a look draws the items; NULL: that of the technique itself. */
-const struct frame_shading *solid_look_shading(enum solid_look look);
+/* Returns the pass in which a look draws the items.
+ *   flat  the textures are flat: their places are texture coordinates */
+struct frame_shading solid_look_shading(enum solid_look look, bool flat);
 
 /* Compiles the programs of a look's passes over the image. */
 enum hatch_status solid_look_prepare(struct frame *frame, enum solid_look look, struct hatch_err *err) HATCH_MUST_USE;
