@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "image/color.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/scene/attributes.h"
@@ -20,12 +21,29 @@ static enum solid_look look(void)
     return (enum solid_look)solid_options.look;
 }
 
+/* Reads the colours of --inks. */
+static void read_inks(struct solid_block *block)
+{
+    size_t count = 0;
+    for (const char *at = solid_options.inks; at;) {
+        const char *comma = strchr(at, ',');
+        const struct hatch_text name = {at, comma ? (size_t)(comma - at) : strlen(at)};
+        if (count == SOLID_INKS_MAX)
+            cmd_usage("--inks: more than %u colours", SOLID_INKS_MAX);
+        if (!hatch_color_parse(name, block->inks[count++]))
+            cmd_usage("--inks: '%.*s' is neither the name of a colour nor #rrggbb", (int)name.length, name.at);
+        at = comma ? comma + 1 : NULL;
+    }
+    block->edges[1] = (float)count;
+}
+
 static void read_files(struct technique_context *context, struct technique_instance *instance)
 {
     struct solid_state *state = instance->state;
     if (!solid_options.files)
         cmd_usage("--technique solid needs --solid FILE: solidgen makes solid textures");
     solid_files_read(context->args, solid_options.files, &state->files);
+    read_inks(&state->block);
     state->shading = solid_look_shading(look(), state->files.flat);
     instance->places = state->files.flat ? HATCH_NEAR_TEXCOORDS : HATCH_NEAR_REST;
 }

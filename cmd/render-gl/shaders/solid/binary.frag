@@ -1,7 +1,6 @@
 // Draws ink where the texture's rank is below the tone: its values are thresholds, each covering an equal share of the
 // surface (section 4.2). TABLES are those of HATCH_ZOOM_RANK.
 #include "frame/amounts.glsl"
-#include "frame/inks.glsl"
 #include "solid/zoom.glsl"
 
 out vec4 o_color;
@@ -19,5 +18,6 @@ void main()
     Cycle cycle = cycle_here();
     float rank = values_here(solid_of_material(), cycle).r;
     float step = clamp(length(vec2(dFdx(rank), dFdy(rank))), 0.01, 0.7);
-    o_color = vec4(ink_on_paper(vec3(covered(rank, step, asked.x)), vec3(covered(1.0 - rank, step, asked.y))), opacity);
+    float dark = covered(rank, step, asked.x), light = covered(1.0 - rank, step, asked.y);
+    o_color = vec4(own_ink_on_paper(vec3(dark), vec3(light)), opacity);
 }

@@ -1,6 +1,5 @@
 // Inputs of the passes over the image: what the first pass has drawn, and the paper behind it.
 #include "frame/frame.glsl"
-#include "frame/inks.glsl"
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
     vec4 zoom; // y: samples along a period of the paper
@@ -13,6 +12,7 @@ layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D wash;
 layout(binding = UNIT_TECHNIQUE + 2) uniform sampler2D grain;
 layout(binding = UNIT_TECHNIQUE + 3) uniform sampler2D blurred;
 layout(binding = UNIT_TECHNIQUE + 4) uniform sampler2D depths;
+layout(binding = UNIT_TONES) uniform sampler2D colors; // of inks
 
 ivec2 inside(vec2 at)
 {

@@ -3,6 +3,7 @@
 #include "solid/zoom.glsl"
 
 layout(location = 0) out vec4 o_wash;  // amounts of dark and light ink; 1
+layout(location = 2) out vec4 o_ink;
 layout(location = 1) out vec4 o_grain; // rank of the texture; its large variation, wobble along x and y, -1 .. 1
 
 void main()
@@ -10,6 +11,7 @@ void main()
     base_holes();
     Cycle cycle = cycle_here();
     int solid = solid_of_material();
+    o_ink = vec4(own_ink(), 1.0);
     o_wash = vec4(amounts(), 1.0, 1.0);
     o_grain.x = values_here(solid, cycle).r;
     o_grain.y = variation(solid, cycle, vec3(0.37, 0.11, 0.73), 2.0);

@@ -1,7 +1,9 @@
 // Second pass of the watercolour: flat washes whose borders wobble.
 #include "solid/image.glsl"
 
-out vec4 o_wash; // amounts of dark and light ink; coverage; wetness, whose steps are darkened
+layout(location = 0) out vec4 o_wash; // amounts of dark and light ink; coverage; wetness, whose steps are darkened
+
+layout(location = 1) out vec4 o_ink;
 
 // Returns an amount of ink in soft steps.
 float stepped(float amount)
@@ -16,7 +18,9 @@ void main()
     vec2 wobble = texelFetch(grain, here, 0).zw;
     if (texelFetch(wash, here, 0).z == 0.0)
         wobble = 0.5 * vec2(paper_height(gl_FragCoord.xy, 0.25), paper_height(gl_FragCoord.xy, 0.75));
-    vec3 at = texelFetch(wash, inside(gl_FragCoord.xy + marks.y * wobble), 0).xyz;
-    at.xy = at.z * mix(vec2(0.12, 0.0), vec2(1.0), vec2(stepped(at.x), stepped(at.y))); // a first thin wash
+    ivec2 there = inside(gl_FragCoord.xy + marks.y * wobble);
+    vec3 at = texelFetch(wash, there, 0).xyz;
+    o_ink = texelFetch(colors, there, 0);
+    at.xy = at.z * mix(vec2(0.25, 0.0), vec2(1.0), vec2(stepped(at.x), stepped(at.y))); // a first thin wash
     o_wash = vec4(at, at.z * (0.35 + 0.65 * max(at.x, at.y)));
 }

@@ -4,6 +4,25 @@
 
 out vec4 o_color;
 
+float luminance(vec3 color)
+{
+    return dot(color, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// Returns the colour of a transparent layer of ink that is as dark as if an amount of the ink covered the paper. Thin
+// layers absorb less, so that they are more colourful: of thickness q, paper * (ink / paper)^q; Newton on logarithms.
+vec3 glaze(vec3 ink, float amount)
+{
+    vec3 least = vec3(0.004), base = max(paper.rgb, least), full = max(ink, least), rate = log(full / base);
+    float want = mix(luminance(base), luminance(full), amount), thickness = amount;
+    for (int i = 0; i < 3; i++) {
+        vec3 now = base * exp(thickness * rate);
+        float slope = luminance(rate * now), light = luminance(now);
+        thickness -= log(light / want) * light / (abs(slope) > 1e-6 ? slope : 1.0);
+    }
+    return base * exp(clamp(thickness, 0.0, 1.0) * rate);
+}
+
 void main()
 {
     ivec2 here = ivec2(gl_FragCoord.xy);
@@ -13,7 +32,8 @@ void main()
         rank = texel.x;
         height = 2.0 * rank - 1.0;
     }
-    vec3 color = ink_on_paper(wet.xxx, wet.yyy);
+    vec3 color = glaze(texelFetch(colors, here, 0).rgb, wet.x);
+    color += wet.y * (light_ink.rgb - color);
     float edge = max(wet.w - texelFetch(blurred, here, 0).x, 0.0);
     float density = 1.0 + marks.x * (0.6 * height + 0.5 * texel.y) + 5.0 * marks.w * edge;
     vec3 base = clamp(color, 0.004, 0.97);

@@ -20,8 +20,22 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
     vec4 zoom;  // struct solid_block of technique/solid/solid.h
     vec4 marks;
     vec4 edges;
+    vec4 inks[16];
     Color colors[8];
 };
+
+// Returns the ink of the item's material.
+vec3 own_ink()
+{
+    uint number = material == 0xffffffffu ? item : material, count = uint(edges.y);
+    return count == 0u ? ink.rgb : inks[number % count].rgb;
+}
+
+// Returns the colour of paper under inks of an item. dark, light: coverage by each, in each colour channel
+vec3 own_ink_on_paper(vec3 dark, vec3 light)
+{
+    return paper.rgb + dark * (own_ink() - paper.rgb) + light * (light_ink.rgb - paper.rgb);
+}
 
 layout(binding = UNIT_TECHNIQUE) uniform sampler2DArray tables;
 layout(binding = UNIT_SOLIDS) uniform sampler3D octaves[SOLIDS];
@@ -126,5 +140,5 @@ vec3 texture_color(int solid, Cycle cycle)
 // Returns the texture of the item's material.
 int solid_of_material()
 {
-    return material == 0xffffffffu ? 0 : int(material % uint(SOLIDS));
+    return int((material == 0xffffffffu ? item : material) % uint(SOLIDS));
 }

@@ -30,15 +30,15 @@ struct frame_shading solid_look_shading(enum solid_look look, bool flat)
 /* A pass over the image. */
 struct pass {
     const char *name, *fragment;
-    GLenum output; /* format of its transient target; 0: it draws into the canvas */
+    GLenum outputs[2]; /* formats of its transient target; 0: it draws into the canvas */
 };
 
 enum { WASH, BLUR, WATERCOLOR, STRIPS, PASTE };
-static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", GL_RGBA16F},
-                                     [BLUR] = {"blur", "solid/blur.frag", GL_RGBA16F},
-                                     [WATERCOLOR] = {"paint", "solid/watercolor.frag", 0},
-                                     [STRIPS] = {"borders", "solid/strips.frag", GL_RGBA16F},
-                                     [PASTE] = {"paste", "solid/paste.frag", 0}};
+static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F}},
+                                     [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}},
+                                     [WATERCOLOR] = {"paint", "solid/watercolor.frag", {0}},
+                                     [STRIPS] = {"borders", "solid/strips.frag", {GL_RGBA16F}},
+                                     [PASTE] = {"paste", "solid/paste.frag", {0}}};
 
 static enum hatch_status program_of(struct frame *frame, const struct pass *pass, const struct gpu_program **program,
                                     struct hatch_err *err)
@@ -67,14 +67,14 @@ static enum hatch_status run(struct frame *frame, int which, const GLint along[2
     const struct pass *pass = &passes[which];
     const struct gpu_target *canvas = &frame->request.canvas->samples;
     const struct gpu_target_form form = {
-        .width = canvas->form.width, .height = canvas->form.height, .outputs = {pass->output}};
+        .width = canvas->form.width, .height = canvas->form.height, .outputs = {pass->outputs[0], pass->outputs[1]}};
     const struct gpu_program *program;
     *target = canvas;
     HATCH_TRY(program_of(frame, pass, &program, err));
-    if (pass->output)
+    if (pass->outputs[0])
         HATCH_TRY(frame_target(&frame->targets, &form, target, err));
     const struct frame_pass screen = {
-        .name = pass->name, .target = *target, .depth = pass->output ? FRAME_DEPTH_NONE : FRAME_DEPTH_NEARER};
+        .name = pass->name, .target = *target, .depth = pass->outputs[0] ? FRAME_DEPTH_NONE : FRAME_DEPTH_NEARER};
     if (along) {
         glProgramUniform2iv(program->name, UNIFORM_A, 1, along);
         glProgramUniform1f(program->name, UNIFORM_B, (float)radius);
@@ -96,7 +96,7 @@ static enum hatch_status run_both(struct frame *frame, int which, GLuint from, d
     return run(frame, which, along[1], radius, target, err);
 }
 
-/* Draws the items into a target with two outputs and depth, and binds all three for the passes over the image. */
+/* Draws the items into a target with three outputs and depth, and binds them for the passes over the image. */
 static enum hatch_status draw_items(struct frame *frame, struct shaded_state *shaded,
                                     const struct frame_shading *shading, const struct gpu_target **target,
                                     struct hatch_err *err)
@@ -105,18 +105,19 @@ static enum hatch_status draw_items(struct frame *frame, struct shaded_state *sh
     const struct gpu_target *canvas = &frame->request.canvas->samples;
     const struct gpu_target_form form = {.width = canvas->form.width,
                                          .height = canvas->form.height,
-                                         .outputs = {GL_RGBA16F, GL_RGBA16F},
+                                         .outputs = {GL_RGBA16F, GL_RGBA16F, GL_RGBA16F},
                                          .depth = GL_DEPTH_COMPONENT32F};
     HATCH_TRY(frame_target(&frame->targets, &form, target, err));
     const struct frame_pass clear = {.name = "clear", .target = *target, .clear_depth = &far};
     frame_pass_begin(&clear);
-    for (uint32_t i = 0; i < 2; i++)
+    for (uint32_t i = 0; i < 3; i++)
         gpu_target_clear(*target, i, GL_RGBA, GL_FLOAT, NULL);
     frame_pass_end(&clear, frame->timer);
     HATCH_TRY(frame_draw_items(frame, *target, shading, shaded->defines, &shaded->shader, err));
     gpu_texture_bind(UNIT_TECHNIQUE + 1, (*target)->outputs[0], 0);
     gpu_texture_bind(UNIT_TECHNIQUE + 2, (*target)->outputs[1], 0);
     gpu_texture_bind(UNIT_TECHNIQUE + 4, (*target)->depth, 0);
+    gpu_texture_bind(UNIT_TONES, (*target)->outputs[2], 0);
     return HATCH_OK;
 }
 
@@ -128,6 +129,7 @@ static enum hatch_status draw_watercolor(struct frame *frame, struct shaded_stat
     HATCH_TRY(run(frame, WASH, NULL, 0, &wash, err));
     HATCH_TRY(run_both(frame, BLUR, wash->outputs[0], EDGE_PX * frame->request.canvas->side, &blurred, err));
     gpu_texture_bind(UNIT_TECHNIQUE + 1, wash->outputs[0], 0);
+    gpu_texture_bind(UNIT_TONES, wash->outputs[1], 0);
     gpu_texture_bind(UNIT_TECHNIQUE + 3, blurred->outputs[0], 0);
     return run(frame, WATERCOLOR, NULL, 0, &canvas, err);
 }

@@ -19,6 +19,8 @@ const struct cmd_option solid_option_table[] = {
      NULL},
     {0, "look", CMD_CHOICE, 0, 0, "LOOK", "solid: plain, binary, watercolor or collage (default plain)",
      &solid_options.look, looks, NULL},
+    {0, "inks", CMD_TEXT, 0, 0, "COLORS", "+solid: inks of the materials in turn: colours with commas (default: --ink)",
+     &solid_options.inks, NULL, NULL},
     {0, "solid-size", CMD_REAL, 4, 4096, "PX", "+solid: period of the texture in pixels (default: 2 per texel)",
      &solid_options.period_px, NULL, NULL},
     {0, "blend", CMD_CHOICE, 0, 0, "HOW",

@@ -8,8 +8,11 @@
 /* What is made of the texture: --look. */
 enum solid_look { SOLID_PLAIN, SOLID_BINARY, SOLID_WATERCOLOR, SOLID_COLLAGE };
 
+#define SOLID_INKS_MAX 16u
+
 struct solid_options {
     const char *files;  /* --solid */
+    const char *inks;   /* --inks; NULL: not given */
     int look;           /* enum solid_look */
     int blend;          /* enum hatch_zoom_blend */
     double period_px;   /* --solid-size; 0: two pixels per texel */
@@ -30,7 +33,8 @@ struct solid_block {
     float zoom[4];  /* binary logarithm of the period, in units of the scene at distance 1; samples along a period of
                        the paper behind the scene; binary logarithm of the period in pixels */
     float marks[4]; /* grain; wobble in samples; share that a dry brush skips; darkening of edges */
-    float edges[4]; /* number of tones; unused; grain of the paper; unused */
+    float edges[4]; /* number of tones; number of inks; grain of the paper; unused */
+    float inks[SOLID_INKS_MAX][4]; /* R G B, linear */
     struct {
         float offset[4], axes[3][4]; /* struct solids */
     } colors[SOLIDS_MAX];
