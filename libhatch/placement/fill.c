@@ -186,7 +186,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
                                   .scale = 1 - f->options->growth};
     choice.direction_count = directions_of(f->style, f->targets[tone], choice.directions);
     if (f->options->color)
-        hatch_style_color_at(f->style, f->targets[tone], choice.rgb);
+        hatch_ramp_color(f->style->colors, f->style->color_count, f->targets[tone], choice.rgb);
     grow_strokes(f, tone, level);
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
         double room = room_for_stroke(f, level, target);

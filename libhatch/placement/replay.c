@@ -212,7 +212,8 @@ static double draw_all(const struct replay *r, struct hatch_canvas *canvas)
 {
     for (uint32_t stroke = 0; stroke < r->count; stroke++) {
         if (r->options->style->color_count)
-            hatch_style_color_at(r->options->style, (float)canvas->darkness[0], r->strokes[stroke].rgb);
+            hatch_ramp_color(r->options->style->colors, r->options->style->color_count, (float)canvas->darkness[0],
+                             r->strokes[stroke].rgb);
         hatch_canvas_draw(canvas, &r->strokes[stroke], 0, 0, 1);
     }
     return canvas->darkness[0];

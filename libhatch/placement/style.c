@@ -2,11 +2,10 @@
 
 #include <string.h>
 
-#include "image/color.h"
+#include "base/settings.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
-#define SHOWN_MAX 40u /* characters of a wrong word in a message */
-#define MARK_MIN 0.5  /* least length of a mark, in pixels */
+#define MARK_MIN 0.5 /* least length of a mark, in pixels */
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -32,24 +31,6 @@ void hatch_style_default(struct hatch_style *style)
         .candidates_light = 1000,
         .candidates_dark = 100,
     };
-}
-
-void hatch_style_color_at(const struct hatch_style *style, float tone, float rgb[3])
-{
-    const struct hatch_style_color *colors = style->colors;
-    uint32_t above = 0;
-    while (above < style->color_count && colors[above].tone < tone)
-        above++;
-    for (int c = 0; c < 3; c++) {
-        if (style->color_count == 0)
-            rgb[c] = 0;
-        else if (above == 0 || above == style->color_count)
-            rgb[c] = colors[above ? above - 1 : 0].rgb[c];
-        else
-            rgb[c] = colors[above - 1].rgb[c] + (colors[above].rgb[c] - colors[above - 1].rgb[c]) *
-                                                    (tone - colors[above - 1].tone) /
-                                                    (colors[above].tone - colors[above - 1].tone);
-    }
 }
 
 void hatch_style_targets(const struct hatch_style *style, uint32_t tones, float *target)
@@ -106,26 +87,12 @@ static const struct number_key number_keys[] = {
     {"line-tone", 1, 0, 1, 1, {AT(line_brush.tone), 0}},
 };
 
-static enum hatch_status read_number(struct hatch_text *rest, const char *key, double low, double high, double *value,
-                                     struct hatch_err *err)
-{
-    struct hatch_text word;
-    if (!hatch_text_word(rest, &word))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: a value is missing", key);
-    if (!hatch_text_number(word, value))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key,
-                          (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX), word.at);
-    if (!(*value >= low && *value <= high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, *value, low, high);
-    return HATCH_OK;
-}
-
 static enum hatch_status read_direction(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double angle, from, to;
-    HATCH_TRY(read_number(rest, "direction", -360, 360, &angle, err));
-    HATCH_TRY(read_number(rest, "direction", 0, 1, &from, err));
-    HATCH_TRY(read_number(rest, "direction", 0, 1, &to, err));
+    HATCH_TRY(hatch_settings_next(rest, "direction", -360, 360, &angle, err));
+    HATCH_TRY(hatch_settings_next(rest, "direction", 0, 1, &from, err));
+    HATCH_TRY(hatch_settings_next(rest, "direction", 0, 1, &to, err));
     if (from > to)
         return hatch_fail(err, HATCH_BAD_INPUT, "direction: the range from tone %g to tone %g is empty", from, to);
     if (!r->directions_given)
@@ -140,23 +107,10 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
 
 static enum hatch_status read_color(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
-    struct hatch_style_color color;
-    struct hatch_text word;
-    double tone;
-    HATCH_TRY(read_number(rest, "color", 0, 1, &tone, err));
-    color.tone = (float)tone;
-    if (!hatch_text_word(rest, &word) || !hatch_color_from_hex(word, color.rgb))
-        return hatch_fail(err, HATCH_BAD_INPUT, "color: want a tone and three or six hexadecimal digits");
     if (!r->colors_given)
         r->style.color_count = 0;
     r->colors_given = true;
-    uint32_t count = r->style.color_count;
-    if (count == HATCH_STYLE_COLORS_MAX)
-        return hatch_fail(err, HATCH_BAD_INPUT, "more than %u color lines", HATCH_STYLE_COLORS_MAX);
-    if (count && !(color.tone > r->style.colors[count - 1].tone))
-        return hatch_fail(err, HATCH_BAD_INPUT, "color: tone %g does not exceed that of the color line before", tone);
-    r->style.colors[r->style.color_count++] = color;
-    return HATCH_OK;
+    return hatch_ramp_read(rest, "tone", r->style.colors, &r->style.color_count, err);
 }
 
 static struct hatch_text trimmed(struct hatch_text text)
@@ -183,7 +137,7 @@ static enum hatch_status read_brush(struct hatch_text *rest, struct reading *r, 
     if (!hatch_text_is(word, "image"))
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "brush: '%.*s', want ink, pencil, crayon, charcoal, stipple, round or image FILE",
-                          (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX), word.at);
+                          hatch_settings_shown(word), word.at);
     rest_of_line = trimmed(*rest); /* file names may contain spaces */
     if (rest_of_line.length == 0 || rest_of_line.length >= sizeof r->style.brush_file)
         return hatch_fail(err, HATCH_BAD_INPUT, "brush: image needs a file name of up to %zu bytes",
@@ -211,8 +165,8 @@ static enum hatch_status read_overlap(struct hatch_text *rest, struct reading *r
 static enum hatch_status read_candidates(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double light, dark;
-    HATCH_TRY(read_number(rest, "candidates", 1, 1e6, &light, err));
-    HATCH_TRY(read_number(rest, "candidates", 1, 1e6, &dark, err));
+    HATCH_TRY(hatch_settings_next(rest, "candidates", 1, 1e6, &light, err));
+    HATCH_TRY(hatch_settings_next(rest, "candidates", 1, 1e6, &dark, err));
     if (light != floor(light) || dark != floor(dark))
         return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %g %g, want whole numbers", light, dark);
     r->style.candidates_light = (uint32_t)light;
@@ -224,7 +178,7 @@ static enum hatch_status read_response(struct hatch_text *rest, struct reading *
 {
     double value, before = 0;
     for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++, before = value) {
-        HATCH_TRY(read_number(rest, "response", 0, 1, &value, err));
+        HATCH_TRY(hatch_settings_next(rest, "response", 0, 1, &value, err));
         if (!(value > before))
             return hatch_fail(err, HATCH_BAD_INPUT, "response: %g does not exceed %g", value, before);
         r->style.pen.response[i] = (float)value;
@@ -235,10 +189,10 @@ static enum hatch_status read_response(struct hatch_text *rest, struct reading *
 static enum hatch_status read_marks(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     double length, gap;
-    HATCH_TRY(read_number(rest, "marks", 0, 1000, &length, err));
+    HATCH_TRY(hatch_settings_next(rest, "marks", 0, 1000, &length, err));
     if (length > 0 && length < MARK_MIN)
         return hatch_fail(err, HATCH_BAD_INPUT, "marks: %g, want 0 or %g to 1000", length, MARK_MIN);
-    HATCH_TRY(read_number(rest, "marks", -0.5 * length, 1000, &gap, err));
+    HATCH_TRY(hatch_settings_next(rest, "marks", -0.5 * length, 1000, &gap, err));
     r->style.pen.mark_px = (float)length;
     r->style.pen.gap_px = (float)gap;
     return HATCH_OK;
@@ -259,7 +213,7 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 {
     for (uint32_t i = 0; i < key->count; i++) {
         double value;
-        HATCH_TRY(read_number(rest, key->name, key->low, key->high, &value, err));
+        HATCH_TRY(hatch_settings_next(rest, key->name, key->low, key->high, &value, err));
         float stored = (float)(value * key->scale);
         memcpy((char *)&r->style + key->offset[i], &stored, sizeof stored);
     }
@@ -280,7 +234,7 @@ static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *e
         near = hatch_text_is_near(key, keys[i].name) ? keys[i].name : near;
     for (size_t i = 0; i < sizeof number_keys / sizeof *number_keys; i++)
         near = hatch_text_is_near(key, number_keys[i].name) ? number_keys[i].name : near;
-    int shown = (int)(key.length < SHOWN_MAX ? key.length : SHOWN_MAX);
+    int shown = hatch_settings_shown(key);
     if (near)
         return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s', perhaps %s", shown, key.at, near);
     return hatch_fail(err, HATCH_BAD_INPUT, "no such key '%.*s'; hatch-style(5) lists them", shown, key.at);
@@ -333,10 +287,7 @@ enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style 
     struct reading r = {.style = *style};
     struct hatch_text rest = hatch_text_of(text), line;
     bool empty = true;
-    for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
-        const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
-        if (comment)
-            line.length = (size_t)(comment - line.at);
+    for (uint32_t number = 1; hatch_settings_line(&rest, &line); number++) {
         if (read_line(line, &r, err) != HATCH_OK)
             return hatch_fail_at(err, "line %u: ", number);
         empty = empty && !has_words(line);

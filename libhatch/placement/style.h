@@ -8,11 +8,11 @@
 #include "base/bytes.h"
 #include "curve/line_brush.h"
 #include "curve/width.h"
+#include "image/ramp.h"
 #include "stroke/brush.h"
 #include "tam/tam.h"
 
 #define HATCH_STYLE_DIRECTIONS_MAX 8u
-#define HATCH_STYLE_COLORS_MAX 32u
 
 /* One direction of cross-hatching (Praun et al. 2001, §4), for the columns whose target tone is in from .. to. The
  * strokes of a column alternate between all of its directions. */
@@ -27,12 +27,6 @@ enum hatch_overlap {
     HATCH_OVERLAP_DARKENS, /* p (1 - a (1 - c)): layers of thin colour */
     HATCH_OVERLAP_FLAT,    /* min(p, 1 - a (1 - c)): the darker stroke wins */
     HATCH_OVERLAP_COVERS   /* min(p, p (1 - a) + a c): the later stroke covers, like paint */
-};
-
-/* The colour of strokes at a tone. */
-struct hatch_style_color {
-    float tone;   /* 0 .. 1, rising */
-    float rgb[3]; /* linear */
 };
 
 struct hatch_style {
@@ -52,8 +46,8 @@ struct hatch_style {
                          already darker than paper */
     uint32_t direction_count;
     struct hatch_style_direction directions[HATCH_STYLE_DIRECTIONS_MAX];
-    uint32_t color_count; /* 0: strokes are black */
-    struct hatch_style_color colors[HATCH_STYLE_COLORS_MAX];
+    uint32_t color_count;                                /* 0: strokes are black */
+    struct hatch_ramp_stop colors[HATCH_RAMP_STOPS_MAX]; /* colours of strokes by tone */
     struct hatch_stroke_pen pen;        /* traced strokes; its width_px is unset: it is that of the style */
     struct hatch_line_brush line_brush; /* feature lines over traced strokes; pressure, ink and grain are unset */
     uint32_t candidates_light, candidates_dark; /* candidates per stroke in the lightest and the darkest column; 1000
@@ -69,11 +63,6 @@ void hatch_style_default(struct hatch_style *style);
  * value out of range. */
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style,
                                     struct hatch_err *err) HATCH_MUST_USE;
-
-/* Computes the colour of strokes at a tone: linear between the colours of the style, clamped to the first and the
- * last; black without colours.
- *   rgb  out: linear */
-void hatch_style_color_at(const struct hatch_style *style, float tone, float rgb[3]);
 
 /* Computes the target tone of each column: target[i] = tone_max * ((i + 1) / tones)^tone_gamma.
  *   target  out: tones entries */

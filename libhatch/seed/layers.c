@@ -2,27 +2,9 @@
 
 #include <string.h>
 
-#include "base/text.h"
+#include "base/settings.h"
 
 #define RADIANS (3.14159265358979324 / 180)
-#define SHOWN_MAX 40 /* characters of a wrong word in a message */
-
-static int shown(struct hatch_text word)
-{
-    return (int)(word.length < SHOWN_MAX ? word.length : SHOWN_MAX);
-}
-
-static enum hatch_status parse_number(struct hatch_text word, const char *key, double low, double high, double *value,
-                                      struct hatch_err *err)
-{
-    double number;
-    if (!hatch_text_number(word, &number))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key, shown(word), word.at);
-    if (!(number >= low && number <= high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, number, low, high);
-    *value = number;
-    return HATCH_OK;
-}
 
 /* Parses "LOW..HIGH". */
 static enum hatch_status parse_tone(struct hatch_text word, struct hatch_layer_line *line, struct hatch_err *err)
@@ -34,9 +16,10 @@ static enum hatch_status parse_tone(struct hatch_text word, struct hatch_layer_l
             high = (struct hatch_text){word.at + i + 2, word.length - i - 2};
         }
     if (!high.length)
-        return hatch_fail(err, HATCH_BAD_INPUT, "tone: '%.*s', want FROM..TO, like 0.2..0.6", shown(word), word.at);
-    HATCH_TRY(parse_number(low, "tone", 0, 1, &line->low, err));
-    HATCH_TRY(parse_number(high, "tone", 0, 1, &line->high, err));
+        return hatch_fail(err, HATCH_BAD_INPUT, "tone: '%.*s', want FROM..TO, like 0.2..0.6",
+                          hatch_settings_shown(word), word.at);
+    HATCH_TRY(hatch_settings_number(low, "tone", 0, 1, &line->low, err));
+    HATCH_TRY(hatch_settings_number(high, "tone", 0, 1, &line->high, err));
     if (!(line->low < line->high))
         return hatch_fail(err, HATCH_BAD_INPUT, "tone: the range from %g to %g is empty", line->low, line->high);
     line->tone_given = true;
@@ -86,18 +69,18 @@ static enum hatch_status parse_key(struct hatch_text key, struct hatch_text *res
     bool tone = hatch_text_is(key, "tone"), turn = hatch_text_is(key, "turn");
     if (i == NUMBER_KEYS && !tone && !turn)
         return hatch_fail(err, HATCH_BAD_INPUT,
-                          "no such key '%.*s': want length, width, ink, tile, tone, turn or stroke", shown(key),
-                          key.at);
+                          "no such key '%.*s': want length, width, ink, tile, tone, turn or stroke",
+                          hatch_settings_shown(key), key.at);
     double *number = i < NUMBER_KEYS ? (double *)(void *)((char *)line + number_keys[i].offset) : NULL;
     if ((tone && line->tone_given) || (turn && line->turn_given) || (number && *number > 0))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s is repeated", shown(key), key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s is repeated", hatch_settings_shown(key), key.at);
     if (!hatch_text_word(rest, &word))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: a value is missing", shown(key), key.at);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%.*s: a value is missing", hatch_settings_shown(key), key.at);
     if (tone)
         return parse_tone(word, line, err);
     if (number)
-        return parse_number(word, number_keys[i].name, number_keys[i].low, number_keys[i].high, number, err);
-    HATCH_TRY(parse_number(word, "turn", -360, 360, &line->turn_rad, err));
+        return hatch_settings_number(word, number_keys[i].name, number_keys[i].low, number_keys[i].high, number, err);
+    HATCH_TRY(hatch_settings_number(word, "turn", -360, 360, &line->turn_rad, err));
     line->turn_rad *= RADIANS;
     line->turn_given = true;
     return HATCH_OK;
@@ -109,10 +92,7 @@ enum hatch_status hatch_layers_read(struct hatch_bytes file, struct hatch_arena 
     struct hatch_text rest = hatch_text_of(file), line, key;
     struct hatch_layers found = {0};
     HATCH_TRY(HATCH_ALLOC(arena, &found.lines, HATCH_RPTAM_LAYERS_MAX, err));
-    for (uint32_t number = 1; hatch_text_line(&rest, &line); number++) {
-        const char *comment = line.length ? memchr(line.at, '#', line.length) : NULL;
-        if (comment)
-            line.length = (size_t)(comment - line.at);
+    for (uint32_t number = 1; hatch_settings_line(&rest, &line); number++) {
         bool begun = false;
         while (hatch_text_word(&line, &key)) {
             if (!begun && found.count == HATCH_RPTAM_LAYERS_MAX)

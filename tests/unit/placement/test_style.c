@@ -65,7 +65,7 @@ START_TEST(every_key_sets_its_member)
     ck_assert_float_eq_tol(style.bend_min_rad, 0.785398163f, 1e-6f);
     ck_assert_float_eq_tol(style.bend_max_rad, 3.14159265f, 1e-6f);
     ck_assert_uint_eq(style.color_count, 2);
-    ck_assert_float_eq(style.colors[0].tone, 0.25f);
+    ck_assert_float_eq(style.colors[0].at, 0.25f);
     ck_assert_float_eq(style.colors[0].rgb[1], hatch_srgb_to_linear(128 / 255.0f));
     ck_assert_uint_eq(style.direction_count, 2); /* those of the default are replaced */
     ck_assert_float_eq_tol(style.directions[0].angle_rad, 0.785398163f, 1e-6f);
@@ -210,13 +210,13 @@ END_TEST
 START_TEST(colors_are_interpolated)
 {
     float rgb[3] = {1, 1, 1};
-    hatch_style_color_at(&style, 0.5f, rgb);
+    hatch_ramp_color(style.colors, style.color_count, 0.5f, rgb);
     ck_assert(rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0);
     HATCH_TEST_OK(parse("color 0.2 ff0000\ncolor 0.4 0000ff\ncolor 0.8 000000"), &err);
     static const float want[][4] = {{0, 1, 0, 0},    {0.2f, 1, 0, 0},    {0.25f, 0.75f, 0, 0.25f},
                                     {0.4f, 0, 0, 1}, {0.6f, 0, 0, 0.5f}, {0.9f, 0, 0, 0}};
     for (int i = 0; i < 6; i++) {
-        hatch_style_color_at(&style, want[i][0], rgb);
+        hatch_ramp_color(style.colors, style.color_count, want[i][0], rgb);
         for (int c = 0; c < 3; c++)
             ck_assert_float_eq_tol(rgb[c], want[i][1 + c], 1e-6f);
     }
