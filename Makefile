@@ -30,7 +30,7 @@ BASE += $(SANITIZERS) -DHATCH_ARENA_SEPARATE
 endif
 
 # command: the package archives and packages that it links
-LINK_meshgen   :=
+LINK_solidgen  := exr png foreign texture
 LINK_tamgen    := exr png foreign svg
 LINK_tampack   := exr png texture
 LINK_tamvol    := exr texture
@@ -72,7 +72,7 @@ BINARIES := $(COMMANDS:%=$(B)/bin/%)
 PLUGIN := $(B)/lib/hatch/hatch-oiio.so
 # All but binaries lies in share as it will be installed, so that commands find it in both places.
 copies = $(foreach f,$(wildcard $(1)/$(3)),$(B)/share/$(2)/$(f:$(1)/%=%))
-SHARED := $(call copies,styles,hatch/styles,*.style) $(call copies,styles,hatch/styles,*.palette) $(call copies,man,man,man*/*) \
+SHARED := $(call copies,styles,hatch/styles,*) $(call copies,man,man,man*/*) \
           $(call copies,cmd/render-gl/shaders,hatch/shaders,*/*) $(call copies,pipelines,hatch/pipelines,*)
 COMPLETED := bash-completion/completions/% zsh/site-functions/_% fish/vendor_completions.d/%.fish
 COMPLETIONS := $(foreach c,$(COMPLETED),$(COMMANDS:%=$(B)/share/$(c)))

@@ -1,7 +1,7 @@
 #!/bin/sh
 # completions.sh bash|zsh|fish NAME: prints the completions of a command, whose options table (what
-# NAME --options-table prints) stands on standard input. The styles and palettes that are installed with the command are
-# looked up when they are asked for.
+# NAME --options-table prints) stands on standard input. The styles, palettes and styles of solid textures that
+# are installed with the command are looked up when they are asked for.
 set -eu
 tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
     function quoted(text) { gsub(/\047/, "\047\\\047\047", text); return "\047" text "\047" }
@@ -18,7 +18,7 @@ tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
         return (shell == "fish" ? "ls (dirname (command -v " command "))" : "ls \"$(dirname \"$(command -v " command ")\")\"") \
             "/../share/hatch/styles 2>/dev/null | sed -n \"s/[.]" tolower(kind) "\\$//p\""
     }
-    function is_installed(i) { return variable[i] == "STYLE" || variable[i] == "PALETTE" }
+    function is_installed(i) { return variable[i] == "STYLE" || variable[i] == "PALETTE" || variable[i] == "SOLID" }
     # one of the choices, and nothing else: a text with choices is no file
     function is_word(i) { return choices[i] != "" }
     $3 == "operand" { operand = $6; operands = $7; gsub(/,/, " ", operands) }

@@ -8,15 +8,15 @@
 
 #include "shared/picture.h"
 
-#define INSTALLED_MAX 64 /* styles or palettes that a message lists */
+#define INSTALLED_MAX 64 /* files of a kind that a message lists */
 
 static bool is_path(const char *name)
 {
     return strcmp(name, "-") == 0 || strpbrk(name, "/.");
 }
 
-/* Returns the path of an installed style or palette, or NULL.
- *   kind  "style" or "palette" */
+/* Returns the path of an installed file, or NULL.
+ *   kind  its ending */
 static const char *installed_file(struct cmd_args *args, const char *name, const char *kind)
 {
     struct hatch_err err;
@@ -36,7 +36,7 @@ static int compare_names(const void *a, const void *b)
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/* Lists the installed styles or palettes by name, NULL at the end.
+/* Lists the installed files of a kind by name, NULL at the end.
  *   names  out, in args->keep */
 static void list_installed(struct cmd_args *args, const char *kind, const char *names[INSTALLED_MAX + 1])
 {
@@ -57,9 +57,7 @@ static void list_installed(struct cmd_args *args, const char *kind, const char *
     names[count] = NULL;
 }
 
-/* Returns the path of a style or palette. Installed ones take precedence over files of the same name, so that the
- * content of a folder cannot change the meaning of "ink". */
-static const char *find_file(struct cmd_args *args, const char *name, const char *kind)
+const char *cmd_find_style(struct cmd_args *args, const char *name, const char *kind)
 {
     const char *installed[INSTALLED_MAX + 1];
     if (is_path(name))
@@ -76,26 +74,23 @@ static const char *find_file(struct cmd_args *args, const char *name, const char
     cmd_refuse_name(kind, name, installed, "a file");
 }
 
-/* Names a style after its file, without folders and ending; "custom" if that is empty. */
-static void name_after(const char *path, struct hatch_style *style)
+void cmd_name_style(const char *path, char name[HATCH_NAME_MAX])
 {
     const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path;
     const char *dot = strchr(stem, '.');
     int length = (int)(dot ? (size_t)(dot - stem) : strlen(stem));
     bool named = length > 0 && strcmp(path, "-") != 0;
-    snprintf(style->name, sizeof style->name, "%.*s", named ? length : 6, named ? stem : "custom");
+    snprintf(name, HATCH_NAME_MAX, "%.*s", named ? length : 6, named ? stem : "custom");
 }
 
-static void apply_settings(struct cmd_args *args, const char *settings, struct hatch_style *style)
+struct hatch_bytes cmd_split_settings(struct cmd_args *args, const char *settings)
 {
     struct hatch_err err;
     char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
     cmd_check(lines ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (char *c = lines; (c = strchr(c, ';'));)
         *c = '\n';
-    struct hatch_bytes text = {(const uint8_t *)lines, strlen(lines)};
-    if (hatch_style_parse(text, style, &err) != HATCH_OK)
-        cmd_usage("--set: %s", err.text);
+    return (struct hatch_bytes){(const uint8_t *)lines, strlen(lines)};
 }
 
 const char *cmd_path_beside(struct cmd_args *args, const char *path, const char *name)
@@ -121,12 +116,12 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
                     struct hatch_style *style, struct hatch_brush *brush)
 {
     struct hatch_err err;
-    const char *path = find_file(args, name, "style");
+    const char *path = cmd_find_style(args, name, "style");
     hatch_style_default(style);
-    name_after(path, style);
+    cmd_name_style(path, style->name);
     cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
-    if (settings)
-        apply_settings(args, settings, style);
+    if (settings && hatch_style_parse(cmd_split_settings(args, settings), style, &err) != HATCH_OK)
+        cmd_usage("--set: %s", err.text);
     if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
         brush_path = cmd_path_beside(args, path, style->brush_file);
     if (brush_path)
@@ -138,7 +133,7 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
 void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style)
 {
     struct hatch_err err;
-    const char *path = find_file(args, name, "palette");
+    const char *path = cmd_find_style(args, name, "palette");
     struct hatch_style read;
     hatch_style_default(&read);
     cmd_check(hatch_style_parse(cmd_read(args, path), &read, &err), cmd_input_name(path), &err);

@@ -20,6 +20,19 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
  *   name  as for cmd_read_style */
 void cmd_read_palette(struct cmd_args *args, const char *name, struct hatch_style *style);
 
+/* Returns the path of a style or a similar file. Installed ones take precedence over files of the same name, so that
+ * the content of a folder cannot change the meaning of "ink". Dies for an unknown name, which is wrong usage.
+ *   name  as for cmd_read_style
+ *   kind  "style", "palette" or "solid": what it is, and the ending of installed ones */
+const char *cmd_find_style(struct cmd_args *args, const char *name, const char *kind);
+
+/* Names a style after its file, without folders and ending; "custom" if that is empty.
+ *   name  out */
+void cmd_name_style(const char *path, char name[HATCH_NAME_MAX]);
+
+/* Returns style lines that are separated by ';' as a text of lines, in args->keep. */
+struct hatch_bytes cmd_split_settings(struct cmd_args *args, const char *settings);
+
 /* Returns the path of a file that another file names: an absolute name is returned as it is, a relative one is taken
  * from the folder of the other file. The path may be in args->keep.
  *   path  path of the other file */

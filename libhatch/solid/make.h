@@ -1,0 +1,25 @@
+/* Makes solid textures from their styles. */
+#ifndef HATCH_SOLID_MAKE_H
+#define HATCH_SOLID_MAKE_H
+
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "solid/solid.h"
+#include "solid/style.h"
+
+struct hatch_solid_options {
+    const struct hatch_solid_style *style; /* of a kind */
+    uint32_t size;                         /* of struct hatch_solid */
+    uint64_t seed;
+    struct hatch_pool *pool;
+    const struct hatch_progress *progress; /* may be NULL */
+};
+
+/* Makes a solid texture: grey, or coloured if the style has colours.
+ *   solid  out, in arena; the same for any number of threads
+ * HATCH_LIMIT, before the work begins, when the memory for the values of all texels does not suffice. */
+enum hatch_status hatch_solid_from_style(const struct hatch_solid_options *options, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, struct hatch_solid *solid,
+                                         struct hatch_err *err) HATCH_MUST_USE;
+
+#endif
