@@ -57,20 +57,17 @@ static int64_t read_at(exr_const_context_t context, void *data, void *out, uint6
     return (int64_t)count;
 }
 
+/* The core writes nothing but a header here, from its first byte to its last: chunks and their offsets are added by
+ * write.c. */
 static int64_t write_at(exr_const_context_t context, void *data, const void *bytes, uint64_t size, uint64_t offset,
                         exr_stream_error_func_ptr_t report)
 {
     (void)context;
     (void)report;
     struct hatch_exr_stream *stream = data;
-    struct hatch_buffer *buffer = stream->buffer;
-    size_t end = (size_t)(offset + size);
-    if (offset == buffer->size)
-        return hatch_buffer_add(buffer, bytes, (size_t)size, &stream->first) == HATCH_OK ? (int64_t)size : -1;
-    if (end > buffer->size && hatch_buffer_add(buffer, NULL, end - buffer->size, &stream->first) != HATCH_OK)
-        return -1;
-    memcpy(buffer->data + offset, bytes, (size_t)size);
-    return (int64_t)size;
+    bool added = offset == stream->buffer->size &&
+                 hatch_buffer_add(stream->buffer, bytes, (size_t)size, &stream->first) == HATCH_OK;
+    return added ? (int64_t)size : -1;
 }
 
 static exr_context_initializer_t settings(struct hatch_exr_stream *stream)
