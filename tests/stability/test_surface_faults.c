@@ -33,7 +33,7 @@ static struct naive read_naively(const struct hatch_mesh *mesh)
     struct hatch_edges edges;
     struct naive seen = {0};
     const struct hatch_connectivity connectivity = {mesh->indices, mesh->face_count, mesh->vertex_count, NULL};
-    HATCH_TEST_OK(hatch_edges_find(&connectivity, &scratch, &scratch, &edges, &err), &err);
+    HATCH_TEST_OK(hatch_edges_find(&connectivity, &keep, &scratch, &edges, &err), &err);
     for (uint32_t e = 0; e < edges.count; e++) {
         const uint32_t *sides = &edges.sides[edges.first[e]];
         uint32_t faces = edges.first[e + 1] - edges.first[e];
@@ -51,7 +51,7 @@ static struct hatch_mesh sphere(uint32_t faces)
     struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_SPHERE, faces);
     struct hatch_mesh welded = mesh;
     uint32_t *point = HATCH_NEW(&keep, uint32_t, mesh.vertex_count, &err);
-    HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, point, &welded.vertex_count, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_weld(&mesh, &keep, point, &welded.vertex_count, &err), &err);
     for (uint32_t v = 0; v < mesh.vertex_count; v++) /* no vertex moves up */
         memmove(&mesh.attributes[0].data[3 * point[v]], &mesh.attributes[0].data[3 * v], 12);
     hatch_mesh_corner_points(&mesh, point, welded.indices);

@@ -149,7 +149,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("vector limits");
     TCase *tests = tcase_create("limits");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, sheets_that_touch_do_not_hide_what_is_drawn_on_them);
     tcase_add_test(tests, a_sheet_just_behind_another_is_hidden);
     tcase_add_test(tests, a_fan_of_needles_has_no_gaps);

@@ -80,6 +80,7 @@ enum hatch_status hatch_smooth_correct_normals(struct hatch_smoothing *s, struct
     struct hatch_curvature_net *net = &s->nets[0];
     double *normals = net->graph->normals, *before, (*shape)[6];
     size_t nodes = net->graph->surface.point_count;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &before, 3 * nodes, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &shape, nodes, err));
     memcpy(before, normals, 3 * nodes * sizeof *before);
@@ -88,5 +89,6 @@ enum hatch_status hatch_smooth_correct_normals(struct hatch_smoothing *s, struct
     HATCH_TRY(mean_normals(s, shape, scratch, err));
     for (size_t n = 0; n < nodes; n++)
         hatch_curvature_net_carry_tangent(&before[3 * n], &normals[3 * n], &net->axis[3 * n]);
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

@@ -112,6 +112,7 @@ enum hatch_status hatch_smooth_spread(const struct hatch_smoothing *s, const boo
     const struct hatch_curvature_graph *graph = s->nets[0].graph;
     uint32_t nodes = graph->surface.point_count;
     struct spreading spread = {.s = s};
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &spread.slopes, nodes, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &spread.variance, nodes, err));
     for (uint32_t n = 0; n < nodes; n++) {
@@ -122,5 +123,6 @@ enum hatch_status hatch_smooth_spread(const struct hatch_smoothing *s, const boo
         for (uint32_t i = graph->first[n]; i < graph->first[n + 1]; i++)
             if (wanted[graph->points[i]])
                 spread_to_point(&spread, n, graph->sides[i], graph->points[i], &samples[graph->points[i]]);
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

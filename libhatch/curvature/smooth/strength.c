@@ -58,6 +58,7 @@ static enum hatch_status choose_lengths(struct hatch_smoothing *s, struct hatch_
     uint32_t components = s->run->graph.surface.component_count;
     double *turned, *last, *area;
     bool *done, more = true;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC(scratch, &turned, components, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &last, components, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &area, components, err));
@@ -80,6 +81,7 @@ static enum hatch_status choose_lengths(struct hatch_smoothing *s, struct hatch_
             more = more || !done[c];
         }
     }
+    hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
 

@@ -158,6 +158,28 @@ static void make_solution(struct spread_case *made, double scale, double varianc
     }
 }
 
+START_TEST(a_plane_keeps_its_normals)
+{
+    struct spread_case of;
+    make_solution(&of, 1e-9, 1, 0);
+    struct hatch_smoothing *s = &of.smoothing;
+    const struct hatch_curvature_net *net = &s->nets[0];
+    uint32_t nodes = net->graph->surface.point_count;
+    s->net_count = 1;
+    *s->typical = 1;
+    s->tensor = HATCH_NEW(&keep, struct hatch_curvature_tensor, nodes, &err);
+    ck_assert_ptr_nonnull(s->tensor);
+    for (uint32_t n = 0; n < nodes; n++) {
+        net->certainty[n] = 1;
+        hatch_vec_copy(&net->graph->normals[3 * (size_t)n], s->tensor[n].normal);
+    }
+    HATCH_TEST_OK(hatch_smooth_solve(s, &scratch, &err), &err);
+    HATCH_TEST_OK(hatch_smooth_correct_normals(s, &scratch, &err), &err);
+    for (uint32_t n = 0; n < nodes; n++)
+        ck_assert_double_eq_tol(hatch_vec_dot(&net->graph->normals[3 * (size_t)n], s->tensor[n].normal), 1, 1e-12);
+}
+END_TEST
+
 static void spread_all(struct spread_case *of)
 {
     bool *wanted = HATCH_NEW(&keep, bool, of->points, &err);
@@ -329,6 +351,7 @@ static Suite *suite(void)
     tcase_add_test(tests, noise_is_averaged_the_more_the_larger_the_strength);
     tcase_add_test(tests, a_coarser_net_continues_linear_values);
     tcase_add_test(tests, slopes_of_linear_values_are_their_gradient);
+    tcase_add_test(tests, a_plane_keeps_its_normals);
     tcase_add_test(tests, points_between_nodes_have_the_linear_values);
     tcase_add_test(tests, the_variance_follows_its_formula);
     tcase_add_test(tests, nodes_without_a_fit_depend_on_the_others);

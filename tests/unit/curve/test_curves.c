@@ -472,7 +472,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("curve");
     TCase *tests = tcase_create("curves");
-    tcase_add_checked_fixture(tests, begin_curves, end_rewound);
+    tcase_add_checked_fixture(tests, begin_curves, end);
     tcase_add_test(tests, positions_are_barycentric);
     tcase_add_test(tests, sound_strokes_pass);
     tcase_add_test(tests, a_bad_point_is_named);

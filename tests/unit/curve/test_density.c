@@ -65,7 +65,7 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("density");
     TCase *tests = tcase_create("density");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, thresholds_become_the_density_below_them);
     tcase_add_test(tests, no_threshold_changes_by_more_than_the_limit);
     suite_add_tcase(made, tests);

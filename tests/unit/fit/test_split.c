@@ -170,7 +170,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("fit");
     TCase *tests = tcase_create("split");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_line_stays_whole);
     tcase_add_test(tests, parts_that_lie_apart_are_told_apart);
     tcase_add_test(tests, parameters_that_jump_divide);

@@ -82,7 +82,7 @@ static struct hatch_buffer write_all(struct hatch_mipmap *parts, uint32_t count,
     struct hatch_buffer file = {.arena = &keep};
     struct adding adding = {.parts = parts};
     struct hatch_pool *pool = NULL;
-    HATCH_TEST_OK(hatch_pool_make(threads, &scratch, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_pool_make(threads, &keep, &pool, &err), &err);
     HATCH_TEST_OK(hatch_exr_begin(&parts[0], count, &keep, &adding.writer, &err), &err);
     hatch_parallel_for(pool, count, add_one, &adding);
     hatch_pool_free(pool);

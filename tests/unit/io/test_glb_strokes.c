@@ -349,7 +349,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io glb strokes");
     TCase *tests = tcase_create("strokes");
-    tcase_add_checked_fixture(tests, begin_scene, end_rewound);
+    tcase_add_checked_fixture(tests, begin_scene, end);
     tcase_add_test(tests, strokes_survive_a_round_trip);
     tcase_add_test(tests, a_copy_of_a_copy_has_the_same_strokes);
     tcase_add_test(tests, strokes_lie_on_the_surface_at_rest);

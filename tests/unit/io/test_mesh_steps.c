@@ -9,7 +9,7 @@
  *   visits  out: corners that ear clipping visits, all reflex corners for each candidate ear */
 static uint64_t cut(void (*corner)(uint32_t i, uint32_t count, float *at), uint32_t count, uint64_t *visits)
 {
-    struct hatch_faces faces = hatch_faces_in(&scratch);
+    struct hatch_faces faces = hatch_faces_in(&keep);
     float *positions = HATCH_NEW(&keep, float, 3 * (size_t)count, &err);
     uint32_t *vertex = HATCH_NEW(&keep, uint32_t, count, &err);
     ck_assert(positions && vertex);

@@ -99,7 +99,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io script write");
     TCase *tests = tcase_create("write");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_reader_reads_the_paths_of_a_drawing);
     tcase_add_test(tests, a_page_higher_than_wide_lies_in_the_middle_of_the_tile);
     tcase_add_test(tests, a_pen_wider_than_the_reader_takes_is_refused);

@@ -454,7 +454,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io svg");
     TCase *tests = tcase_create("svg");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, equivalent_paths_have_the_same_ends, 0, sizeof same_ends / sizeof *same_ends);
     tcase_add_test(tests, shapes_have_the_right_lengths);
     tcase_add_test(tests, arcs_lie_on_their_ellipse);

@@ -80,7 +80,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io svg write");
     TCase *tests = tcase_create("write");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_drawing_is_written_as_layers_of_paths);
     tcase_add_test(tests, the_reader_reads_the_strokes_of_a_drawing);
     tcase_add_test(tests, every_failed_allocation_is_reported);

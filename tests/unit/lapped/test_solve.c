@@ -83,7 +83,7 @@ static void begin_star(void)
                                  .corners = star.corners[0],
                                  .sign = star.sign,
                                  .xy = star.xy[0]};
-    solver = (struct hatch_solver){.arena = &scratch};
+    solver = (struct hatch_solver){.arena = &keep};
     HATCH_TEST_OK(hatch_solver_solve(&solver, &domain, &patch, &err), &err);
 }
 
@@ -104,16 +104,16 @@ START_TEST(factors_keep_to_the_limit_of_the_arena)
 {
     enum hatch_status status = HATCH_LIMIT;
     bool met = false;
-    const size_t limit = scratch.limit_bytes;
-    for (scratch.limit_bytes = scratch.used_bytes; status != HATCH_OK; scratch.limit_bytes += 1024) {
+    const size_t limit = keep.limit_bytes;
+    for (keep.limit_bytes = keep.used_bytes; status != HATCH_OK; keep.limit_bytes += 1024) {
         struct hatch_sparse_solver made = {.column = NULL};
-        struct hatch_arena_mark mark = hatch_arena_mark(&scratch);
+        struct hatch_arena_mark mark = hatch_arena_mark(&keep);
         status = hatch_sparse_solver_make(&solver, &patch, &made, &err);
         met = met || (status == HATCH_LIMIT &&
                       strncmp(err.text, "out of memory for the factors of a patch of 1001 vertices, ", 59) == 0);
-        ck_assert(scratch.limit_bytes < limit);
+        ck_assert(keep.limit_bytes < limit);
         hatch_sparse_solver_free(&made);
-        hatch_arena_rewind(&scratch, mark);
+        hatch_arena_rewind(&keep, mark);
     }
     ck_assert(met);
 }

@@ -218,7 +218,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines mesh");
     TCase *tests = tcase_create("features");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_cube_has_twelve_creases);
     tcase_add_test(tests, the_winding_of_faces_does_not_matter);
     tcase_add_test(tests, boundaries_are_closed_chains);

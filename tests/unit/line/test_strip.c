@@ -388,7 +388,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines strip");
     TCase *tests = tcase_create("strips");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
     tcase_add_test(tests, lines_behind_the_eye_are_clipped);
     tcase_add_test(tests, tiles_cut_lines_alike);

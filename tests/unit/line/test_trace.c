@@ -431,7 +431,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("render lines trace");
     TCase *tests = tcase_create("silhouettes");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_silhouette_of_a_sphere_is_near_the_circle_of_tangents);
     tcase_add_test(tests, the_silhouette_of_an_octahedron_is_a_hexagon);
     tcase_add_test(tests, nothing_is_seen_of_a_sphere_from_its_inside);

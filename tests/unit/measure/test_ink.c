@@ -153,7 +153,7 @@ static Suite *suite(void)
 {
     Suite *made = suite_create("measure ink");
     TCase *tests = tcase_create("ink");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, edges_of_ink_do_not_count_as_grey_strokes, 0, 2);
     tcase_add_test(tests, grey_strokes_are_measured);
     tcase_add_test(tests, paper_has_no_strokes);

@@ -123,7 +123,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("scene extent");
     TCase *tests = tcase_create("extent");
-    tcase_add_checked_fixture(tests, begin_scene, end_rewound);
+    tcase_add_checked_fixture(tests, begin_scene, end);
     tcase_add_test(tests, a_scale_is_the_cube_root_of_the_volume);
     tcase_add_test(tests, scales_of_parents_multiply);
     tcase_add_test(tests, the_first_node_that_has_a_size_counts);

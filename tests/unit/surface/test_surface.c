@@ -204,7 +204,7 @@ static void check_same(const struct hatch_surface *a, const struct hatch_surface
     ck_assert_uint_eq(a->face_count, b->face_count);
     ck_assert_uint_eq(a->point_count, b->point_count);
     ck_assert_uint_eq(a->component_count, b->component_count);
-    uint32_t *to = HATCH_NEW(&scratch, uint32_t, a->point_count, &err);
+    uint32_t *to = HATCH_NEW(&keep, uint32_t, a->point_count, &err);
     memset(to, 0xff, a->point_count * sizeof *to);
     for (uint32_t i = 0; i < 3 * a->face_count; i++) {
         uint32_t other = 3 * to_face[i / 3] + i % 3, far = a->opposite[i];
@@ -258,7 +258,7 @@ END_TEST
 
 static void check_same_order(const struct hatch_surface *a, const struct hatch_surface *b, double tolerance)
 {
-    uint32_t *same = HATCH_NEW(&scratch, uint32_t, a->face_count, &err);
+    uint32_t *same = HATCH_NEW(&keep, uint32_t, a->face_count, &err);
     for (uint32_t f = 0; f < a->face_count; f++)
         same[f] = f;
     check_same(a, b, same, tolerance);

@@ -100,7 +100,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace depths");
     TCase *tests = tcase_create("depths");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, pixels_hold_the_nearness_of_their_centres);
     tcase_add_test(tests, the_nearest_counts_in_any_order);
     tcase_add_test(tests, what_is_behind_is_hidden);

@@ -285,7 +285,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace finer");
     TCase *tests = tcase_create("finer");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, nothing_is_traced_where_the_strokes_suffice);
     tcase_add_test(tests, finer_strokes_join_gradually);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);

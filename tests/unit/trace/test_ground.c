@@ -301,7 +301,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace ground");
     TCase *tests = tcase_create("ground");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, successive_faces_are_near);
     tcase_add_test(tests, a_face_keeps_its_form);
     tcase_add_test(tests, the_direction_is_the_field_turned);

@@ -203,7 +203,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace plane");
     TCase *tests = tcase_create("plane");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, strokes_are_straight_lines_at_the_angle);
     tcase_add_test(tests, gaps_halve_from_level_to_level);
     tcase_add_test(tests, thresholds_follow_the_gaps);

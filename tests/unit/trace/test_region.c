@@ -124,7 +124,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace region");
     TCase *tests = tcase_create("region");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_region_has_what_is_within_its_distance);
     tcase_add_test(tests, a_distance_of_zero_gives_the_windows);
     tcase_add_test(tests, lines_are_clipped_to_windows);

@@ -173,7 +173,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace same");
     TCase *tests = tcase_create("same");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_number_of_threads_does_not_matter);
     tcase_add_test(tests, size_and_place_do_not_matter);
     tcase_add_test(tests, finer_levels_leave_coarser_ones_alone);

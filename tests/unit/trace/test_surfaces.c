@@ -330,7 +330,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("trace surfaces");
     TCase *tests = tcase_create("surfaces");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_length_of_strokes_is_the_density);
     tcase_add_test(tests, strokes_on_a_sphere_keep_their_angle);
     tcase_add_test(tests, strokes_end_at_hard_edges);

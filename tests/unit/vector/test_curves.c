@@ -277,7 +277,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("vector curves");
     TCase *tests = tcase_create("curves");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_line_ends_exactly_where_a_square_hides_it);
     tcase_add_test(tests, a_line_is_cut_where_it_passes_through_a_face);
     tcase_add_test(tests, a_closed_curve_with_a_hidden_part_is_one_path);

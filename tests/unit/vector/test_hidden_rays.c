@@ -268,7 +268,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("vector hidden rays");
     TCase *tests = tcase_create("rays");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, free_segments_among_curved_surfaces);
     tcase_add_test(tests, segments_on_curved_surfaces);
     tcase_add_test(tests, segments_among_loose_triangles);

@@ -93,7 +93,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("vector step");
     TCase *tests = tcase_create("step");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_depth_is_that_of_the_nearest_face);
     tcase_add_test(tests, what_is_before_the_near_plane_does_not_count);
     tcase_add_test(tests, a_step_is_deeper_than_four_pixels);

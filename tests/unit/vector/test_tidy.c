@@ -345,7 +345,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("vector tidy");
     TCase *tests = tcase_create("tidy");
-    tcase_add_checked_fixture(tests, begin_paths, end_rewound);
+    tcase_add_checked_fixture(tests, begin_paths, end);
     tcase_add_test(tests, a_line_beside_a_longer_one_is_dropped);
     tcase_add_test(tests, ends_that_meet_are_joined_the_straightest_first);
     tcase_add_test(tests, ends_that_are_too_far_apart_are_not_joined);
