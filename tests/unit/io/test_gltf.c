@@ -109,6 +109,22 @@ START_TEST(a_truncated_glb_is_refused)
 }
 END_TEST
 
+START_TEST(zeros_at_the_end_are_no_json)
+{
+    static const char text[] = "\0\0{\0}\0\0";
+    static const struct {
+        size_t from, size, want;
+    } parts[] = {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {2, 1, 1}, {2, 2, 1}, {2, 3, 3}, {2, 5, 3}, {0, 7, 5}};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        struct hatch_gltf_parts split;
+        const struct hatch_bytes file = {(const uint8_t *)text + parts[i].from, parts[i].size};
+        HATCH_TEST_OK(hatch_gltf_split(file, &split, &err), &err);
+        ck_assert_ptr_eq(split.json.data, file.data);
+        ck_assert_uint_eq(split.json.size, parts[i].want);
+    }
+}
+END_TEST
+
 /* The buffer "b.bin" of the scenes below. Byte 0: positions of a square as floats; 48: positions as shorts,
  * each followed by a colour as bytes (stride 12); 96: indices; 100: sparse indices, then values. */
 static const struct {
@@ -428,6 +444,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shapes_survive_a_round_trip_exactly);
     tcase_add_test(tests, every_attribute_survives_a_round_trip);
     tcase_add_test(tests, a_truncated_glb_is_refused);
+    tcase_add_test(tests, zeros_at_the_end_are_no_json);
     tcase_add_test(tests, strips_become_triangles);
     tcase_add_test(tests, fans_become_triangles);
     tcase_add_test(tests, accessors_may_be_interleaved_and_normalised);

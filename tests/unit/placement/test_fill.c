@@ -144,6 +144,37 @@ START_TEST(the_exhaustive_method_places_strokes_on_paper)
 }
 END_TEST
 
+/* The paper is a sine wave along the strokes, so that the stroke whose middle is nearest to its crest adds most. */
+START_TEST(the_exhaustive_method_rates_the_whole_stroke)
+{
+    const double turn = 2 * acos(-1);
+    struct hatch_canvas canvas;
+    static float texels[64 * 64], means[6][64 * 64];
+    float *pyramids[1][HATCH_MIP_LEVELS_MAX] = {{texels, means[0], means[1], means[2], means[3], means[4], means[5]}};
+    map_style(NULL, "jitter 0\ndirection 0 0 1\nlength 0.25 0.25", &map);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
+    for (uint32_t i = 0; i < 64 * 64; i++)
+        texels[i] = (float)(0.5 + 0.5 * sin(turn * (i % 64 + 0.5) / 64));
+    for (uint64_t i = 0; i < 20; i++) {
+        struct hatch_choice choice = {.seed = 5,
+                                      .number = i,
+                                      .candidates = 40,
+                                      .length_max = 0.25f,
+                                      .scale = 1,
+                                      .direction_count = 1,
+                                      .directions = {(float)(i % 2) * 3.14159265f}};
+        struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
+        double highest = -2;
+        for (uint32_t c = 0; c < choice.candidates; c++) {
+            struct hatch_stroke other = hatch_choice_candidate(&map.style, &choice, c);
+            highest = fmax(highest, sin(turn * (double)other.x));
+        }
+        ck_assert_double_ge(sin(turn * (double)best.x), highest - 0.02);
+    }
+}
+END_TEST
+
 /* Lines across the whole tile keep their distance. With the box-filtered pyramids of the paper a few pairs are close to
  * each other at block borders; of 45 random pairs 3.5 would be. */
 START_TEST(lines_keep_their_distance)
@@ -348,6 +379,7 @@ static Suite *suite(void)
     tcase_add_test(tests, ids_are_those_of_the_strokes_that_cover_the_pixels);
     tcase_add_test(tests, a_random_seed_determines_the_drawing);
     tcase_add_test(tests, the_exhaustive_method_places_strokes_on_paper);
+    tcase_add_test(tests, the_exhaustive_method_rates_the_whole_stroke);
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
     tcase_add_test(tests, growing_strokes_start_small);
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);

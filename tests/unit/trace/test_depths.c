@@ -53,6 +53,18 @@ START_TEST(pixels_hold_the_nearness_of_their_centres)
 }
 END_TEST
 
+/* Also where a polygon goes on beyond the picture. */
+START_TEST(a_polygon_covers_the_picture_up_to_its_borders)
+{
+    for (int beyond = 0; beyond < 2; beyond++) {
+        struct hatch_depths depths = make();
+        draw(&depths, &(struct rectangle){-beyond, -beyond, SIZE + beyond, SIZE + beyond, 1, 0});
+        for (int i = 0; i < SIZE * SIZE; i++)
+            ck_assert_float_eq(depths.near[i], 1);
+    }
+}
+END_TEST
+
 START_TEST(the_nearest_counts_in_any_order)
 {
     const struct rectangle front = {4, 4, 20, 20, 2, 0}, back = {8, 8, 28, 28, 1, 0};
@@ -102,6 +114,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("depths");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, pixels_hold_the_nearness_of_their_centres);
+    tcase_add_test(tests, a_polygon_covers_the_picture_up_to_its_borders);
     tcase_add_test(tests, the_nearest_counts_in_any_order);
     tcase_add_test(tests, what_is_behind_is_hidden);
     tcase_add_test(tests, a_hole_shows_what_is_behind);
