@@ -16,7 +16,8 @@ struct work {
 };
 
 /* Replaces the mesh by its cleaned surface with a direction field and normals, as dirfield writes it by default, so
- * that running dirfield first makes no difference. */
+ * that running dirfield first makes no difference. A mesh with a field comes from a glTF file, whose reader has added
+ * normals where there were none. */
 static void prepare(struct cmd_args *args, struct lapped_param_part *part)
 {
     struct hatch_err err;
@@ -29,7 +30,6 @@ static void prepare(struct cmd_args *args, struct lapped_param_part *part)
     cmd_check(hatch_surface_to_mesh(part->surface, &part->mesh->mesh, &args->keep, &args->scratch, &mesh, &vertex_point,
                                     &err),
               part->name, &err);
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh, CMD_CREASE_RAD, &err), part->name, &err);
     part->mesh->mesh = mesh;
 }
 

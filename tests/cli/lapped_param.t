@@ -31,6 +31,13 @@ END
 lapped-param -q placed.gltf -o placed.glb
 unpack placed.glb unplaced
 is "the outline does not take over a texture's transform" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
+dirfield torus.glb -o field.glb
+unpack field.glb field
+sed 's/"NORMAL":[0-9]*,//' field.gltf >bare.gltf
+is "a field without normals" "$(grep -c NORMAL bare.gltf)" 0
+lapped-param bare.gltf -o bare.glb
+unpack bare.glb bared
+is "a mesh with a field and without normals gets them" "$(grep -c '"NORMAL"' bared.gltf)" 1
 lapped-param <torus.glb >filter.glb
 ok "from a pipe to a pipe" cmp filter.glb alone.glb
 numbers alone.glb >a
