@@ -36,6 +36,12 @@ says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of diff, field
     hatchstat bunny
 says "a shape with a typing error" 2 2 "bump, helicoid, catenoid; perhaps teapot" meshgen teapto
 says "a style with a typing error" 2 2 "speckle, stipple, wash, woodcut, and not a file; perhaps pencil" tamgen --style penci
+mkdir -p one/bin one/share/hatch/styles
+cp "$BIN/tamgen" one/bin
+says "a style where none is installed" 2 2 "no style 'penci': it is no file, and " one/bin/tamgen --style penci
+cp "$BUILD/share/hatch/styles/pencil.style" one/share/hatch/styles
+says "a style where one is installed" 2 2 "style: 'penci' is not one of pencil, and not a file; perhaps pencil" \
+    one/bin/tamgen --style penci
 says "a palette that does not exist" 2 2 "palette: 'dawn' is not one of dusk, earth, sea, and not a file" \
     tamgen --palette dawn
 says "a colour with a typing error" 2 2 "--ink: 'blak' is not one of black, white, grey, gray, cream, sepia, blue, red, and not #rrggbb; perhaps black" \
