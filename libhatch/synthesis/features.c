@@ -125,6 +125,14 @@ static void find_similar(void *context, uint32_t row)
     }
 }
 
+size_t hatch_features_bytes(const struct hatch_exemplar *exemplar)
+{
+    const size_t length = (size_t)exemplar->side * exemplar->side * exemplar->channels;
+    const size_t count = (size_t)exemplar->across * exemplar->down;
+    return count * (HATCH_FEATURES * sizeof(int16_t) + HATCH_FEATURES_SIMILAR * sizeof(uint16_t)) +
+           HATCH_FEATURES * (length + 15) * sizeof(int16_t) + (length + 2 * HATCH_FEATURES) * length * sizeof(double);
+}
+
 enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, struct hatch_pool *pool,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                       struct hatch_features *features, struct hatch_err *err)

@@ -19,6 +19,9 @@ struct hatch_features {
         *similar; /* [(y * across + x) * HATCH_FEATURES_SIMILAR + i]: names of neighbourhoods, most similar first */
 };
 
+/* Returns the memory that hatch_features_make takes, with its temporary data. */
+size_t hatch_features_bytes(const struct hatch_exemplar *exemplar);
+
 /* Computes the features of all neighbourhoods of an exemplar. */
 enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, struct hatch_pool *pool,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -10,6 +10,7 @@
 
 #define SIZE_MIN 8u /* of the coarsest level */
 #define MORE 4u     /* factor of iterations from level to level */
+#define BLOCKS 8u   /* allocations of a level, each aligned */
 #define STREAMS (1u << 20)
 
 /* Tolerance of the first iteration of a level, in powers of two, and of the last: structures form while means are
@@ -117,6 +118,19 @@ static enum hatch_status fill_level(struct synthesis *synthesis, uint32_t which,
     return status;
 }
 
+/* Fails if there is not the memory that the finest level takes later, besides what has been allocated. */
+static enum hatch_status try_memory(struct synthesis *synthesis, struct hatch_err *err)
+{
+    const struct level *finest = &synthesis->levels[0];
+    const size_t bytes = hatch_features_bytes(&finest->exemplar) +
+                         hatch_search_bytes(&finest->volume, &finest->exemplar, synthesis->pool);
+    struct hatch_arena_mark mark = hatch_arena_mark(synthesis->scratch);
+    uint8_t *block;
+    enum hatch_status status = HATCH_ALLOC_UNSET(synthesis->scratch, &block, bytes + BLOCKS * HATCH_ARENA_ALIGN, err);
+    hatch_arena_rewind(synthesis->scratch, mark);
+    return status;
+}
+
 static enum hatch_status fill(struct synthesis *synthesis, const struct hatch_image *exemplar,
                               struct hatch_solid *solid, struct hatch_synthesis_figures *figures, struct hatch_err *err)
 {
@@ -134,6 +148,7 @@ static enum hatch_status fill(struct synthesis *synthesis, const struct hatch_im
         HATCH_TRY(make_level(synthesis, which, side, solid, err));
         figures->iterations += synthesis->levels[which].iterations;
     }
+    HATCH_TRY(try_memory(synthesis, err));
     for (uint32_t which = synthesis->level_count; which-- > 0;)
         HATCH_TRY(fill_level(synthesis, which, err));
     const struct hatch_volume *finest = &synthesis->levels[0].volume;

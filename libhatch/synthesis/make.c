@@ -1,5 +1,6 @@
 #include "synthesis/synthesis.h"
 
+#include "synthesis/heeger.h"
 #include "synthesis/kopf.h"
 
 enum hatch_status hatch_synthesis_make(const struct hatch_image *picture, const struct hatch_synthesis_options *options,
@@ -16,7 +17,8 @@ enum hatch_status hatch_synthesis_make(const struct hatch_image *picture, const 
     if (status == HATCH_OK)
         status = hatch_solid_make(arena, options->size, exemplar.channel_count, &made, err);
     if (status == HATCH_OK)
-        status = hatch_kopf_fill(&exemplar, options, pool, progress, scratch, &made, &found, err);
+        status = (options->method == HATCH_SYNTHESIS_KOPF ? hatch_kopf_fill : hatch_heeger_fill)(
+            &exemplar, options, pool, progress, scratch, &made, &found, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK) {
         *solid = made;

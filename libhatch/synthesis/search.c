@@ -169,11 +169,22 @@ static void search_slices(void *context, uint32_t worker)
     }
 }
 
+static size_t padded_bytes(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar)
+{
+    const size_t pitch = volume->size + exemplar->side - 1;
+    return pitch * pitch * volume->channels;
+}
+
+size_t hatch_search_bytes(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar,
+                          struct hatch_pool *pool)
+{
+    return hatch_pool_threads(pool) * padded_bytes(volume, exemplar);
+}
+
 enum hatch_status hatch_search_run(const struct hatch_search *search, struct hatch_pool *pool,
                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
-    const uint32_t pitch = search->volume->size + search->exemplar->side - 1;
-    struct job job = {search, hatch_pool_threads(pool), (size_t)pitch * pitch * search->volume->channels, NULL};
+    struct job job = {search, hatch_pool_threads(pool), padded_bytes(search->volume, search->exemplar), NULL};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &job.padded, job.workers * job.padded_bytes, err));
     hatch_parallel_for(pool, job.workers, search_slices, &job);

@@ -36,6 +36,10 @@ struct hatch_search {
 enum hatch_status hatch_search_run(const struct hatch_search *search, struct hatch_pool *pool,
                                    struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Returns the temporary memory of hatch_search_run. */
+size_t hatch_search_bytes(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar,
+                          struct hatch_pool *pool);
+
 /* Raises the prices of cells that more than their share of the matches lie in, and lowers those of the others, so that
  * in the end all parts of the exemplar are used.
  *   counts  [HATCH_CELLS], overwritten */
