@@ -96,7 +96,7 @@ static void upload_octaves(const struct hatch_texels *mips, GLuint *texture)
                             layout, GL_UNSIGNED_BYTE, mips->texels[level]);
     }
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_R, GL_REPEAT);
-    glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
 }
 
 /* Makes the texture A of a solid texture and its table, and uploads them.
