@@ -1,5 +1,7 @@
-/* Canvas: threads along two axes pass over and under each other, in each of the three planes. */
+/* Canvas: threads that pass over and under each other on every slice across an axis. */
 #include "solid/field.h"
+
+#define OVER 0.6f /* weight of what lies on top, against the threads themselves */
 
 enum { STREAM_THREADS = 0x636c6f74 };
 
@@ -9,22 +11,23 @@ struct state {
     struct hatch_noise_octaves unevenness;
 };
 
-/* Returns the height of a weave: threads along each coordinate, whose middles are at whole numbers of the other.
- *   s, t  in threads */
-static float weave(float s, float t)
-{
-    float over = hatch_noise_cosine(s / 2) * hatch_noise_cosine(t / 2); /* 1 or -1 where threads cross */
-    float along = (0.5f + 0.5f * hatch_noise_cosine(t)) * (0.55f + 0.45f * over);
-    float across = (0.5f + 0.5f * hatch_noise_cosine(s)) * (0.55f - 0.45f * over);
-    return fmaxf(along, across);
-}
-
 static float canvas(const void *context, const float at[3])
 {
     const struct state *state = context;
-    float threads = state->style->threads, x = threads * at[0], y = threads * at[1], z = threads * at[2];
+    float whole[3], half[3], height = 0;
+    for (int i = 0; i < 3; i++) {
+        float turns = state->style->threads * at[i];
+        whole[i] = hatch_noise_cosine(turns); /* 1 in the middle of a thread, -1 between two */
+        half[i] = hatch_noise_cosine(turns / 2);
+    }
+    /* Products of two have the same mean on all slices. Where threads cross, the product of the halves is 1 or -1 by
+     * turns, and one of the threads lies on top: it is as high beside the crossing. */
+    for (int i = 0; i < 3; i++) {
+        int next = (i + 1) % 3;
+        height += whole[i] * whole[next] + OVER * half[i] * half[next] * (whole[next] - whole[i]);
+    }
     float uneven = state->style->vary * hatch_noise_sum(&state->unevenness, at, false);
-    return (weave(x, y) + weave(y, z) + weave(z, x)) / 3 + 0.5f * uneven;
+    return 0.5f + height / 6 + uneven;
 }
 
 enum hatch_status solid_canvas_field(const struct solid_job *job, struct solid_field *field, struct hatch_err *err)

@@ -1,15 +1,17 @@
 /* Kinds made of noise: perlin, turbulence, marble and paper. */
 #include "solid/field.h"
 
-enum { STREAM_OCTAVES = 0x6f637461, STREAM_FIBERS = 0x66696272 };
+enum { STREAM_OCTAVES = 0x6f637461, STREAM_FIBERS = 0x66696272, STREAM_CURL = 0x6375726c };
 
-#define STRETCH 6u /* length of a fibre of paper over its width */
+#define STRETCH 6u  /* length of a fibre of paper over its width */
+#define FAMILIES 6u /* of fibres, along the diagonals of the sides of the cube */
+#define CURL 0.5f   /* how far noise displaces fibres, in their widths */
 
 struct state {
     const struct hatch_solid_style *style;
     struct hatch_noise noise;
     struct hatch_noise_octaves octaves;
-    struct hatch_noise_octaves fibers[3]; /* of paper, along x, y and z */
+    struct hatch_noise_octaves fibers[FAMILIES], curl; /* of paper */
 };
 
 static float perlin(const void *context, const float at[3])
@@ -41,10 +43,29 @@ static float marble(const void *context, const float at[3])
 static float paper(const void *context, const float at[3])
 {
     const struct state *state = context;
+    const struct hatch_solid_style *style = state->style;
     float bumps = hatch_noise_sum(&state->octaves, at, false), fiber = -1;
-    for (int i = 0; i < 3; i++)
-        fiber = fmaxf(fiber, 0.2f - fabsf(hatch_noise_sum(&state->fibers[i], at, false)));
-    return 0.5f + (1 - state->style->grain) * bumps + state->style->grain * 2 * fiber;
+    float curl = CURL / style->scale * hatch_noise_sum(&state->curl, at, false);
+    for (uint32_t i = 0; i < FAMILIES; i++) {
+        uint32_t x = i % 3, y = (x + 1) % 3;
+        float sign = i < 3 ? 1 : -1;
+        /* Sums and differences of two coordinates repeat with the cube, too. */
+        const float place[3] = {at[x] + sign * at[y], at[x] - sign * at[y] + curl, at[(x + 2) % 3] - curl};
+        fiber = fmaxf(fiber, 0.15f - fabsf(hatch_noise_sum(&state->fibers[i], place, false)));
+    }
+    return 0.5f + (1 - style->grain) * bumps + style->grain * 2 * fiber;
+}
+
+/* Makes the fibres of paper. */
+static void make_fibers(const struct solid_job *job, struct state *state)
+{
+    uint32_t scale = (uint32_t)job->style->scale, across = (scale * 2 + 2) / 3, cells_max = job->size / 2;
+    const uint32_t fibers[3] = {(across + STRETCH - 1) / STRETCH, across, scale}, wide = (scale + 3) / 4;
+    const uint32_t curl[3] = {wide, wide, wide};
+    for (uint32_t i = 0; i < FAMILIES; i++)
+        state->fibers[i] =
+            hatch_noise_octaves_make(&state->noise, job->seed, STREAM_FIBERS + i, fibers, cells_max, 1, 1);
+    state->curl = hatch_noise_octaves_make(&state->noise, job->seed, STREAM_CURL, curl, cells_max, 1, 1);
 }
 
 enum hatch_status solid_noise_field(const struct solid_job *job, struct solid_field *field, struct hatch_err *err)
@@ -57,12 +78,7 @@ enum hatch_status solid_noise_field(const struct solid_job *job, struct solid_fi
     hatch_noise_make(job->seed, &state->noise);
     state->octaves = hatch_noise_octaves_make(&state->noise, job->seed, STREAM_OCTAVES, cells, cells_max,
                                               (uint32_t)style->octaves, style->gain);
-    for (uint32_t i = 0; i < 3; i++) {
-        uint32_t fibers[3] = {scale, scale, scale};
-        fibers[i] = (scale + STRETCH - 1) / STRETCH;
-        state->fibers[i] =
-            hatch_noise_octaves_make(&state->noise, job->seed, STREAM_FIBERS + i, fibers, cells_max, 1, 1);
-    }
+    make_fibers(job, state);
     field->state = state;
     field->value = style->kind == HATCH_SOLID_PERLIN       ? perlin
                    : style->kind == HATCH_SOLID_TURBULENCE ? turbulence

@@ -63,16 +63,18 @@ static float value(const void *context, const float at[3])
     return least;
 }
 
-/* Chooses one of the directions whose tones include the rank of a stroke; without any, a random one.
+/* Chooses one of the directions whose tones include that at which a stroke appears; without any, a random one.
  *   out  of length 1 */
 static void choose_direction(const struct solid_job *job, const struct hatch_noise *noise, uint32_t number, float rank,
                              float out[3])
 {
     const struct hatch_solid_style *style = job->style;
+    /* Strokes up to this rank, at random places, cover about this share. */
+    float tone = (float)(1 - exp((double)(-style->density * rank)));
     const struct hatch_solid_direction *fitting[HATCH_SOLID_DIRECTIONS_MAX], *chosen = NULL;
     uint32_t fitting_count = 0;
     for (uint32_t i = 0; i < style->direction_count; i++)
-        if (rank >= style->directions[i].from && rank <= style->directions[i].to)
+        if (tone >= style->directions[i].from && tone <= style->directions[i].to)
             fitting[fitting_count++] = &style->directions[i];
     if (fitting_count)
         chosen = fitting[hatch_random_u64(job->seed, STREAM_FAMILY, number) % fitting_count];

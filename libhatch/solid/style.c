@@ -17,7 +17,7 @@ static const struct kind {
     [HATCH_SOLID_PERLIN] = {.name = "perlin", .defaults = {.scale = 8, .octaves = 1, .gain = 0.5f}},
     [HATCH_SOLID_TURBULENCE] = {.name = "turbulence", .defaults = {.scale = 4, .octaves = 5, .gain = 0.5f}},
     [HATCH_SOLID_WOOD] = {.name = "wood",
-                          .defaults = {.scale = 2, .rings = 8, .warp = 2, .grain = 0.3f, .fibers = 48, .axis = 1}},
+                          .defaults = {.scale = 2, .rings = 12, .warp = 1.5f, .grain = 0.4f, .fibers = 48, .axis = 1}},
     [HATCH_SOLID_MARBLE] =
         {.name = "marble",
          .defaults = {.scale = 3, .octaves = 5, .gain = 0.5f, .veins = {2, 1, 0}, .warp = 1, .sharpness = 1}},

@@ -412,6 +412,16 @@ tamthresh-bins tamthresh -v --bins 3 --seed 5 fine.exr
 tamthresh-bins-given tamthresh --bins 0.2,0.5,0.8 map.exr
 tamthresh-exact tamthresh -v --exact map.exr
 tamthresh-color tamthresh color.exr
+solidgen-perlin solidgen --style perlin --size 32 --slices slices.png
+solidgen-turbulence solidgen --style turbulence --size 32
+solidgen-wood solidgen --style wood --size 32 --slices slices.png -v
+solidgen-marble solidgen --style marble --size 32 --seed 2 -o marble.exr
+solidgen-worley solidgen --style worley --size 32 --set 'distance f2-f1; jitter 0.5'
+solidgen-stipple solidgen --style stipple --size 32
+solidgen-strokes solidgen --style strokes --size 32
+solidgen-crosshatch solidgen --style crosshatch --size 32
+solidgen-paper solidgen --style paper --size 32
+solidgen-canvas solidgen --style canvas --size 32 --set 'equalize no; contrast 2'
 seedgen seedgen -n 64 --layers 3 --candidates 50 --plot seeds.svg -v
 seedgen-any seedgen -n 37 --seed 9
 seedgen-euler seedgen -n 256 --method euler --candidates 20
@@ -503,7 +513,7 @@ END
 
 # Help texts and messages, which may change on purpose.
 list_help() {
-    for command in dirfield hatchstat lapped-param meshgen render-gl seedgen strokegen tamgen tampack tamthresh tamvol; do
+    for command in dirfield hatchstat lapped-param meshgen render-gl seedgen solidgen strokegen tamgen tampack tamthresh tamvol; do
         echo "help-$command $command --help; $command --version"
         echo "help-table-$command $command --options-table"
         echo "help-usage-$command $command --nonesuch; $command -j 0; $command one two three four five"

@@ -46,10 +46,11 @@ for manual in "$TOP"/man/man[17]/*; do
     [ -s .lines ] || fail "$(basename "$manual") has examples"
     run_examples "$(basename "$manual")"
 done
-for manual in hatch-style layers seeds; do
+for manual in hatch-style layers seeds solid; do
     manual_examples "$TOP/man/man5/$manual.5" blocks >"given/example.$manual"
 done
 mv given/example.hatch-style given/skin.style
+mv given/example.solid given/stone.solid
 for manual in "$TOP"/man/man5/*; do
     manual_examples "$manual" lines >.lines
     run_examples "$(basename "$manual")"
