@@ -1,0 +1,103 @@
+/* Items that use a texture in the same way share it on the GPU; others have one of their own. */
+#include "io/png/png.h"
+#include "render-gl/scene/material.h"
+#include "render_frame.h"
+
+/* How an item uses a texture. */
+struct use {
+    uint32_t texture; /* HATCH_NONE: the item has no material */
+    enum hatch_wrap wrap[2];
+    bool patches;
+    uint32_t same; /* index of the first item that uses it in the same way */
+};
+
+enum { USES = 10, SIDE = 16 };
+
+static const struct use uses[USES] = {
+    {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0}, {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 1},
+    {0, {HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT}, false, 2},  {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_CLAMP}, false, 3},
+    {1, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 4}, {HATCH_NONE, {HATCH_WRAP_REPEAT}, false, 5},
+    {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0}, {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 1},
+    {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_CLAMP}, false, 3},  {1, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 4},
+};
+
+static struct test_frame frame;
+
+/* Makes a texture whose least alpha is a half. */
+static struct hatch_texture make_texture(uint32_t width)
+{
+    struct hatch_arena *keep = &frame.args.keep;
+    struct hatch_image image;
+    struct hatch_buffer file = {.arena = keep};
+    HATCH_TEST_OK(hatch_image_make(keep, width, SIDE, "RGBA", &image, &frame.err), &frame.err);
+    for (uint32_t i = 0; i < 4 * width * SIDE; i++)
+        image.pixels[i] = i == 3 ? 128.0f / 255 : 1;
+    HATCH_TEST_OK(hatch_png_write(&image, HATCH_PNG_SRGB, 8, NULL, &frame.args.scratch, &file, &frame.err), &frame.err);
+    return (struct hatch_texture){file.data, file.size};
+}
+
+static void make_scene(void)
+{
+    struct hatch_arena *keep = &frame.args.keep;
+    struct hatch_scene *scene = &frame.scene;
+    struct hatch_mesh mesh = frame_plane(&frame, 2);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, keep, scene, &frame.err), &frame.err);
+    const struct hatch_scene_mesh first = scene->meshes[0];
+    const struct hatch_node node = scene->nodes[0];
+    scene->mesh_count = scene->node_count = scene->material_count = USES;
+    scene->texture_count = 2;
+    scene->meshes = HATCH_NEW(keep, struct hatch_scene_mesh, USES, &frame.err);
+    scene->nodes = HATCH_NEW(keep, struct hatch_node, USES, &frame.err);
+    scene->materials = HATCH_NEW(keep, struct hatch_material, USES, &frame.err);
+    scene->textures = HATCH_NEW(keep, struct hatch_texture, 2, &frame.err);
+    ck_assert(scene->meshes && scene->nodes && scene->materials && scene->textures);
+    for (uint32_t i = 0; i < USES; i++) {
+        scene->meshes[i] = first;
+        scene->meshes[i].material = uses[i].texture == HATCH_NONE ? HATCH_NONE : i;
+        scene->nodes[i] = node;
+        scene->nodes[i].first_mesh = i;
+        scene->materials[i] =
+            (struct hatch_material){.base_color = {1, 1, 1, 1},
+                                    .alpha_cutoff = 0.75f,
+                                    .base = {.texture = uses[i].texture, .wrap = {uses[i].wrap[0], uses[i].wrap[1]}}};
+    }
+    scene->textures[0] = make_texture(SIDE);
+    scene->textures[1] = make_texture(2 * SIDE);
+}
+
+START_TEST(items_share_textures_that_they_use_alike)
+{
+    static const struct hatch_patch_mesh patches = {0};
+    frame_arenas(&frame);
+    make_scene();
+    frame_open_scene(NULL, &frame_unit, NULL, &frame);
+    struct scene *scene = &frame.on_gpu;
+    for (uint32_t i = 0; i < USES; i++)
+        scene->unit.meshes[i].patches = uses[i].patches ? &patches : NULL;
+    material_upload(&frame.args, "test", true, frame.context.size_max_px, scene);
+    for (uint32_t i = 0; i < USES; i++) {
+        const struct scene_item *item = &scene->items[i];
+        ck_assert_int_eq(item->base_texture != 0, uses[i].texture != HATCH_NONE);
+        for (uint32_t k = 0; k < i && item->base_texture; k++)
+            ck_assert_msg((scene->items[k].base_texture == item->base_texture) == (uses[k].same == uses[i].same),
+                          "items %u and %u", k, i);
+        if (item->base_texture) {
+            ck_assert_float_eq(item->base_side_px, uses[i].texture ? 2 * SIDE : SIDE);
+            ck_assert_float_eq_tol(item->base_alpha, 128.0f / 255, 1e-6f);
+            ck_assert_float_eq_tol(item->base_lod, log2f(item->base_side_px / 2), 1e-6f); /* of four vertices */
+            ck_assert(scene->unit.items[i].cut_out);
+        }
+    }
+    frame_finish(&frame);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("render material");
+    TCase *tests = tcase_create("material");
+    tcase_add_test(tests, items_share_textures_that_they_use_alike);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
