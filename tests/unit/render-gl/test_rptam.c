@@ -1,6 +1,9 @@
 /* Compares recursive procedural tonal art maps on the GPU with their definition in doubles, on a plane parallel to the
  * screen, and coverage lists with trying all seed points. */
+#include <fcntl.h>
 #include <math.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "render_frame.h"
 #include "rptam_ink.h"
@@ -258,6 +261,47 @@ START_TEST(no_layers_give_blank_paper)
 }
 END_TEST
 
+/* Reads a file of layers, and then one of seed sets that does not exist, in a process of its own with an arena of some
+ * bytes. Returns its exit status. */
+static int read_within(const char *layers, size_t limit_bytes)
+{
+    static const struct cmd_option options[] = {{0}};
+    static const struct cmd_program program = {.name = "tested", .summary = "is tested", .options = options};
+    struct rptam_state state = {.model = NULL};
+    struct technique_instance instance = {.technique = &technique_rptam_places, .state = &state};
+    struct technique_context context = {.args = &frame.args};
+    char *words[] = {(char[]){"tested"}, NULL};
+    int status;
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    if (child == 0) {
+        dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
+        cmd_begin(&program, 1, words, &frame.args);
+        rptam_options.layers = layers;
+        rptam_options.seeds = "/none/a.seeds";
+        hatch_arena_init(&frame.args.keep, limit_bytes);
+        rptam_read(&context, &instance);
+    }
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    ck_assert_msg(WIFEXITED(status), "%zu bytes: signal %d", limit_bytes, WTERMSIG(status));
+    return WEXITSTATUS(status);
+}
+
+/* The strokes of many layers need more memory than the file, and than the image of a single one. */
+START_TEST(layers_without_memory_end_the_command)
+{
+    char path[] = "/tmp/layersXXXXXX";
+    int file = mkstemp(path), status = HATCH_LIMIT;
+    for (uint32_t i = 0; i < HATCH_RPTAM_LAYERS_MAX; i++)
+        ck_assert_int_eq(write(file, "stroke round\n", 13), 13);
+    close(file);
+    for (size_t limit_bytes = 1; status == HATCH_LIMIT; limit_bytes += 8192)
+        status = read_within(path, limit_bytes);
+    unlink(path);
+    ck_assert_int_eq(status, HATCH_IO);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render rptam");
@@ -268,6 +312,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_largest_number_of_layers_matches_the_model);
     tcase_add_test(tests, no_layers_give_blank_paper);
     tcase_add_test(tests, strokes_of_a_distant_view_are_in_the_nearer_one);
+    tcase_add_test(tests, layers_without_memory_end_the_command);
     suite_add_tcase(suite, tests);
     return suite;
 }
