@@ -24,7 +24,8 @@ static const struct cmd_option options[] = {
     {'c', "check", CMD_FLAG, 0, 0, NULL,
      "tam, lapped, seeds: exit 1 when a figure is outside its limit; see the manual", &values.check, NULL, NULL},
     {'R', "reference", CMD_TEXT, 0, 0, "FILE",
-     "field: mesh with the true field; ink: picture to compare with; tones: the map from which FILE was made",
+     "field: mesh with the true field; ink: picture to compare with; solid: picture whose look FILE should have; "
+     "tones: the map from which FILE was made",
      &values.reference, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X",
      "field: share of the points compared, most confident first, 0.001 .. 1 (default 1)", &values.share, NULL, NULL},
@@ -40,13 +41,14 @@ static const struct cmd_rule rules[] = {
     {"style set brush", "SUBJECT=tam strokes", "they describe its strokes"},
     {"throws", "SUBJECT=tam,seeds SUBJECT=seeds|strokes", NULL},
     {"check", "SUBJECT=tam,lapped,seeds", NULL},
-    {"reference", "SUBJECT=field,ink,tones", NULL},
+    {"reference", "SUBJECT=field,ink,solid,tones", NULL},
     {"share", "SUBJECT=field reference", NULL},
     {"samples", "SUBJECT=lapped,tones", NULL},
     {NULL, NULL, NULL},
 };
 
-static const char *const names[] = {"diff", "field", "frames", "ink", "lapped", "mesh", "seeds", "tam", "tones", NULL};
+static const char *const names[] = {"diff",  "field", "frames", "ink",   "lapped", "mesh",
+                                    "seeds", "solid", "tam",    "tones", NULL};
 
 /* In the order of names. */
 static const struct subject {
@@ -56,7 +58,8 @@ static const struct subject {
 } subjects[] = {
     {2, 2, "2", stat_diff},          {0, -1, "any number", stat_field}, {2, -1, "2 or more", stat_frames},
     {1, -1, "1 or more", stat_ink},  {0, 1, "1 at most", stat_lapped},  {0, -1, "any number", stat_mesh},
-    {0, 1, "1 at most", stat_seeds}, {0, 1, "1 at most", stat_tam},     {0, 1, "1 at most", stat_tones},
+    {0, 1, "1 at most", stat_seeds}, {0, 1, "1 at most", stat_solid},   {0, 1, "1 at most", stat_tam},
+    {0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
@@ -76,7 +79,8 @@ static const struct cmd_program program = {
                "  mesh FILE ..., field FILE ...               meshes and their direction fields\n"
                "  lapped FILE                                 lapped textures\n"
                "  tam FILE, tones FILE                        tam: tonal art maps; tones: volumes, threshold textures\n"
-               "  seeds FILE                                  seed sets",
+               "  seeds FILE                                  seed sets\n"
+               "  solid FILE                                  solid textures",
     .examples = examples,
     .options = options,
     .rules = rules,

@@ -14,7 +14,7 @@ struct stat_options {
     const char *strokes, *style, *settings, *brush; /* tam: options that describe the strokes; NULL when not given */
     int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
     bool check;            /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
-    const char *reference; /* field, tones, ink: NULL when not given */
+    const char *reference; /* field, tones, ink, solid: NULL when not given */
     double share;          /* field: share of the compared points that counts, the most confident first */
     int64_t samples;       /* lapped: number of samples; tones: number per level of detail */
 };
@@ -31,6 +31,7 @@ enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *opt
 enum hatch_status stat_lapped(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_seeds(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
+enum hatch_status stat_solid(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 

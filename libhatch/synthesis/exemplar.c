@@ -24,12 +24,12 @@ static uint32_t min_u32(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Halves a picture until its shorter side is in range. The channels stay those of the picture. */
-static enum hatch_status halve(const struct hatch_image *picture, uint32_t side_max, struct hatch_arena *scratch,
-                               struct hatch_image *halved, uint32_t *halvings, struct hatch_err *err)
+/* Halves a picture several times. The channels stay those of the picture. */
+static enum hatch_status halve(const struct hatch_image *picture, uint32_t halvings, struct hatch_arena *scratch,
+                               struct hatch_image *halved, struct hatch_err *err)
 {
     *halved = *picture;
-    for (*halvings = 0; min_u32(halved->width, halved->height) > side_max; ++*halvings) {
+    for (uint32_t h = 0; h < halvings; h++) {
         struct hatch_image next = *halved;
         next.width = hatch_mip_size(halved->width, 1);
         next.height = hatch_mip_size(halved->height, 1);
@@ -45,23 +45,26 @@ enum hatch_status hatch_synthesis_exemplar(const struct hatch_image *picture, ui
                                            struct hatch_arena *scratch, struct hatch_image *exemplar,
                                            struct hatch_synthesis_figures *figures, struct hatch_err *err)
 {
-    uint32_t side_max = min_u32(2 * size < 128 ? 128 : 2 * size, HATCH_SYNTHESIS_EXEMPLAR_MAX), halvings;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    const uint32_t side_max = min_u32(2 * size < 128 ? 128 : 2 * size, HATCH_SYNTHESIS_EXEMPLAR_MAX);
+    uint32_t halvings = 0;
+    while (hatch_mip_size(min_u32(picture->width, picture->height), halvings) > side_max)
+        halvings++;
+    const uint32_t whole_width = hatch_mip_size(picture->width, halvings), width = min_u32(whole_width, side_max);
+    const uint32_t whole_height = hatch_mip_size(picture->height, halvings), height = min_u32(whole_height, side_max);
     struct hatch_image halved, middle;
-    enum hatch_status status = halve(picture, side_max, scratch, &halved, &halvings, err);
-    uint32_t width = min_u32(halved.width, side_max), height = min_u32(halved.height, side_max);
+    HATCH_TRY(hatch_image_make(arena, width, height, picture->channel_count < 3 ? "Y" : "RGB", &middle, err));
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = halve(picture, halvings, scratch, &halved, err);
     if (status == HATCH_OK)
-        status = hatch_image_make(arena, width, height, picture->channel_count < 3 ? "Y" : "RGB", &middle, err);
-    if (status == HATCH_OK) {
         copy_middle(&halved, &middle);
-        *exemplar = middle;
-        figures->width = width;
-        figures->height = height;
-        figures->halvings = halvings;
-        figures->cropped = width < halved.width || height < halved.height;
-    }
     hatch_arena_rewind(scratch, mark);
-    return status;
+    HATCH_TRY(status);
+    *exemplar = middle;
+    figures->width = width;
+    figures->height = height;
+    figures->halvings = halvings;
+    figures->cropped = width < whole_width || height < whole_height;
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_exemplar_make(const struct hatch_image *image, uint32_t side, struct hatch_arena *arena,
@@ -79,4 +82,23 @@ enum hatch_status hatch_exemplar_make(const struct hatch_image *image, uint32_t 
             made.pixels[y * row + i] = hatch_unorm8(image->pixels[y * used + i]);
     *exemplar = made;
     return HATCH_OK;
+}
+
+uint32_t hatch_exemplar_distance(const struct hatch_exemplar *exemplar, const int16_t *values, uint32_t match,
+                                 uint32_t enough)
+{
+    const uint8_t *from = exemplar->pixels + (size_t)match * exemplar->channels;
+    const uint32_t row = exemplar->side * exemplar->channels;
+    uint32_t sum = 0;
+    for (uint32_t j = 0; j < exemplar->side && sum < enough; j++) {
+        int32_t squares = 0;
+        for (uint32_t i = 0; i < row; i++) {
+            int32_t d = values[i] - (from[i] - 128);
+            squares += d * d;
+        }
+        sum += (uint32_t)squares;
+        values += row;
+        from += (size_t)HATCH_EXEMPLAR_PITCH * exemplar->channels;
+    }
+    return sum;
 }

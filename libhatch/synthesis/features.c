@@ -22,8 +22,8 @@ static void gather(const struct hatch_exemplar *exemplar, uint32_t x, uint32_t y
 /* Sums the products of all pairs of values over evenly spread neighbourhoods. */
 static void sum_covariance(const struct hatch_exemplar *exemplar, uint32_t length, double *covariance)
 {
-    int16_t values[HATCH_FEATURES_LENGTH_MAX + 16] = {0};
-    double mean[HATCH_FEATURES_LENGTH_MAX] = {0};
+    int16_t values[HATCH_EXEMPLAR_VALUES_MAX + 16] = {0};
+    double mean[HATCH_EXEMPLAR_VALUES_MAX] = {0};
     uint32_t count = exemplar->across * exemplar->down, samples = count < SAMPLES_MAX ? count : SAMPLES_MAX;
     memset(covariance, 0, (size_t)length * length * sizeof *covariance);
     for (uint32_t s = 0; s < samples; s++) {
@@ -84,7 +84,7 @@ struct job {
 static void project_row(void *context, uint32_t y)
 {
     const struct job *job = context;
-    int16_t values[HATCH_FEATURES_LENGTH_MAX + 16] = {0};
+    int16_t values[HATCH_EXEMPLAR_VALUES_MAX + 16] = {0};
     for (uint32_t x = 0; x < job->exemplar->across; x++) {
         size_t at = (size_t)y * job->exemplar->across + x;
         gather(job->exemplar, x, y, values);

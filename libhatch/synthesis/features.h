@@ -9,7 +9,6 @@
 #define HATCH_FEATURES 16u        /* components of a feature */
 #define HATCH_FEATURES_SCALE 4    /* a feature is a projection of 8-bit values times this */
 #define HATCH_FEATURES_SIMILAR 3u /* similar neighbourhoods that are kept of each */
-#define HATCH_FEATURES_LENGTH_MAX (HATCH_SYNTHESIS_SIDE_MAX * HATCH_SYNTHESIS_SIDE_MAX * 3u)
 
 struct hatch_features {
     uint32_t length;  /* of a row of the basis, a multiple of 16: side * side * channels, then zeros */

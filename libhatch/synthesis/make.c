@@ -13,7 +13,8 @@ enum hatch_status hatch_synthesis_make(const struct hatch_image *picture, const 
     struct hatch_synthesis_figures found = {0};
     struct hatch_solid made;
     struct hatch_image exemplar;
-    enum hatch_status status = hatch_synthesis_exemplar(picture, options->size, arena, scratch, &exemplar, &found, err);
+    enum hatch_status status =
+        hatch_synthesis_exemplar(picture, options->size, scratch, scratch, &exemplar, &found, err);
     if (status == HATCH_OK)
         status = hatch_solid_make(arena, options->size, exemplar.channel_count, &made, err);
     if (status == HATCH_OK)

@@ -24,23 +24,6 @@ struct job {
     uint8_t *padded; /* per worker: a slice with margins, in which it repeats */
 };
 
-/* Returns the squared distance between a neighbourhood and one of the exemplar. */
-static uint32_t full_distance(const struct hatch_exemplar *exemplar, const int16_t *values, uint32_t match)
-{
-    const uint8_t *from = exemplar->pixels + (size_t)match * exemplar->channels;
-    uint32_t row = exemplar->side * exemplar->channels;
-    int32_t sum = 0;
-    for (uint32_t j = 0; j < exemplar->side; j++) {
-        for (uint32_t i = 0; i < row; i++) {
-            int32_t d = values[i] - (from[i] - 128);
-            sum += d * d;
-        }
-        values += row;
-        from += (size_t)HATCH_EXEMPLAR_PITCH * exemplar->channels;
-    }
-    return (uint32_t)sum;
-}
-
 static void consider(const struct hatch_search *search, struct query *query, uint32_t x, uint32_t y)
 {
     const struct hatch_exemplar *exemplar = search->exemplar;
@@ -95,7 +78,8 @@ static uint16_t compare_all(const struct hatch_search *search, const int16_t *va
     for (uint32_t y = 0; y < exemplar->down; y++)
         for (uint32_t x = 0; x < exemplar->across; x++) {
             uint32_t match = y * HATCH_EXEMPLAR_PITCH + x;
-            float cost = (float)full_distance(exemplar, values, match) * search->prices[hatch_cell_of(match)];
+            float cost = (float)hatch_exemplar_distance(exemplar, values, match, UINT32_MAX) *
+                         search->prices[hatch_cell_of(match)];
             if (cost < least) {
                 least = cost;
                 best = match;
@@ -126,7 +110,7 @@ static void search_texel(const struct hatch_search *search, uint32_t axis, uint3
     const struct hatch_exemplar *exemplar = search->exemplar;
     const uint32_t size = search->volume->size, row = exemplar->side * exemplar->channels;
     const size_t pitch = (size_t)(size + exemplar->side - 1) * exemplar->channels;
-    int16_t values[HATCH_FEATURES_LENGTH_MAX + 16] = {0};
+    int16_t values[HATCH_EXEMPLAR_VALUES_MAX + 16] = {0};
     uint16_t *matches = search->volume->matches[axis] + (size_t)slice * size * size;
     for (uint32_t j = 0; j < exemplar->side; j++)
         for (uint32_t i = 0; i < row; i++)

@@ -52,7 +52,7 @@ struct hatch_synthesis_figures {
  * out.
  *   picture   in linear light: grey or colours in the first channels; values are clamped to 0 .. 1
  *   size      texels along each axis of the solid
- *   exemplar  out: in arena; channels 1 or 3
+ *   exemplar  out: in arena, which may be scratch; channels 1 or 3
  *   figures   width, height, halvings and cropped are set */
 enum hatch_status hatch_synthesis_exemplar(const struct hatch_image *picture, uint32_t size, struct hatch_arena *arena,
                                            struct hatch_arena *scratch, struct hatch_image *exemplar,

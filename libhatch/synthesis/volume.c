@@ -58,42 +58,39 @@ void hatch_volume_refine(const struct hatch_volume *coarse, const struct hatch_e
     }
 }
 
+void hatch_volume_gather(const struct hatch_volume *volume, uint32_t side, uint32_t axis, uint32_t slice, uint32_t u,
+                         uint32_t v, int16_t *values)
+{
+    const uint32_t size = volume->size, before = size - side / 2 % size;
+    const struct hatch_slices steps = hatch_slices_of(axis, size);
+    for (uint32_t j = 0; j < side; j++)
+        for (uint32_t i = 0; i < side; i++) {
+            size_t texel =
+                slice * steps.slice + (v + j + before) % size * steps.row + (u + i + before) % size * steps.column;
+            for (uint32_t c = 0; c < volume->channels; c++)
+                *values++ = (int16_t)(volume->texels[texel * volume->channels + c] - 128);
+        }
+}
+
 struct energy_job {
     const struct hatch_volume *volume;
     const struct hatch_exemplar *exemplar;
     double *sums; /* per axis and slice */
 };
 
-/* Returns the squared difference between the neighbourhood of the texel in column u and row v and its match. */
-static uint32_t difference(const struct energy_job *job, uint32_t axis, uint32_t slice, uint32_t u, uint32_t v)
-{
-    const struct hatch_exemplar *exemplar = job->exemplar;
-    const uint32_t size = job->volume->size, channels = job->volume->channels, side = exemplar->side;
-    const struct hatch_slices steps = hatch_slices_of(axis, size);
-    const uint32_t before = size - side / 2 % size;
-    uint32_t match = job->volume->matches[axis][((size_t)slice * size + v) * size + u], sum = 0;
-    for (uint32_t j = 0; j < side; j++)
-        for (uint32_t i = 0; i < side; i++) {
-            size_t texel =
-                slice * steps.slice + (v + j + before) % size * steps.row + (u + i + before) % size * steps.column;
-            const uint8_t *want = exemplar->pixels + (size_t)(match + j * HATCH_EXEMPLAR_PITCH + i) * channels;
-            for (uint32_t c = 0; c < channels; c++) {
-                int32_t d = job->volume->texels[texel * channels + c] - want[c];
-                sum += (uint32_t)(d * d);
-            }
-        }
-    return sum;
-}
-
 static void sum_slice(void *context, uint32_t index)
 {
     const struct energy_job *job = context;
-    const uint32_t size = job->volume->size;
+    const uint32_t size = job->volume->size, axis = index / size, slice = index % size;
+    int16_t values[HATCH_EXEMPLAR_VALUES_MAX];
     const double count = (double)job->exemplar->side * job->exemplar->side * job->volume->channels;
     double sum = 0;
     for (uint32_t v = 0; v < size; v++)
-        for (uint32_t u = 0; u < size; u++)
-            sum += sqrt(difference(job, index / size, index % size, u, v) / count) / 255;
+        for (uint32_t u = 0; u < size; u++) {
+            hatch_volume_gather(job->volume, job->exemplar->side, axis, slice, u, v, values);
+            uint32_t match = job->volume->matches[axis][((size_t)slice * size + v) * size + u];
+            sum += sqrt(hatch_exemplar_distance(job->exemplar, values, match, UINT32_MAX) / count) / 255;
+        }
     job->sums[index] = sum;
 }
 

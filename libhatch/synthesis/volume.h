@@ -40,6 +40,12 @@ void hatch_volume_randomize(const struct hatch_volume *volume, const struct hatc
 void hatch_volume_refine(const struct hatch_volume *coarse, const struct hatch_exemplar *coarse_exemplar,
                          const struct hatch_volume *volume, const struct hatch_exemplar *exemplar);
 
+/* Copies the neighbourhood of the texel in column u and row v of a slice.
+ *   side    of neighbourhoods
+ *   values  out: [side * side * channels], row by row: 8-bit values - 128 */
+void hatch_volume_gather(const struct hatch_volume *volume, uint32_t side, uint32_t axis, uint32_t slice, uint32_t u,
+                         uint32_t v, int16_t *values);
+
 /* Computes the energy of struct hatch_synthesis_figures. */
 enum hatch_status hatch_volume_energy(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar,
                                       struct hatch_pool *pool, struct hatch_arena *scratch, double *energy,
