@@ -1,8 +1,9 @@
-/* solidgen: makes a solid texture from a style. */
+/* solidgen: makes a solid texture from a style or a picture. */
 #include <stdio.h>
 
 #include "shared/style.h"
 #include "shared/texels.h"
+#include "exemplar.h"
 #include "slices.h"
 #include "solid/make.h"
 
@@ -10,6 +11,7 @@
 
 static const char *style_name = "perlin", *settings, *slices_path;
 static int64_t size = 64;
+static struct solidgen_exemplar exemplar = {.neighborhood = 8, .levels = 3, .iterations = 6};
 
 static const struct cmd_option options[] = {
     {'S', "style", CMD_TEXT, 0, 0, "SOLID", "style of the texture: a name, or a file (default perlin)", &style_name,
@@ -17,13 +19,33 @@ static const struct cmd_option options[] = {
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines to add: 'scale 12; octaves 3'", &settings, NULL, NULL},
     {'n', "size", CMD_INT, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX, "N",
      "texels along a side, a power of two (default 64)", &size, NULL, NULL},
+    {'E', "exemplar", CMD_TEXT, 0, 0, "IMAGE", "picture that all slices shall look like, in place of a style",
+     &exemplar.path, NULL, NULL},
+    {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "exemplar: kopf or pyramid, fast and without lines (default kopf)",
+     &exemplar.method, solidgen_methods, NULL},
+    {0, "neighborhood", CMD_INT, HATCH_SYNTHESIS_SIDE_MIN, HATCH_SYNTHESIS_SIDE_MAX, "PX",
+     "kopf: side of the neighbourhoods that are compared, 3 .. 12 (default 8)", &exemplar.neighborhood, NULL, NULL},
+    {0, "levels", CMD_INT, 1, HATCH_SYNTHESIS_LEVELS_MAX, "N",
+     "kopf: levels of detail at most, coarse to fine, 1 .. 4 (default 3)", &exemplar.levels, NULL, NULL},
+    {0, "iterations", CMD_INT, 1, 1000, "N", "exemplar: iterations at the finest level, 1 .. 1000 (default 6)",
+     &exemplar.iterations, NULL, NULL},
+    {0, "exhaustive", CMD_FLAG, 0, 0, NULL, "kopf: search all neighbourhoods, as a reference; slow",
+     &exemplar.exhaustive, NULL, NULL},
     {'x', "slices", CMD_TEXT, 0, 0, "PNG", "draw the middle slices across z, y and x", &slices_path, NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"style set", "!exemplar", "which takes the place of a style"},
+    {"method iterations", "exemplar", NULL},
+    {"neighborhood levels exhaustive", "exemplar method=kopf", NULL},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
     "solidgen --style wood --size 128 --slices slices.png -o wood.ktx2",
     "solidgen --style stipple --set 'dots 20' -o dots.ktx2",
+    "solidgen --exemplar bark.png --slices slices.png -o bark.ktx2",
     NULL,
 };
 
@@ -33,6 +55,7 @@ static const struct cmd_program program = {
     .summary = "make a solid texture: a cube of texels in which objects are carved",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .seeded = true,
     .binary = true,
 };
@@ -42,6 +65,7 @@ struct job {
     struct cmd_args args;
     struct hatch_solid_style style;
     struct hatch_solid solid;
+    const char *maker; /* style or method */
 };
 
 static void read_style(struct job *job)
@@ -54,14 +78,14 @@ static void read_style(struct job *job)
     cmd_name_style(path, job->style.name);
 }
 
-/* Refuses a texture that memory cannot hold, before it is made: its texels, mip levels and file in one arena, the
- * values of all texels and their ranks in the other. */
-static void check_memory(const struct job *job)
+/* Refuses a texture that memory cannot hold, before it is made: its texels, mip levels and file in one arena, values of
+ * all texels in the other.
+ *   value_bytes  bytes for each texel in the other */
+static void check_memory(const struct job *job, uint32_t channels, uint32_t value_bytes)
 {
-    uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, channels = job->style.color_count ? 3 : 1;
+    uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, values = value_bytes * texels;
     uint64_t file = channels * texels * (cmd_is_exr_path(job->args.output) ? 3 : 1), kept = channels * texels + file;
-    uint64_t values = (sizeof(float) + hatch_solid_equalizes(&job->style)) * texels,
-             most = kept > values ? kept : values;
+    uint64_t most = kept > values ? kept : values;
     most += most / 7; /* the coarser levels */
     struct hatch_err err;
     if (most <= job->args.max_memory)
@@ -72,16 +96,30 @@ static void check_memory(const struct job *job)
 }
 
 /* Makes the texture of the style. */
-static void make(struct job *job)
+static void make_from_style(struct job *job)
 {
     struct hatch_err err;
+    read_style(job);
     const struct hatch_progress progress = cmd_progress_of("texels");
     const struct hatch_solid_options how = {.style = &job->style,
                                             .size = (uint32_t)size,
                                             .seed = job->args.seed,
                                             .pool = cmd_pool(&job->args),
                                             .progress = &progress};
+    /* A value of each texel and, to equalize them, its rank. */
+    check_memory(job, job->style.color_count ? 3 : 1, sizeof(float) + hatch_solid_equalizes(&job->style));
     cmd_check(hatch_solid_from_style(&how, &job->args.keep, &job->args.scratch, &job->solid, &err), NULL, &err);
+    job->maker = job->style.name;
+}
+
+/* Makes the texture of the exemplar. */
+static void make_from_exemplar(struct job *job)
+{
+    struct hatch_image image;
+    solidgen_read_exemplar(&job->args, &exemplar, (uint32_t)size, &image);
+    check_memory(job, image.channel_count, 0); /* hatch_synthesis_make tries what it needs */
+    solidgen_synthesize(&job->args, &exemplar, (uint32_t)size, &image, &job->solid);
+    job->maker = solidgen_methods[exemplar.method];
 }
 
 static void encode(struct job *job, struct hatch_buffer *file)
@@ -90,7 +128,7 @@ static void encode(struct job *job, struct hatch_buffer *file)
     struct hatch_texels texels;
     char seed[24];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)job->args.seed);
-    const char *const keys[] = {HATCH_SOLID_KEY, job->style.name, HATCH_SOLID_KEY_SEED, seed, NULL};
+    const char *const keys[] = {HATCH_SOLID_KEY, job->maker, HATCH_SOLID_KEY_SEED, seed, NULL};
     const struct cmd_texture texture = {&texels, keys, NULL};
     cmd_check(hatch_solid_mips(&job->solid, &job->args.keep, &texels, &err), NULL, &err);
     cmd_encode_texture(&job->args, &texture, job->args.output, file);
@@ -106,9 +144,10 @@ int main(int argc, char **argv)
     if (slices_path)
         files[1].output = cmd_open_output(slices_path, "png", true);
 
-    read_style(&job);
-    check_memory(&job);
-    make(&job);
+    if (exemplar.path)
+        make_from_exemplar(&job);
+    else
+        make_from_style(&job);
 
     struct hatch_buffer file = {.arena = &job.args.keep}, picture = file;
     encode(&job, &file);

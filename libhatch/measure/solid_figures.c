@@ -31,34 +31,37 @@ static void measure_channel(const struct hatch_solid *solid, uint32_t channel, s
     figures->deviation[channel] = sqrt(squares / texels) / 255;
 }
 
-/* Sums the differences between texels and their neighbours along an axis.
- *   border  true: from the last texel to the first; false: all others */
-static double mean_step(const struct hatch_solid *solid, uint32_t axis, bool border)
+/* Returns the mean difference between the texels of a slice and those of the next one. */
+static double slice_step(const struct hatch_solid *solid, uint32_t axis, uint32_t slice)
 {
     const uint32_t size = solid->size, channels = solid->channels;
     const struct hatch_slices steps = hatch_slices_of(axis, size);
     uint64_t sum = 0;
-    for (uint32_t slice = border ? size - 1 : 0; slice < (border ? size : size - 1); slice++)
-        for (uint32_t row = 0; row < size; row++)
-            for (uint32_t column = 0; column < size; column++) {
-                const size_t beside = row * steps.row + column * steps.column;
-                const uint8_t *from = solid->texels + (slice * steps.slice + beside) * channels;
-                const uint8_t *to = solid->texels + ((slice + 1) % size * steps.slice + beside) * channels;
-                for (uint32_t c = 0; c < channels; c++)
-                    sum += (uint64_t)(from[c] < to[c] ? to[c] - from[c] : from[c] - to[c]);
-            }
-    return (double)sum / 255 / ((double)size * size * channels * (border ? 1 : size - 1));
+    for (uint32_t row = 0; row < size; row++)
+        for (uint32_t column = 0; column < size; column++) {
+            const size_t beside = row * steps.row + column * steps.column;
+            const uint8_t *from = solid->texels + (slice * steps.slice + beside) * channels;
+            const uint8_t *to = solid->texels + ((slice + 1) % size * steps.slice + beside) * channels;
+            for (uint32_t c = 0; c < channels; c++)
+                sum += (uint64_t)(from[c] < to[c] ? to[c] - from[c] : from[c] - to[c]);
+        }
+    return (double)sum / 255 / ((double)size * size * channels);
 }
 
 static void measure_steps(const struct hatch_solid *solid, struct hatch_solid_figures *figures)
 {
     double least = INFINITY, most = 0;
     for (uint32_t axis = 0; axis < HATCH_AXES; axis++) {
-        const double inside = mean_step(solid, axis, false), across = mean_step(solid, axis, true);
-        figures->step[axis] = inside;
-        least = fmin(least, inside);
-        most = fmax(most, inside);
-        figures->seam = fmax(figures->seam, inside > 0 ? across / inside : across > 0 ? INFINITY : 1);
+        double sum = 0, largest = 0, border = slice_step(solid, axis, solid->size - 1);
+        for (uint32_t slice = 0; slice + 1 < solid->size; slice++) {
+            double step = slice_step(solid, axis, slice);
+            sum += step;
+            largest = fmax(largest, step);
+        }
+        figures->step[axis] = sum / (solid->size - 1);
+        least = fmin(least, figures->step[axis]);
+        most = fmax(most, figures->step[axis]);
+        figures->seam = fmax(figures->seam, border > 0 ? border / largest : 0);
     }
     figures->isotropy = most > 0 ? least / most : 1;
 }

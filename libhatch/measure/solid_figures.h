@@ -12,7 +12,7 @@ struct hatch_solid_figures {
     double mean[3], deviation[3]; /* of each channel; NaN where there is none */
     double step[3];               /* mean |difference| of neighbours along x, y and z */
     double isotropy;              /* smallest over largest step; 1 where all are 0 */
-    double seam;                  /* mean |difference| across the border over that inside, of the worst axis */
+    double seam;                  /* mean |difference| across the border over the largest between slices inside */
     /* Against an exemplar; NaN without one. */
     double histogram;        /* earth mover's distance between histograms, mean over the channels */
     double neighborhood[3];  /* in slices across x, y and z: mean distance to the nearest neighbourhood */

@@ -17,7 +17,7 @@ struct job {
 static uint32_t list_contributions(const struct job *job, const uint32_t at[3], uint32_t *list)
 {
     const uint32_t size = job->volume->size, side = job->exemplar->side, after = side / 2 + 2 * size;
-    const uint32_t places[HATCH_AXES][3] = {{at[0], at[1], at[2]}, {at[1], at[2], at[0]}, {at[2], at[1], at[0]}};
+    const uint32_t places[HATCH_AXES][3] = {{at[0], at[2], at[1]}, {at[1], at[2], at[0]}, {at[2], at[1], at[0]}};
     uint32_t count = 0;
     for (uint32_t axis = 0; axis < HATCH_AXES; axis++) {
         const uint16_t *matches = job->volume->matches[axis] + (size_t)places[axis][0] * size * size;

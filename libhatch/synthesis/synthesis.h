@@ -5,9 +5,9 @@
  * each band of frequencies: Heeger & Bergen, "Pyramid-Based Texture Analysis/Synthesis", SIGGRAPH 1995; it is fast, and
  * knows no lines.
  *
- * A slice across x shows the exemplar's columns along z and its rows along y; a slice across y columns along x and rows
- * along z; a slice across z columns along x and rows along y. One texel has the size of one pixel of the exemplar as
- * used (hatch_synthesis_exemplar). The solid repeats along each axis.
+ * In each slice the exemplar's right is along the first of the two axes in the order x, y, z, and its down along the
+ * other one. One texel has the size of one pixel of the exemplar as used (hatch_synthesis_exemplar). The solid repeats
+ * along each axis.
  */
 #ifndef HATCH_SYNTHESIS_SYNTHESIS_H
 #define HATCH_SYNTHESIS_SYNTHESIS_H

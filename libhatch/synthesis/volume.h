@@ -24,7 +24,7 @@ struct hatch_slices {
 static inline struct hatch_slices hatch_slices_of(uint32_t axis, uint32_t size)
 {
     const size_t x = 1, y = size, z = (size_t)size * size;
-    const struct hatch_slices slices[HATCH_AXES] = {{x, y, z}, {y, z, x}, {z, y, x}};
+    const struct hatch_slices slices[HATCH_AXES] = {{x, z, y}, {y, z, x}, {z, y, x}};
     return slices[axis];
 }
 

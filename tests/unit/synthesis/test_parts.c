@@ -187,7 +187,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("synthesis parts");
     TCase *tests = tcase_create("parts");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, principal_components_of_a_known_covariance);
     tcase_add_test(tests, principal_components_are_orthonormal_without_variance);
     tcase_add_test(tests, large_pictures_are_halved_and_long_ones_are_cropped);
