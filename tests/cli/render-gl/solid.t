@@ -1,0 +1,133 @@
+# --technique solid: files that are no solid textures, and options of looks that do not go together, each refused with
+# one line that says what to do.
+. "${TOP:-.}/tests/tap.sh"
+
+# solid NAME SIZE PATTERN [FORMAT]: writes NAME.ktx2
+solid() {
+    name=$1
+    shift
+    perl "$TOP/tests/support/solid/make.pl" "$@" >"$name.ktx2"
+}
+solid waves 16 waves:4
+meshgen torus --faces 200 -o torus.glb
+tamgen --size 64 --levels 1 --tones 8 -o map.exr
+draw="render-gl --size 32x24 -o picture.png torus.glb -t solid"
+
+# refuses NAME STATUS LINES WORDS OPTION ...: checks that a picture with these options is refused with STATUS and LINES of
+# messages, the first of which ends in WORDS
+refuses() {
+    name=$1 want=$2 lines=$3 words=$4
+    shift 4
+    try $draw "$@"
+    refused "$name" "$want" "$lines"
+    is "$name: message" "$(head -n 1 .err)" "render-gl: $words"
+    [ ! -e picture.png ] || fail "$name: no picture is left"
+}
+
+# Textures that are none.
+solid flat 16x16x0 waves:4
+refuses "a 2D texture" 3 1 "flat.ktx2: a 2D texture, want a 3D one (solidgen makes it)" --solid flat.ktx2
+solid box 16x16x8 waves:4
+refuses "a texture that is no cube" 3 1 "box.ktx2: 16x16x8 texels, want a cube" --solid box.ktx2
+tamvol -q --tones 8 map.exr -o volume.ktx2
+refuses "a volume of tamvol" 3 1 "volume.ktx2: 64x64x8 texels, want a cube" --solid volume.ktx2
+solid odd 24 waves:4
+refuses "a side that is no power of two" 3 1 \
+    "odd.ktx2: 24 texels along a side, want a power of two from 8 to 512" --solid odd.ktx2
+solid small 4 grey:90
+refuses "a texture that is too small" 3 1 \
+    "small.ktx2: 4 texels along a side, want a power of two from 8 to 512" --solid small.ktx2
+solid two 16 waves:4 rg8
+solid words 16 grey:90 r32ui
+for format in two words; do
+    refuses "texels of another format, $format" 3 1 \
+        "$format.ktx2: texels of a format other than R8, RGB8 and RGBA8" --solid $format.ktx2
+done
+refuses "a tonal art map" 3 1 "map.exr: not a KTX2 file" --solid map.exr
+refuses "a file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" --solid none.ktx2
+refuses "a second file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" \
+    --solid waves.ktx2,none.ktx2
+refuses "a texture larger than --max-memory" 5 1 \
+    "out of memory: 2097152 items of 1 bytes needed, 0 bytes in use, limit 1048576" \
+    --solid "$(solid large 64 grey:90 && echo large.ktx2)" --max-memory 1M
+
+# Files that are cut off or damaged: all of the header and of the level index, a few places behind them.
+size=$(wc -c <waves.ktx2)
+said=$(for end in 0 11 12 47 79 80 103 104 140 200 2000 $((size - 1)); do
+    head -c $end waves.ktx2 >cut.ktx2
+    try $draw --solid cut.ktx2
+    echo "$end: $status $(wc -l <.err) $(grep -c '^render-gl: cut.ktx2: .' .err) $(ls picture.png 2>/dev/null)"
+done | grep -v ': 3 1 1 $')
+is "files that are cut off" "$said" ""
+said=$(for at in 0 5 12 15 16 19 20 23 24 27 28 31 32 35 36 39 40 43 44 47 80 87 88 95 96 103; do
+    { head -c $at waves.ktx2 && printf '\377' && tail -c +$((at + 2)) waves.ktx2; } >bad.ktx2
+    try $draw --solid bad.ktx2
+    echo "$at: $status $(wc -l <.err) $(grep -c '^render-gl: bad.ktx2: .' .err) $(ls picture.png 2>/dev/null)"
+done | grep -vE ': [35] 1 1 $')
+is "files with a wrong byte in the header or the level index" "$said" ""
+
+# Textures that are unusual, but are some.
+solid grey 8 grey:0
+solid alpha 16 waves:4 rgba8
+tamvol -q --tones 64 map.exr -o cube.ktx2
+for texture in grey alpha cube; do
+    ok "an unusual texture, $texture" $draw --solid $texture.ktx2
+    rm -f picture.png
+done
+many=waves.ktx2,waves.ktx2,waves.ktx2,waves.ktx2
+ok "eight files" $draw --solid $many,$many
+rm -f picture.png
+cp waves.ktx2 'in a folder.ktx2'
+ok "a name with blanks" $draw --solid 'in a folder.ktx2,./waves.ktx2'
+ok "standard input" $draw --solid - <waves.ktx2
+rm -f picture.png
+
+# Options.
+refuses "no texture" 2 2 "--technique solid needs --solid FILE: solidgen makes solid textures"
+refuses "nine files" 2 2 "--solid: more than 8 files" --solid $many,$many,waves.ktx2
+for names in , waves.ktx2, ,waves.ktx2 waves.ktx2,,grey.ktx2; do
+    refuses "an empty name in $names" 2 2 "--solid $names: an empty name" --solid $names
+done
+refuses "standard input twice" 2 2 "two inputs come from standard input" --solid -,- <waves.ktx2
+refuses "a look that does not exist" 2 2 "--look: 'oil' is not one of plain, binary, watercolor, collage" --look oil
+refuses "a blend that is none" 2 2 "--blend: 'rank' is not one of linear, contrast, histogram" --blend rank
+for range in solid-size:3:4:4096 grain:1.5:0:1 wobble:33:0:32 dry:-1:0:1 edge-darkening:2:0:1 paper-grain:2:0:1 \
+    border:17:0:16; do
+    IFS=: read -r option value low high <<END
+$range
+END
+    refuses "--$option out of range" 2 2 "--$option: '$value' is not a number from $low to $high" --$option $value
+done
+refuses "--bands out of range" 2 2 "--bands: '16' is not a whole number from 1 to 15" --bands 16
+refuses "--solid with another technique" 2 2 "--solid goes with --technique solid, not with gouraud" \
+    --solid waves.ktx2 -t gouraud
+
+refuses "--blend with ranks" 2 2 "--blend needs --look plain or collage: the other looks draw ranks" \
+    --solid waves.ktx2 --look binary --blend linear
+
+# Which options a look takes: each of the others is refused, by name, and each that it takes changes the picture.
+draw="render-gl --size 96x72 torus.glb -t solid --tone-range .2:.6"
+for look in plain binary watercolor collage; do
+    $draw --solid waves.ktx2 --look $look -o usual.png
+    for option in blend:linear grain:.5 bands:3 wobble:1 dry:.8 edge-darkening:.1 paper-grain:.1 border:1 \
+        solid-size:80; do
+        try $draw --solid waves.ktx2 --look $look --${option%:*} ${option#*:} -o picture.png
+        if [ $status -ne 0 ]; then
+            grep -q "^render-gl: --${option%:*} needs --look [a-z ]*" .err ||
+                echo "$look ${option%:*}: $status, $(cat .err)"
+        elif cmp -s usual.png picture.png; then
+            echo "$look ${option%:*} without effect"
+        else
+            echo "$look ${option%:*}"
+        fi
+    done
+done >taken
+is "looks and their options" "$(tr '\n' ';' <taken)" "$(tr -d '\n' <<'END'
+plain blend;plain grain;plain solid-size;
+binary solid-size;
+watercolor grain;watercolor bands;watercolor wobble;watercolor dry;watercolor edge-darkening;watercolor paper-grain;
+watercolor solid-size;
+collage blend;collage grain;collage bands;collage wobble;collage border;collage solid-size;
+END
+)"
+finish
