@@ -119,6 +119,8 @@ static inline void frame_arenas(struct test_frame *frame)
     hatch_arena_init(&frame->args.scratch, (size_t)1 << 30);
     hatch_arena_init(&frame->technique_args.keep, (size_t)1 << 30);
     hatch_arena_init(&frame->technique_args.scratch, (size_t)1 << 30);
+    hatch_arena_init(&frame->technique_args.pool_arena, (size_t)1 << 30);
+    frame->technique_args.threads = 1;
 }
 
 /* Makes a built-in shape with all its attributes, in args.keep. */
@@ -262,6 +264,8 @@ static inline void frame_finish(struct test_frame *frame)
     frame_close(frame);
     hatch_arena_free(&frame->args.keep);
     hatch_arena_free(&frame->args.scratch);
+    hatch_pool_free(frame->technique_args.pool);
+    hatch_arena_free(&frame->technique_args.pool_arena);
     hatch_arena_free(&frame->technique_args.keep);
     hatch_arena_free(&frame->technique_args.scratch);
 }
