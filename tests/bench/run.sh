@@ -8,7 +8,7 @@ mkdir -p "$1"
 MEASURE=$(cd "$1" && pwd)/measure
 export MEASURE
 ${CC:-cc} -O2 -std=c11 -D_POSIX_C_SOURCE=200809L -o "$MEASURE" "$(dirname "$0")/programs/measure.c"
-for script in "$(dirname "$0")"/bench_${SUBJECT:-*}.sh; do
+for script in "$(dirname "$0")"/bench_${SUBJECT:-*}.sh "$(dirname "$0")"/*/bench_${SUBJECT:-*}.sh; do
     [ -e "$script" ] || continue
     subject=$(basename "$script" .sh | sed 's/^bench_//')
     echo "$subject"

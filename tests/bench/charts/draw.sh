@@ -2,7 +2,7 @@
 # draw.sh FOLDER: draws FOLDER/SUBJECT.tsv as SUBJECT.svg and SUBJECT.png. SUBJECT.gp plots the file named by
 # the variable `data`; terminal and output are set before it runs.
 set -eu
-for plot in "$(dirname "$0")"/*.gp; do
+for plot in "$(dirname "$0")"/../*/*.gp; do
     [ -e "$plot" ] || continue
     subject=$(basename "$plot" .gp)
     [ -e "$1/$subject.tsv" ] || { echo "$1/$subject.tsv: not measured yet (make bench)" >&2; continue; }

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "math/symmetric.h"
-#include "solid/axes.h"
+#include "solid/zoom/axes.h"
 
 /* Computes the axes, of length 1, from the sums over all texels. */
 static void find_axes(const struct hatch_solid *solid, double axes[9])

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 
 #include "image/color.h"
-#include "solid/axes.h"
+#include "solid/zoom/axes.h"
 
 void hatch_zoom_weights(double s, double weights[HATCH_ZOOM_OCTAVES])
 {

@@ -1,6 +1,6 @@
-/* Private to solid: colours in coordinates along their principal components. */
-#ifndef HATCH_SOLID_AXES_H
-#define HATCH_SOLID_AXES_H
+/* Private to solid/zoom: colours in coordinates along their principal components. */
+#ifndef HATCH_SOLID_ZOOM_AXES_H
+#define HATCH_SOLID_ZOOM_AXES_H
 
 #include "solid/zoom.h"
 
