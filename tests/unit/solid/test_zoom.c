@@ -242,7 +242,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("solid");
     TCase *tests = tcase_create("zoom");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, weights_meet_the_papers_constraints);
     tcase_add_test(tests, two_scales_of_a_are_four_octaves_of_t);
     tcase_add_test(tests, a_cycle_ends_where_the_next_begins);
