@@ -3,6 +3,9 @@
 #include "shared/picture.h"
 
 const char *const solidgen_methods[] = {"kopf", "pyramid", NULL};
+const char *const solidgen_axes[] = {"xyz", "xy", "xz", "yz", NULL};
+
+static const uint32_t axis_bits[] = {7, 3, 5, 6};
 
 void solidgen_read_exemplar(struct cmd_args *args, const struct solidgen_exemplar *options, uint32_t size,
                             struct hatch_image *exemplar)
@@ -33,6 +36,7 @@ void solidgen_synthesize(struct cmd_args *args, const struct solidgen_exemplar *
                                                 .side = (uint32_t)options->neighborhood,
                                                 .levels = (uint32_t)options->levels,
                                                 .iterations = (uint32_t)options->iterations,
+                                                .axes = axis_bits[options->axes],
                                                 .exhaustive = options->exhaustive};
     const struct hatch_progress progress = cmd_progress_of("iterations");
     cmd_check(hatch_synthesis_make(exemplar, &how, cmd_pool(args), &progress, &args->keep, &args->scratch, solid,

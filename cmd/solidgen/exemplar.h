@@ -9,12 +9,16 @@
 struct solidgen_exemplar {
     const char *path; /* NULL: none */
     int method;       /* enum hatch_synthesis_method */
+    int axes;         /* index into solidgen_axes */
     int64_t neighborhood, levels, iterations;
     bool exhaustive;
 };
 
 /* Names of methods, in the order of enum hatch_synthesis_method, NULL-terminated. */
 extern const char *const solidgen_methods[];
+
+/* Axes across which slices look like the picture, NULL-terminated. */
+extern const char *const solidgen_axes[];
 
 /* Reads the picture. Warns of what is not used of it. Dies on failure.
  *   size      texels along a side of the solid

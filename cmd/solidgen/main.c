@@ -23,6 +23,8 @@ static const struct cmd_option options[] = {
      &exemplar.path, NULL, NULL},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "exemplar: kopf or pyramid, fast and without lines (default kopf)",
      &exemplar.method, solidgen_methods, NULL},
+    {0, "axes", CMD_CHOICE, 0, 0, "AXES", "kopf: slices across these look like it: xyz, xy, xz or yz (default xyz)",
+     &exemplar.axes, solidgen_axes, NULL},
     {0, "neighborhood", CMD_INT, HATCH_SYNTHESIS_SIDE_MIN, HATCH_SYNTHESIS_SIDE_MAX, "PX",
      "kopf: side of the neighbourhoods that are compared, 3 .. 12 (default 8)", &exemplar.neighborhood, NULL, NULL},
     {0, "levels", CMD_INT, 1, HATCH_SYNTHESIS_LEVELS_MAX, "N",
@@ -38,7 +40,7 @@ static const struct cmd_option options[] = {
 static const struct cmd_rule rules[] = {
     {"style set", "!exemplar", "which takes the place of a style"},
     {"method iterations", "exemplar", NULL},
-    {"neighborhood levels exhaustive", "exemplar method=kopf", NULL},
+    {"axes neighborhood levels exhaustive", "exemplar method=kopf", NULL},
     {NULL, NULL, NULL},
 };
 

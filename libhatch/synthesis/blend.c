@@ -20,6 +20,8 @@ static uint32_t list_contributions(const struct job *job, const uint32_t at[3], 
     const uint32_t places[HATCH_AXES][3] = {{at[0], at[2], at[1]}, {at[1], at[2], at[0]}, {at[2], at[1], at[0]}};
     uint32_t count = 0;
     for (uint32_t axis = 0; axis < HATCH_AXES; axis++) {
+        if (!hatch_volume_has(job->volume, axis))
+            continue;
         const uint16_t *matches = job->volume->matches[axis] + (size_t)places[axis][0] * size * size;
         for (uint32_t j = 0; j < side; j++) {
             const uint16_t *row = matches + (size_t)((places[axis][1] + after - j) % size) * size;

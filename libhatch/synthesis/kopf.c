@@ -46,6 +46,7 @@ static enum hatch_status make_level(struct synthesis *synthesis, uint32_t which,
     struct hatch_volume *volume = &level->volume;
     volume->size = solid->size >> which;
     volume->channels = solid->channels;
+    volume->axes = synthesis->options->axes;
     level->iterations = synthesis->options->iterations;
     for (uint32_t finer = 0; finer < which; finer++)
         level->iterations *= MORE;
@@ -60,12 +61,13 @@ static enum hatch_status make_level(struct synthesis *synthesis, uint32_t which,
     }
     HATCH_TRY(hatch_exemplar_make(&level->image, side, scratch, &level->exemplar, err));
     const size_t count = hatch_volume_count(volume);
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &volume->matches[0], HATCH_AXES * count, err));
+    for (uint32_t axis = 1; axis < HATCH_AXES; axis++)
+        volume->matches[axis] = volume->matches[0] + axis * count;
     volume->texels = solid->texels;
     if (which > 0)
         HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &volume->texels, count * volume->channels, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &volume->next, count * volume->channels, err));
-    for (uint32_t axis = 0; axis < HATCH_AXES; axis++)
-        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &volume->matches[axis], count, err));
     synthesis->work_total += (double)count * level->iterations;
     return HATCH_OK;
 }

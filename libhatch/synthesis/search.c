@@ -145,6 +145,8 @@ static void search_slices(void *context, uint32_t worker)
     const uint32_t size = search->volume->size;
     uint8_t *padded = job->padded + worker * job->padded_bytes;
     for (uint32_t i = worker; i < HATCH_AXES * size; i += job->workers) {
+        if (!hatch_volume_has(search->volume, i / size))
+            continue;
         pad_slice(search, i / size, i % size, padded);
         for (uint32_t n = 0; n < size * size; n++) {
             uint32_t at = search->backwards ? size * size - 1 - n : n;
@@ -183,14 +185,14 @@ void hatch_search_price(const struct hatch_volume *volume, const struct hatch_ex
     const uint32_t cell = 1u << HATCH_CELL_BITS;
     memset(counts, 0, HATCH_CELLS * sizeof *counts);
     for (uint32_t axis = 0; axis < HATCH_AXES; axis++)
-        for (size_t i = 0; i < count; i++)
+        for (size_t i = 0; i < count && hatch_volume_has(volume, axis); i++)
             counts[hatch_cell_of(volume->matches[axis][i])]++;
     for (uint32_t y = 0; y < exemplar->down; y += cell)
         for (uint32_t x = 0; x < exemplar->across; x += cell) {
             uint32_t across = exemplar->across - x < cell ? exemplar->across - x : cell;
             uint32_t down = exemplar->down - y < cell ? exemplar->down - y : cell;
             float share = (float)(across * down) / (float)(exemplar->across * exemplar->down);
-            float fair = HATCH_AXES * (float)count * share;
+            float fair = (float)hatch_volume_axis_count(volume) * (float)count * share;
             uint32_t at = hatch_cell_of(y * HATCH_EXEMPLAR_PITCH + x);
             float change = sqrtf(((float)counts[at] + FEW * fair) / (fair + FEW * fair));
             prices[at] = fminf(fmaxf(prices[at] * fminf(fmaxf(change, 0.5f), 2), PRICE_MIN), PRICE_MAX);

@@ -34,7 +34,9 @@ struct hatch_synthesis_options {
                             smaller ones */
     uint32_t levels;     /* kopf: levels of detail at most, 1 .. HATCH_SYNTHESIS_LEVELS_MAX */
     uint32_t iterations; /* kopf: at the finest level, twice as many at each coarser one; pyramid: in all; 1 .. 1000 */
-    bool exhaustive;     /* kopf: compare with each neighbourhood of the exemplar, as a reference; slow */
+    uint32_t axes;   /* kopf: slices across axis a look like the exemplar where bit a is set, 1 .. 7; two axes suit an
+                        exemplar that no solid can look like along all three, such as stripes or bricks */
+    bool exhaustive; /* kopf: compare with each neighbourhood of the exemplar, as a reference; slow */
 };
 
 struct hatch_synthesis_figures {
@@ -43,7 +45,7 @@ struct hatch_synthesis_figures {
     bool cropped;           /* part of it is not used */
     uint32_t side, levels;  /* as used */
     uint32_t iterations;    /* over all levels */
-    double energy;          /* kopf: mean over all texels and the three slices through each of the root mean square
+    double energy;          /* kopf: mean over all texels and the slices through each of the root mean square
                                difference between its neighbourhood and the one that it was matched with, 0 .. 1 */
 };
 

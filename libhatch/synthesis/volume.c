@@ -85,7 +85,7 @@ static void sum_slice(void *context, uint32_t index)
     int16_t values[HATCH_EXEMPLAR_VALUES_MAX];
     const double count = (double)job->exemplar->side * job->exemplar->side * job->volume->channels;
     double sum = 0;
-    for (uint32_t v = 0; v < size; v++)
+    for (uint32_t v = 0; v < size && hatch_volume_has(job->volume, axis); v++)
         for (uint32_t u = 0; u < size; u++) {
             hatch_volume_gather(job->volume, job->exemplar->side, axis, slice, u, v, values);
             uint32_t match = job->volume->matches[axis][((size_t)slice * size + v) * size + u];
@@ -105,7 +105,7 @@ enum hatch_status hatch_volume_energy(const struct hatch_volume *volume, const s
     double sum = 0;
     for (uint32_t i = 0; i < HATCH_AXES * volume->size; i++)
         sum += job.sums[i];
-    *energy = sum / ((double)HATCH_AXES * (double)hatch_volume_count(volume));
+    *energy = sum / ((double)hatch_volume_axis_count(volume) * (double)hatch_volume_count(volume));
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

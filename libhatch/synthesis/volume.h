@@ -3,6 +3,8 @@
 #ifndef HATCH_SYNTHESIS_VOLUME_H
 #define HATCH_SYNTHESIS_VOLUME_H
 
+#include <stdbool.h>
+
 #include "base/parallel.h"
 #include "synthesis/exemplar.h"
 
@@ -10,6 +12,7 @@ enum { HATCH_AXES = 3 };
 
 struct hatch_volume {
     uint32_t size, channels;
+    uint32_t axes;                 /* bit a: slices across axis a have matches */
     uint8_t *texels;               /* as in struct hatch_solid */
     uint8_t *next;                 /* the texels of the next iteration */
     uint16_t *matches[HATCH_AXES]; /* [(slice * size + row) * size + column]: names of neighbourhoods; pixel
@@ -26,6 +29,16 @@ static inline struct hatch_slices hatch_slices_of(uint32_t axis, uint32_t size)
     const size_t x = 1, y = size, z = (size_t)size * size;
     const struct hatch_slices slices[HATCH_AXES] = {{x, z, y}, {y, z, x}, {z, y, x}};
     return slices[axis];
+}
+
+static inline bool hatch_volume_has(const struct hatch_volume *volume, uint32_t axis)
+{
+    return volume->axes >> axis & 1;
+}
+
+static inline uint32_t hatch_volume_axis_count(const struct hatch_volume *volume)
+{
+    return (volume->axes & 1) + (volume->axes >> 1 & 1) + (volume->axes >> 2 & 1);
 }
 
 static inline size_t hatch_volume_count(const struct hatch_volume *volume)
