@@ -19,7 +19,8 @@ WORK   ?= $(OUT)
 map     = $(WORK)/$(1).exr
 pictures := engraving teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
 all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png \
-    $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png $(OUT)/fitted-texture.png $(OUT)/fitted.png
+    $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png $(OUT)/fitted-texture.png $(OUT)/fitted.png \
+    $(OUT)/solid-watercolor.png $(OUT)/solid-binary.png $(OUT)/solid-collage.png $(OUT)/solid-hatched.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -83,3 +84,28 @@ $(WORK)/%.exr:
 $(OUT)/sheet.png:
 	mkdir -p $(OUT)
 	tamgen --style ink --size 128 --contact-sheet $@ -o /dev/null
+
+# Shapes carved from solid textures, and a teapot from one whose slices look like hatching.
+shape = $(WORK)/$(1).shape.glb
+solid = $(WORK)/$(1).solid.ktx2
+$(WORK)/%.shape.glb:
+	mkdir -p $(WORK) $(OUT)
+	meshgen $* -o $@
+$(WORK)/%.solid.ktx2:
+	mkdir -p $(WORK) $(OUT)
+	solidgen --style $* $(if $(filter paper,$*),--size 128) -o $@
+papers := canvas marble wood paper
+$(OUT)/solid-watercolor.png: $(foreach s,teapot torus cone,$(call shape,$(s))) $(call solid,paper)
+	render-gl $(filter %.glb,$^) --ground 4 --technique solid --solid $(call solid,paper) --look watercolor \
+	    --inks '#8a2a10,#184a7a,#3a6a20,#c0a050' --light -50:40 --from 20:14 --size 960x540 -o $@
+$(OUT)/solid-binary.png: $(call shape,teapot) $(call solid,stipple)
+	render-gl $< -t solid --look binary --solid $(call solid,stipple) --size 640x400 -o $@
+$(OUT)/solid-collage.png: $(call shape,teapot) $(foreach s,$(papers),$(call solid,$(s)))
+	render-gl $< -t solid --look collage --solid $(subst $() ,$(comma),$(filter %.ktx2,$^)) --bands 4 \
+	    --paper '#c4b493' --ink '#182040' --size 640x400 -o $@
+$(OUT)/solid-hatched.png: $(call shape,teapot)
+	tamgen --style ink --size 128 -o $(WORK)/hatching.exr
+	tampack --layout png $(WORK)/hatching.exr -o $(WORK)/columns
+	cp $(WORK)/columns.003.00.png $(OUT)/solid-exemplar.png
+	solidgen --exemplar $(OUT)/solid-exemplar.png --slices $(OUT)/solid-slices.png -o $(call solid,hatching)
+	render-gl $< -t solid --solid $(call solid,hatching) --solid-size 220 --look binary --size 640x400 -o $@
