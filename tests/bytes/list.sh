@@ -421,6 +421,11 @@ solidgen-stipple solidgen --style stipple --size 32
 solidgen-strokes solidgen --style strokes --size 32
 solidgen-crosshatch solidgen --style crosshatch --size 32
 solidgen-paper solidgen --style paper --size 32
+solidgen-kopf solidgen --exemplar tone.png --size 16 --seed 3 -v
+solidgen-axes solidgen --exemplar stroke.png --size 16 --axes xz --neighborhood 6 --levels 2 --slices slices.png
+solidgen-exhaustive solidgen --exemplar grey.png --size 8 --iterations 1 --exhaustive
+solidgen-pyramid solidgen --exemplar tone.png --size 32 --method pyramid --seed 2 -v
+hatchstat-solid solidgen --size 16 -o solid.ktx2; hatchstat solid solid.ktx2 --reference tone.png
 solidgen-canvas solidgen --style canvas --size 32 --set 'equalize no; contrast 2'
 seedgen seedgen -n 64 --layers 3 --candidates 50 --plot seeds.svg -v
 seedgen-any seedgen -n 37 --seed 9

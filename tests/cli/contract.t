@@ -18,6 +18,7 @@ fixture() {
         echo '<svg viewBox="0 0 9 9"><g fill="none" stroke="red"><path d="m1,4q3-5,6,1m-6,2h8"/>'
         echo '<circle cx="5" cy="4" r="3" stroke="#214"/></g></svg>'
         ;;
+    solid.ktx2) solidgen --size 64 ;;
     picture.png) tamgen --size 64 --tones 2 --levels 1 --contact-sheet - -o /dev/null ;;
     esac >"$FIXTURES/$1"
     [ -s "$FIXTURES/$1" ] || fail "fixture $1 is made"

@@ -30,6 +30,7 @@ mkdir in
     strokegen -g 0.5 -l 2 torus.glb -o strokes.glb
     strokegen -g 0.1 -l 1 torus.glb -o sparse.glb
     seedgen -n 16 -l 2 -o two.seeds
+    solidgen -n 8 -o solid.ktx2
 ) || exit 1
 
 tab=$(printf '\t')
