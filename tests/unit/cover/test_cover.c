@@ -113,6 +113,17 @@ START_TEST(refuses_ids_without_texels)
 }
 END_TEST
 
+/* There are sixteen strokes for each of 4096 texels, and one more takes a seventeenth. */
+START_TEST(as_many_ids_are_allowed_as_there_may_be_strokes)
+{
+    make("ink", 64);
+    map.tam.columns[0].levels[0].pixels[1] = 16 * 4097 - 1;
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    map.tam.columns[0].levels[0].pixels[1] = 16 * 4097;
+    ck_assert_int_eq(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), HATCH_BAD_INPUT);
+}
+END_TEST
+
 static enum hatch_status make_again(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
                                     struct hatch_err *err)
 {
@@ -134,6 +145,7 @@ static Suite *suite(void)
     tcase_add_unchecked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, marks_lie_on_their_strokes);
     tcase_add_test(tests, strokes_have_all_their_ink);
+    tcase_add_test(tests, as_many_ids_are_allowed_as_there_may_be_strokes);
     tcase_add_test(tests, refuses_ids_without_texels);
     tcase_add_test(tests, survives_failed_allocations);
     suite_add_tcase(suite, tests);

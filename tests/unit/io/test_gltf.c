@@ -331,6 +331,7 @@ START_TEST(errors_name_their_place)
     refused("{    }", "asset");
     refused("{\"asset\":{\"version\":\"1.0\"}}", "glTF version 1.0");
     refused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"X_Y\"]}", "X_Y");
+    refused("{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_materials_\"]}", "KHR_materials_ is not");
     refused("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"children\":[1]},{\"children\":[0]}],"
             "\"scenes\":[{\"nodes\":[0]}]}",
             "node 0 is not a root");

@@ -197,6 +197,7 @@ START_TEST(errors_name_their_place)
     refused("v 0 0 0\n\n# nothing\n", "no faces");
     refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: vertex 3 does not exist, there are 3");
     refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "line 6: a face with 0 corners");
+    refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no faces");
     refused("OFFX\n3 1 0\n", "X is not a number of vertices");
     refused("OFF\n3 9999 0\n0 0 0\n1 0 0\n", "9999 faces do not fit");
     refused("OFF BINARY\n3 1 0\n", "BINARY is not a number of vertices");
@@ -233,6 +234,22 @@ START_TEST(ply_faces_are_checked)
     refused(PLY_TRIANGLE "200 0 1 2\n", "a list is longer than the file");
     refused(PLY_TRIANGLE "3 0 1 x\n", "not a number");
     reads(text(PLY_TRIANGLE "3 0 1 2\n"), 3, 1);
+}
+END_TEST
+
+#define PLY_OTHER(element, data)                                                                                       \
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"                  \
+    "element face 1\nproperty list uchar int vertex_index\nelement " element                                           \
+    "\nproperty uchar a\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2" data
+#define PLY_NAME "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa" /* the longest */
+
+/* The file ends with its last digit: no shorter one holds three numbers. */
+START_TEST(ply_elements_may_be_empty_tight_and_have_long_names)
+{
+    reads(text(PLY_OTHER("edge 0", "")), 3, 1);
+    reads(text(PLY_OTHER("edge 3", "\n1\n2\n3")), 3, 1);
+    reads(text(PLY_OTHER(PLY_NAME " 0", "")), 3, 1);
+    refused(PLY_OTHER(PLY_NAME "a 0", ""), "0 is not a count");
 }
 END_TEST
 
@@ -438,6 +455,7 @@ static Suite *suite(void)
     tcase_add_test(tests, errors_name_their_place);
     tcase_add_test(tests, ply_faces_are_checked);
     tcase_add_test(tests, ply_attributes_and_strips_are_read);
+    tcase_add_test(tests, ply_elements_may_be_empty_tight_and_have_long_names);
     tcase_add_test(tests, faces_of_less_than_three_corners_are_dropped);
     tcase_add_test(tests, files_of_other_programs_are_read);
     tcase_add_test(tests, obj_index_triples_become_vertices);

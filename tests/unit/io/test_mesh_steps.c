@@ -90,6 +90,26 @@ START_TEST(a_rounded_circle_is_cut_in_one_round)
 }
 END_TEST
 
+/* A polygon may take all the steps that are left, and no more. */
+START_TEST(the_steps_that_are_left_suffice)
+{
+    enum { COUNT = 40 };
+    float at[3 * COUNT] = {0};
+    uint32_t vertex[COUNT];
+    uint64_t visits;
+    cut(on_star, COUNT, &visits);
+    for (uint32_t i = 0; i < COUNT; i++) {
+        on_star(i, COUNT, &at[3 * i]);
+        vertex[i] = i;
+    }
+    for (uint64_t missing = 0; missing < 2; missing++) {
+        struct hatch_faces faces = hatch_faces_in(&keep);
+        faces.steps_left = visits - missing;
+        ck_assert_int_eq(hatch_faces_add(&faces, at, vertex, vertex, COUNT, &err), missing ? HATCH_LIMIT : HATCH_OK);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io mesh steps");
@@ -98,6 +118,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_convex_polygon_takes_as_many_steps_as_it_has_corners);
     tcase_add_test(tests, a_star_is_cut_in_one_round);
     tcase_add_test(tests, a_rounded_circle_is_cut_in_one_round);
+    tcase_add_test(tests, the_steps_that_are_left_suffice);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -309,11 +309,13 @@ START_TEST(exponential_and_deep_clones_are_refused)
     snprintf(text + at, sizeof text - at, "</svg>");
     ck_assert_int_eq(read_text(text), HATCH_LIMIT);
     ck_assert_str_eq(err.text, "line 1: <use> elements draw more than 1000000 elements");
-    at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
-    for (int i = 0; i < 1000; i++)
-        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
-    snprintf(text + at, sizeof text - at, "</svg>");
-    ck_assert_int_eq(read_text(text), HATCH_BAD_INPUT);
+    for (int deeper = 0; deeper < 2; deeper++) { /* 127 groups with a clone each, a group, the path; or one more */
+        at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
+        for (int i = 0; i < 127; i++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
+        snprintf(text + at, sizeof text - at, "<g id='a127'>%s</g></svg>", deeper ? "<g><path/></g>" : "<path/>");
+        ck_assert_int_eq(read_text(text), deeper ? HATCH_BAD_INPUT : HATCH_OK);
+    }
     ck_assert_str_eq(err.text, "line 1: elements nested deeper than 256");
 }
 END_TEST
@@ -342,6 +344,12 @@ static const struct {
     {"<svg viewBox='0 0 1'/>", "line 1: viewBox: want four numbers"},
     {"<svg viewBox='0 0 210 297'/>", "line 1: the page is 210 x 297, want a square"},
     {"<svg viewBox='0 0 0 0'/>", "line 1: the page is 0 x 0, want a positive size"},
+    {"<svg viewBox='0 0 0 9'/>", "line 1: the page is 0 x 9, want a positive size"},
+    {"<svg viewBox='0 0 9 0'/>", "line 1: the page is 9 x 0, want a positive size"},
+    {"<svg viewBox='0 0 9 9'><symbol id='s' viewBox='0 0 0 1'/><use href='#s'/></svg>",
+     "line 1: viewBox: want four numbers and a positive size"},
+    {"<svg viewBox='0 0 9 9'><symbol id='s' viewBox='0 0 1 0'/><use href='#s'/></svg>",
+     "line 1: viewBox: want four numbers and a positive size"},
     {"<svg width='1e999' height='1'/>", "line 1: width: '1e999' is not a length"},
     {"<svg viewBox='0 0 9 9'>\n<path stroke='red' d='L1 1'/></svg>",
      "line 2: path data: unexpected 'L' at character 1"},
@@ -391,6 +399,16 @@ START_TEST(errors_name_their_line)
     ck_assert_int_eq(read_text(bad[_i].text), HATCH_BAD_INPUT);
     ck_assert_str_eq(err.text, bad[_i].message);
     ck_assert(list.count == 77 && notes.strokes == 77);
+}
+END_TEST
+
+START_TEST(the_limits_themselves_are_allowed)
+{
+    HATCH_TEST_OK(
+        read_text("<svg viewBox='0 0 1e6 1e6'><path stroke='red' stroke-width='250000' d='M5e5 5e5h9'/></svg>"), &err);
+    ck_assert_uint_eq(list.count, 1);
+    HATCH_TEST_OK(read_text("<svg viewBox='0 0 8 8'><path stroke='red' stroke-width='0' d='M1 1h2'/></svg>"), &err);
+    ck_assert_uint_eq(list.count, 0);
 }
 END_TEST
 
@@ -461,6 +479,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, a_stroke_has_its_computed_style, 0, sizeof styled / sizeof *styled);
     tcase_add_test(tests, ignored_elements_are_counted);
     tcase_add_loop_test(tests, errors_name_their_line, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, the_limits_themselves_are_allowed);
     tcase_add_test(tests, a_huge_page_is_refused);
     tcase_add_test(tests, entities_and_units_are_read);
     tcase_add_test(tests, deep_groups_are_refused);

@@ -28,6 +28,30 @@ static struct hatch_mesh_notes clean(struct hatch_mesh *mesh)
 /* Vertices of a square and two others; the last is at the position of the first. */
 static const float square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5, 5, -0.0f, 0, 0};
 
+START_TEST(attributes_are_limited)
+{
+    const uint32_t faces[] = {0, 1, 2};
+    struct hatch_mesh mesh = mesh_of(square, 6, faces, 1);
+    float *data;
+    while (mesh.attribute_count < HATCH_MESH_ATTRIBUTES_MAX)
+        HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "_A", 1, &data, &err), &err);
+    ck_assert_int_eq(hatch_mesh_add(&keep, &mesh, "_A", 1, &data, &err), HATCH_LIMIT);
+    ck_assert_uint_eq(mesh.attribute_count, HATCH_MESH_ATTRIBUTES_MAX);
+}
+END_TEST
+
+START_TEST(indices_are_of_vertices)
+{
+    const uint32_t good[] = {0, 1, 5}, bad[] = {0, 1, 6};
+    struct hatch_mesh mesh = mesh_of(square, 6, good, 1);
+    mesh.attributes[0].data[16] = 2; /* or the face would have no area */
+    HATCH_TEST_OK(hatch_mesh_check(&mesh, &err), &err);
+    mesh = mesh_of(square, 6, bad, 1);
+    ck_assert_int_eq(hatch_mesh_check(&mesh, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "face 0: vertex index 6, want one below 6");
+}
+END_TEST
+
 START_TEST(equal_positions_are_one_point)
 {
     const uint32_t faces[] = {0, 1, 2};
@@ -316,6 +340,8 @@ static Suite *suite(void)
     Suite *suite = suite_create("mesh clean");
     TCase *tests = tcase_create("clean");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, attributes_are_limited);
+    tcase_add_test(tests, indices_are_of_vertices);
     tcase_add_test(tests, equal_positions_are_one_point);
     tcase_add_test(tests, tiny_coordinates_are_zero);
     tcase_add_test(tests, useless_faces_and_vertices_are_dropped);

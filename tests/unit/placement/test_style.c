@@ -132,6 +132,21 @@ START_TEST(a_brush_file_may_contain_spaces)
 }
 END_TEST
 
+START_TEST(the_limits_themselves_are_allowed)
+{
+    char line[sizeof style.brush_file + 20], name[sizeof style.brush_file + 1] = "";
+    HATCH_TEST_OK(parse("direction 30 0.5 0.5"), &err);
+    HATCH_TEST_OK(parse("marks 0 1"), &err);
+    HATCH_TEST_OK(parse("marks 0.5 -0.25"), &err);
+    memset(name, 'a', sizeof style.brush_file - 1);
+    snprintf(line, sizeof line, "brush image %s", name);
+    HATCH_TEST_OK(parse(line), &err);
+    ck_assert_str_eq(style.brush_file, name);
+    snprintf(line, sizeof line, "brush image %sa", name);
+    ck_assert_int_eq(parse(line), HATCH_BAD_INPUT);
+}
+END_TEST
+
 static const struct {
     const char *text, *message;
 } bad[] = {
@@ -150,6 +165,8 @@ static const struct {
     {"marks 0.4 1", "line 1: marks: 0.4, want 0 or 0.5 to 1000"},
     {"marks 8 -5", "line 1: marks: -5, want -4 to 1000"},
     {"marks 8", "line 1: marks: a value is missing"},
+    {"response 0", "line 1: response: 0 does not exceed 0"},
+    {"response 0.2 0.2", "line 1: response: 0.2 does not exceed 0.2"},
     {"scatter 2", "line 1: scatter: 2, want 0 to 1"},
     {"length 0.5", "line 1: length: a value is missing"},
     {"length 0 4.5", "line 1: length: 4.5"},
@@ -255,6 +272,7 @@ static Suite *suite(void)
     tcase_add_test(tests, marks_and_lines_have_their_keys);
     tcase_add_test(tests, later_lines_win_and_comments_tabs_and_crlf_are_ignored);
     tcase_add_test(tests, every_brush_has_a_name);
+    tcase_add_test(tests, the_limits_themselves_are_allowed);
     tcase_add_test(tests, a_brush_file_may_contain_spaces);
     tcase_add_loop_test(tests, a_bad_line_is_reported_and_changes_nothing, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tests, colors_are_interpolated);

@@ -149,6 +149,20 @@ START_TEST(every_failed_allocation_is_a_status)
 }
 END_TEST
 
+START_TEST(backtracking_may_take_all_its_steps)
+{
+    struct hatch_cycle_options options = {
+        .method = HATCH_CYCLE_BACKTRACK, .count = 64, .seed = 3, .steps_max = 1000000};
+    uint8_t crumbs[64];
+    uint64_t taken;
+    HATCH_TEST_OK(hatch_cycle_make(&options, &scratch, crumbs, &taken, &err), &err);
+    options.steps_max = taken;
+    HATCH_TEST_OK(hatch_cycle_make(&options, &scratch, crumbs, &taken, &err), &err);
+    options.steps_max = taken - 1;
+    ck_assert_int_eq(hatch_cycle_make(&options, &scratch, crumbs, &taken, &err), HATCH_LIMIT);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("seed cycle");
@@ -162,6 +176,7 @@ static Suite *suite(void)
     tcase_add_test(tests, backtracking_gives_up_at_its_limit);
     tcase_add_test(tests, other_counts_than_powers_of_four_are_rejected_by_euler_and_backtrack);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, backtracking_may_take_all_its_steps);
     suite_add_tcase(suite, tests);
     return suite;
 }
