@@ -51,6 +51,8 @@ printf 'stroke pencl\n' >bad.layers
 says "a brush that does not exist" 3 1 "bad.layers: stroke: 'pencl', want ink, pencil, crayon, charcoal, stipple, round" \
     render-gl mesh.glb --technique rptam --layers bad.layers -o a.png
 says "a layout with a typing error" 2 2 "--layout: 'rbg' is not one of" tampack --layout rbg map.exr
+says "a camera on its target" 3 1 "the camera stands on its target" \
+    render-gl mesh.glb --technique gouraud --camera 1,2,3:1,2,3 -o a.png
 says "an option with a typing error" 2 2 "unknown option --stlye (is it --style?)" tamgen --stlye ink
 says "a parameter with a typing error" 2 2 "; perhaps stroke" \
     render-gl mesh.glb -t rptam --frames 2 -o f%d.png --animate storke=1..2

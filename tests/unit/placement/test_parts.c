@@ -34,6 +34,20 @@ START_TEST(a_map_is_kept_by_reference)
 }
 END_TEST
 
+/* The first tone may be paper and the others equal, and strokes may be drawn on all levels. */
+START_TEST(attributes_may_have_their_limits)
+{
+    for (uint32_t i = 0; i < 6; i++) {
+        hatch_mipmap_set_number(&map.columns[i], HATCH_TAM_ATTR_TONE, i > 0, HATCH_ATTRIBUTE_FLOAT);
+        hatch_mipmap_set_number(&map.columns[i], HATCH_TAM_ATTR_LEVELS, 7, HATCH_ATTRIBUTE_INT);
+    }
+    HATCH_TEST_OK(hatch_tam_from_mipmaps(map.columns, 6, &tam, &map_err), &map_err);
+    ck_assert_uint_eq(tam.levels, 7);
+    ck_assert_float_eq(tam.target[0], 0);
+    ck_assert_float_eq(tam.target[5], 1);
+}
+END_TEST
+
 START_TEST(part_names_must_be_numbered_without_gaps)
 {
     strcpy(map.columns[3].name, "tone.004");
@@ -117,6 +131,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("parts");
     tcase_add_checked_fixture(tests, begin, map_end);
     tcase_add_test(tests, a_map_is_kept_by_reference);
+    tcase_add_test(tests, attributes_may_have_their_limits);
     tcase_add_test(tests, part_names_must_be_numbered_without_gaps);
     tcase_add_test(tests, a_count_out_of_range_is_rejected);
     tcase_add_test(tests, shapes_must_agree);

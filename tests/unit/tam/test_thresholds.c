@@ -330,6 +330,12 @@ START_TEST(exact_runs_are_read_back_and_damage_is_detected)
         ck_assert(unchecked || hatch_exact_from_texels(&exact.texels, &got, &map_err) == HATCH_BAD_INPUT);
         words[4 * word + 3] = high;
     }
+    for (uint8_t levels = 0; levels <= 8; levels++) {
+        words[4 * 3] = levels; /* levels with strokes, of 7 */
+        ck_assert_int_eq(hatch_exact_from_texels(&exact.texels, &got, &map_err),
+                         levels >= 1 && levels <= 7 ? HATCH_OK : HATCH_BAD_INPUT);
+    }
+    words[4 * 3] = 2;
     HATCH_TEST_OK(hatch_exact_from_texels(&exact.texels, &got, &map_err), &map_err);
     exact.texels.height--;
     ck_assert_int_eq(hatch_exact_from_texels(&exact.texels, &got, &map_err), HATCH_BAD_INPUT);
@@ -345,6 +351,16 @@ START_TEST(borders_are_read_from_the_file)
     HATCH_TEST_OK(hatch_thresholds_from_texels(&made.texels, keys, &got, &map_err), &map_err);
     ck_assert_uint_eq(got.bins, 3);
     ck_assert_float_eq(got.border[2], 0.75f);
+    static const char *const levels[4] = {"0", "1", "7", "8"};
+    for (int i = 0; i < 4; i++) {
+        keys[1] = levels[i];
+        ck_assert_int_eq(hatch_thresholds_from_texels(&made.texels, keys, &got, &map_err),
+                         i % 3 ? HATCH_OK : HATCH_BAD_INPUT);
+    }
+    keys[1] = "2";
+    keys[3] = "0 1";
+    HATCH_TEST_OK(hatch_thresholds_from_texels(&made.texels, keys, &got, &map_err), &map_err);
+    ck_assert_uint_eq(got.bins, 1);
     static const char *const bad[] = {"", "1", "0 0.5 0.4 1", "0 nan 1", "0 2", "x"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         keys[3] = bad[i];

@@ -196,6 +196,13 @@ START_TEST(missing_columns_are_blended_and_counted)
 }
 END_TEST
 
+START_TEST(a_map_may_have_as_many_columns_as_there_are)
+{
+    struct hatch_tam tam = made_map(2, HATCH_TAM_TONES_MAX, 1, "Y", made_ramp);
+    ck_assert_uint_eq(tam.tones, HATCH_TAM_TONES_MAX);
+}
+END_TEST
+
 START_TEST(a_map_with_too_few_columns_is_rejected)
 {
     struct hatch_tam tam = made_map(64, 1, 0.9f, "Y", made_ramp);
@@ -228,11 +235,17 @@ START_TEST(metadata_is_read_from_the_file)
     const char *const good[] = {HATCH_TAM_ATTR_LEVELS, "2", HATCH_VOLUME_KEY_DARKEST, "0.9", NULL};
     const char *const bad[] = {HATCH_TAM_ATTR_LEVELS, "99", HATCH_VOLUME_KEY_DARKEST, "0.9", NULL};
     const char *const worse[] = {HATCH_TAM_ATTR_LEVELS, "2", HATCH_VOLUME_KEY_DARKEST, "nan", NULL};
+    const char *const least[] = {HATCH_TAM_ATTR_LEVELS, "1", HATCH_VOLUME_KEY_DARKEST, "0", NULL};
+    const char *const most[] = {HATCH_TAM_ATTR_LEVELS, "7", HATCH_VOLUME_KEY_DARKEST, "1", NULL};
+    const char *const more[] = {HATCH_TAM_ATTR_LEVELS, "8", HATCH_VOLUME_KEY_DARKEST, "1", NULL};
     struct hatch_volume got;
     make(&tam, 32, HATCH_VOLUME_3D, false);
     HATCH_TEST_OK(hatch_volume_from_texels(&volume.texels, good, &got, &map_err), &map_err);
     ck_assert_uint_eq(got.levels, 2);
     ck_assert_float_eq(got.darkest, 0.9f);
+    HATCH_TEST_OK(hatch_volume_from_texels(&volume.texels, least, &got, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_volume_from_texels(&volume.texels, most, &got, &map_err), &map_err);
+    ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, more, &got, &map_err), HATCH_BAD_INPUT);
     ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, bad, &got, &map_err), HATCH_BAD_INPUT);
     ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, worse, &got, &map_err), HATCH_BAD_INPUT);
     ck_assert_int_eq(hatch_volume_from_texels(&volume.texels, NULL, &got, &map_err), HATCH_BAD_INPUT);
@@ -268,6 +281,7 @@ static Suite *suite(void)
     tcase_add_test(tests, filtered_levels_are_means_of_eight);
     tcase_add_loop_test(tests, colours_keep_their_channels, 0, 2);
     tcase_add_test(tests, missing_columns_are_blended_and_counted);
+    tcase_add_test(tests, a_map_may_have_as_many_columns_as_there_are);
     tcase_add_test(tests, a_map_with_too_few_columns_is_rejected);
     tcase_add_test(tests, any_number_of_threads_gives_the_same_result);
     tcase_add_test(tests, metadata_is_read_from_the_file);
