@@ -245,6 +245,71 @@ START_TEST(a_wrong_window_is_refused_before_any_allocation)
 }
 END_TEST
 
+START_TEST(as_many_channels_are_read_as_an_image_may_have)
+{
+    struct hatch_mipmap part, *got = NULL;
+    uint32_t count = 0;
+    make_part(&kinds[1], 0, &part);
+    HATCH_TEST_OK(hatch_image_make(&keep, 1, 1, "ABCDEFGH", &part.levels[0], &err), &err);
+    ck_assert_uint_eq(part.levels[0].channel_count, HATCH_IMAGE_CHANNELS_MAX);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got, &count, &err),
+                  &err);
+    ck_assert_uint_eq(got[0].levels[0].channel_count, HATCH_IMAGE_CHANNELS_MAX);
+}
+END_TEST
+
+/* Makes a name of a file with one chunk longer by one letter.
+ *   attribute  its name and type, which the size follows
+ *   name       the name, which stands in the attribute */
+static struct hatch_bytes lengthen(const struct hatch_buffer *file, const char *attribute, size_t length,
+                                   const char *name)
+{
+    uint8_t *longer = HATCH_NEW(&keep, uint8_t, file->size + 1, &err);
+    size_t at = 0, letter;
+    while (memcmp(file->data + at, attribute, length) != 0)
+        at++;
+    for (letter = at + length; memcmp(file->data + letter, name, strlen(name)) != 0;)
+        letter++;
+    memcpy(longer, file->data, letter);
+    longer[letter] = (uint8_t)*name;
+    memcpy(longer + letter + 1, file->data + letter, file->size - letter);
+    longer[at + length]++;
+    for (size_t i = letter; i + 8 < file->size; i++) { /* the chunk follows the table of its offset */
+        uint64_t offset;
+        memcpy(&offset, longer + i, sizeof offset);
+        if (offset == i + 7) {
+            offset++;
+            memcpy(longer + i, &offset, sizeof offset);
+        }
+    }
+    return (struct hatch_bytes){longer, file->size + 1};
+}
+
+START_TEST(names_may_be_as_long_as_there_is_room)
+{
+    static const char part_type[] = "name\0string", channel_type[] = "channels\0chlist";
+    struct hatch_mipmap part, *got = NULL;
+    uint32_t count = 0;
+    char name[HATCH_NAME_MAX] = "";
+    memset(name, 'n', HATCH_NAME_MAX - 1);
+    make_part(&kinds[1], 0, &part);
+    memcpy(part.name, name, sizeof name);
+    memset(name, 'c', HATCH_NAME_MAX - 1);
+    memcpy(part.levels[0].channels[0].name, name, sizeof name);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    HATCH_TEST_OK(hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &got, &count, &err),
+                  &err);
+    ck_assert_str_eq(got[0].levels[0].channels[0].name, name);
+    struct hatch_bytes longer = lengthen(&file, channel_type, sizeof channel_type, name);
+    ck_assert_int_eq(hatch_exr_read(longer, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "channel name of 64 bytes, want 1 to 63"));
+    longer = lengthen(&file, part_type, sizeof part_type, part.name);
+    ck_assert_int_eq(hatch_exr_read(longer, NULL, &keep, &scratch, &got, &count, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "its name is longer than 63 bytes"));
+}
+END_TEST
+
 START_TEST(a_writer_stops_at_its_limit)
 {
     struct hatch_mipmap part;
@@ -333,6 +398,8 @@ static Suite *suite(void)
     tcase_add_test(tests, files_of_other_formats_are_refused);
     tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_any_allocation);
     tcase_add_test(tests, a_wrong_window_is_refused_before_any_allocation);
+    tcase_add_test(tests, as_many_channels_are_read_as_an_image_may_have);
+    tcase_add_test(tests, names_may_be_as_long_as_there_is_room);
     tcase_add_test(tests, a_writer_stops_at_its_limit);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
