@@ -56,6 +56,24 @@ START_TEST(a_mirroring_node_mirrors_its_item)
 }
 END_TEST
 
+START_TEST(an_item_has_the_sides_and_holes_of_its_material)
+{
+    struct hatch_material material = {.base_color = {1, 1, 1, 0.5f}, .alpha_cutoff = 0.25f};
+    place_torus(1);
+    ck_assert(unit.items[0].double_sided);
+    ck_assert_float_eq(unit.items[0].alpha_cutoff, 0);
+    scene.materials = &material;
+    scene.material_count = 1;
+    scene.meshes[0].material = 0;
+    for (int sides = 0; sides < 2; sides++) {
+        material.double_sided = sides;
+        HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &unit.bounds, &keep, &unit, &err), &err);
+        ck_assert_int_eq(unit.items[0].double_sided, sides);
+        ck_assert_float_eq(unit.items[0].alpha_cutoff, 0.5f);
+    }
+}
+END_TEST
+
 START_TEST(posing_again_at_the_same_moment_is_no_change)
 {
     place_torus(1);
@@ -74,6 +92,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_matrix_leads_to_the_unit_scene);
     tcase_add_test(tests, a_mirroring_node_mirrors_its_item);
+    tcase_add_test(tests, an_item_has_the_sides_and_holes_of_its_material);
     tcase_add_test(tests, posing_again_at_the_same_moment_is_no_change);
     suite_add_tcase(made, tests);
     return made;
