@@ -26,11 +26,17 @@ refuses() {
 
 # Textures that are none.
 solid flat 16x16x0 waves:4
-refuses "a 2D texture" 3 1 "flat.ktx2: a 2D texture, want a 3D one (solidgen makes it)" --solid flat.ktx2
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
+with_torus=$draw
+draw="render-gl --size 32x24 -o picture.png bare.obj -t solid"
+refuses "a 2D texture on a mesh without texture coordinates" 3 1 "primitive 0 has no texture coordinates, which \
+2D textures need; 3D textures, which solidgen makes, need none" --solid flat.ktx2
+draw=$with_torus
+refuses "flat and solid textures" 2 2 "--solid: flat.ktx2 is flat, the others are not" --solid waves.ktx2,flat.ktx2
 solid box 16x16x8 waves:4
-refuses "a texture that is no cube" 3 1 "box.ktx2: 16x16x8 texels, want a cube" --solid box.ktx2
+refuses "a texture that is no cube" 3 1 "box.ktx2: 16x16x8 texels, want a cube or a square" --solid box.ktx2
 tamvol -q --tones 8 map.exr -o volume.ktx2
-refuses "a volume of tamvol" 3 1 "volume.ktx2: 64x64x8 texels, want a cube" --solid volume.ktx2
+refuses "a volume of tamvol" 3 1 "volume.ktx2: 64x64x8 texels, want a cube or a square" --solid volume.ktx2
 solid odd 24 waves:4
 refuses "a side that is no power of two" 3 1 \
     "odd.ktx2: 24 texels along a side, want a power of two from 8 to 512" --solid odd.ktx2
@@ -43,7 +49,9 @@ for format in two words; do
     refuses "texels of another format, $format" 3 1 \
         "$format.ktx2: texels of a format other than R8, RGB8 and RGBA8" --solid $format.ktx2
 done
-refuses "a tonal art map" 3 1 "map.exr: not a KTX2 file" --solid map.exr
+refuses "a file that is neither a texture nor a picture" 3 1 \
+    "bare.obj: the picture cannot be read: not an image of a known format, neither by content nor by extension" \
+    --solid bare.obj
 refuses "a file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" --solid none.ktx2
 refuses "a second file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" \
     --solid waves.ktx2,none.ktx2
@@ -70,8 +78,8 @@ is "files with a wrong byte in the header or the level index" "$said" ""
 solid grey 8 grey:0
 solid alpha 16 waves:4 rgba8
 tamvol -q --tones 64 map.exr -o cube.ktx2
-for texture in grey alpha cube; do
-    ok "an unusual texture, $texture" $draw --solid $texture.ktx2
+for texture in grey.ktx2 alpha.ktx2 cube.ktx2 flat.ktx2 map.exr; do
+    ok "an unusual texture, $texture" $draw --solid $texture
     rm -f picture.png
 done
 many=waves.ktx2,waves.ktx2,waves.ktx2,waves.ktx2
@@ -130,4 +138,15 @@ watercolor solid-size;
 collage blend;collage grain;collage bands;collage wobble;collage border;collage solid-size;
 END
 )"
+
+# The inks of objects, the pipeline, and a lapped surface with a 2D texture.
+refuses_inks="red,nocolor"
+try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks $refuses_inks -o picture.png
+is "an ink that is no colour" "$status $(head -n 1 .err)" \
+    "2 render-gl: --inks: 'nocolor' is neither the name of a colour nor #rrggbb"
+ok "two inks" render-gl torus.glb bare.obj --size 64x48 -t solid --solid waves.ktx2 --inks red,blue --from 20:14 -o inks.png
+ok "solid.mk" make -s -f "$TOP/pipelines/solid.mk" MESH=torus.glb SOLID=16 SIZE=48x36 TURN=2 OUT=out
+ok "its texture, picture and turn" test -s out/torus.solid.ktx2 -a -s out/torus.png -a -s out/torus-001.png
+ok "a lapped surface" sh -c 'meshgen torus --faces 400 | dirfield | lapped-param |
+    render-gl - --size 48x36 -t solid --solid flat.ktx2 --look binary -o lapped.png'
 finish
