@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "synthesis/pca.h"
+#include "math/pca.h"
 
 #define BASIS_BITS 12
 #define SAMPLES_MAX 4096u /* neighbourhoods from which the covariance is taken */

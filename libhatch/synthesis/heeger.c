@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "image/texels.h"
 #include "synthesis/grid.h"
-#include "synthesis/pca.h"
+#include "math/pca.h"
 
 #define BANDS_MAX 6u
 #define COARSEST_MIN 4u /* side of the coarsest grids */

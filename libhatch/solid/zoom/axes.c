@@ -1,7 +1,7 @@
 /* Colours in coordinates along their principal components. */
 #include <math.h>
 
-#include "math/symmetric.h"
+#include "math/pca.h"
 #include "solid/zoom/axes.h"
 
 /* Computes the axes, of length 1, from the sums over all texels. */
@@ -9,7 +9,7 @@ static void find_axes(const struct hatch_solid *solid, double axes[9])
 {
     size_t count = hatch_solid_count(solid);
     uint64_t sum[3] = {0}, products[3][3] = {{0}};
-    double covariance[9], values[3];
+    double covariance[9], next[9];
     for (size_t i = 0; i < count; i++)
         for (size_t a = 0; a < 3; a++) {
             const uint8_t *texel = solid->texels + 3 * i;
@@ -21,7 +21,7 @@ static void find_axes(const struct hatch_solid *solid, double axes[9])
         for (size_t b = 0; b < 3; b++)
             covariance[3 * a + b] = (double)products[a][b] / (double)count -
                                     (double)sum[a] / (double)count * ((double)sum[b] / (double)count);
-    hatch_symmetric_eigen(3, covariance, axes, values);
+    hatch_pca_directions(covariance, 3, 3, axes, next);
 }
 
 static double along(const double axis[3], const uint8_t texel[3])

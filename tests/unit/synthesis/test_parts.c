@@ -6,7 +6,7 @@
 #include "base/random.h"
 #include "synthesis/features.h"
 #include "synthesis/grid.h"
-#include "synthesis/pca.h"
+#include "math/pca.h"
 #include "synthesis/search.h"
 
 static struct hatch_image noise(uint32_t width, uint32_t height, const char *names, uint64_t seed)

@@ -1,6 +1,6 @@
 /* Principal components: the directions in which vectors differ most. */
-#ifndef HATCH_SYNTHESIS_PCA_H
-#define HATCH_SYNTHESIS_PCA_H
+#ifndef HATCH_MATH_PCA_H
+#define HATCH_MATH_PCA_H
 
 #include <stdint.h>
 

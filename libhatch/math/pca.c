@@ -1,4 +1,4 @@
-#include "synthesis/pca.h"
+#include "math/pca.h"
 
 #include <assert.h>
 #include <math.h>
