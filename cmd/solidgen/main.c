@@ -7,7 +7,8 @@
 #include "slices.h"
 #include "solid/make.h"
 
-#define BYTES_PER_MB 1000000
+#define BYTES_PER_MB 1e6
+#define MORE_BYTES (1 << 20) /* for the rest: points, counts of values, headers */
 
 static const char *style_name = "perlin", *settings, *slices_path;
 static int64_t size = 64;
@@ -88,7 +89,7 @@ static void check_memory(const struct job *job, uint32_t channels, uint32_t valu
     uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, values = value_bytes * texels;
     uint64_t file = channels * texels * (cmd_is_exr_path(job->args.output) ? 3 : 1), kept = channels * texels + file;
     uint64_t most = kept > values ? kept : values;
-    most += most / 7; /* the coarser levels */
+    most += most / 7 + MORE_BYTES; /* with the coarser levels */
     struct hatch_err err;
     if (most <= job->args.max_memory)
         return;

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #define CUTS 255u /* between 256 bytes */
-#define DIGIT_BITS 12u
+#define DIGIT_BITS 10u
 #define DIGITS (1u << DIGIT_BITS)
 #define KEY_BITS 60u /* 32 of the value, 28 of the hash */
 #define PIECES_MAX 8u

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 
-#define ROUNDS 24
+#define ROUNDS 12
 #define REACH 1.5f /* of the repulsion, in mean distances count^(-1/3) */
 #define PUSH 0.25f /* of a pair at distance 0, in mean distances */
 #define TASK_CELLS 64u
@@ -110,22 +110,31 @@ static void push(const struct repelling *r, uint32_t cell, const float offset[3]
     }
 }
 
+/* Wraps a coordinate of a cell into 0 .. cells - 1 and returns how many cubes lie between. */
+static float wrap_cell(int32_t *cell, int32_t cells)
+{
+    int32_t turn = *cell < 0 ? -((cells - 1 - *cell) / cells) : *cell / cells;
+    *cell -= turn * cells;
+    return (float)turn;
+}
+
 static void repel_point(const struct repelling *r, const int32_t cell[3], uint32_t point)
 {
     int32_t cells = (int32_t)r->points->cells, reach = (int32_t)ceilf(REACH * r->spacing * (float)cells);
-    float sum[3] = {0, 0, 0};
-    for (int32_t z = cell[2] - reach; z <= cell[2] + reach; z++)
-        for (int32_t y = cell[1] - reach; y <= cell[1] + reach; y++)
-            for (int32_t x = cell[0] - reach; x <= cell[0] + reach; x++) {
-                int32_t at[3] = {x, y, z};
-                float offset[3];
-                for (int c = 0; c < 3; c++) {
-                    int32_t turn = at[c] < 0 ? -((cells - 1 - at[c]) / cells) : at[c] / cells;
-                    offset[c] = (float)turn;
-                    at[c] -= turn * cells;
-                }
-                push(r, (uint32_t)((at[2] * cells + at[1]) * cells + at[0]), offset, point, sum);
+    float sum[3] = {0, 0, 0}, offset[3];
+    for (int32_t dz = -reach; dz <= reach; dz++) {
+        int32_t z = cell[2] + dz;
+        offset[2] = wrap_cell(&z, cells);
+        for (int32_t dy = -reach; dy <= reach; dy++) {
+            int32_t y = cell[1] + dy;
+            offset[1] = wrap_cell(&y, cells);
+            for (int32_t dx = -reach; dx <= reach; dx++) {
+                int32_t x = cell[0] + dx;
+                offset[0] = wrap_cell(&x, cells);
+                push(r, (uint32_t)((z * cells + y) * cells + x), offset, point, sum);
             }
+        }
+    }
     for (int c = 0; c < 3; c++)
         r->moved[r->points->numbers[point]][c] = wrapped(r->points->at[point][c] + sum[c]);
 }
@@ -195,20 +204,21 @@ static void look_around(const struct hatch_solid_points *points, const int32_t c
                         float distances[2])
 {
     int32_t cells = (int32_t)points->cells;
-    for (int32_t dz = -ring; dz <= ring; dz++)
+    float place[3];
+    for (int32_t dz = -ring; dz <= ring; dz++) {
+        int32_t z = cell[2] + dz;
+        place[2] = at[2] - wrap_cell(&z, cells);
         for (int32_t dy = -ring; dy <= ring; dy++) {
+            int32_t y = cell[1] + dy;
+            place[1] = at[1] - wrap_cell(&y, cells);
             bool face = dz == -ring || dz == ring || dy == -ring || dy == ring;
-            for (int32_t dx = -ring; dx <= ring; dx += face || ring == 0 ? 1 : 2 * ring) {
-                int32_t to[3] = {cell[0] + dx, cell[1] + dy, cell[2] + dz};
-                float place[3];
-                for (int c = 0; c < 3; c++) {
-                    int32_t turn = to[c] < 0 ? -((cells - 1 - to[c]) / cells) : to[c] / cells;
-                    place[c] = at[c] - (float)turn;
-                    to[c] -= turn * cells;
-                }
-                look(points, (uint32_t)((to[2] * cells + to[1]) * cells + to[0]), place, distances);
+            for (int32_t dx = -ring; dx <= ring; dx += face ? 1 : 2 * ring) {
+                int32_t x = cell[0] + dx;
+                place[0] = at[0] - wrap_cell(&x, cells);
+                look(points, (uint32_t)((z * cells + y) * cells + x), place, distances);
             }
         }
+    }
 }
 
 void hatch_solid_points_nearest(const struct hatch_solid_points *points, const float at[3], float distances[2])

@@ -170,7 +170,7 @@ static enum hatch_status read_direction(struct hatch_text *rest, struct reading 
     if (numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "direction: 0 0 0 has no direction");
     struct hatch_text ahead = *rest;
-    for (int i = 3; i < 5 && hatch_text_word(&ahead, &word); i++)
+    for (int i = 3, end = hatch_text_word(&ahead, &word) ? 5 : 3; i < end; i++)
         HATCH_TRY(hatch_settings_next(rest, "direction", 0, 1, &numbers[i], err));
     if (!(numbers[3] < numbers[4]))
         return hatch_fail(err, HATCH_BAD_INPUT, "direction: the range from tone %g to tone %g is empty", numbers[3],

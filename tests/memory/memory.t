@@ -15,6 +15,7 @@ mkdir in
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >a.obj
     printf 'vertex\tdx\tdy\tdz\tweight\n7\t1\t1\t0\t10\n' >hand.tsv
     printf 'brush pencil\nwidth 3\nlength 0.2 0.5\n' >own.style
+    printf 'kind strokes\nlength 0.1\nwidth 0.1\ndensity 2\n' >own.solid
     printf 'tone 0..0.6 turn 30 length 30 width 3 ink 0.6 stroke pencil\ntone 0.4..1 length 6 width 6\n' >two.layers
     tamgen -n 64 -l 2 -t 3 -o map.exr
     tamgen -n 64 -l 1 -t 2 --set 'darkest 1' -r strokes.tsv -o fine.exr

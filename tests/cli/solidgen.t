@@ -1,0 +1,110 @@
+# solidgen: installed styles, files, slices, settings, refusals.
+. "${TOP:-.}/tests/tap.sh"
+command -v solidgen >/dev/null || { skip "solid textures" "no solidgen"; finish; }
+
+# u32 FILE OFFSET: prints a number of a KTX2 header
+u32() {
+    od -An -tu4 -j "$2" -N 4 "$1" | tr -d ' '
+}
+# shape FILE: prints VkFormat, width, height, depth, layers, levels
+shape() {
+    for offset in 12 20 24 28 32 40; do
+        u32 "$1" $offset
+    done | paste -sd' '
+}
+# texels FILE: prints the finest level as numbers
+texels() {
+    od -An -v -tu1 -w1 -j "$(u32 "$1" 80)" -N "$(u32 "$1" 88)" "$1"
+}
+
+for file in "$TOP"/styles/*.solid; do
+    style=$(basename "$file" .solid)
+    format=9 bytes=37448
+    ! grep -q '^color' "$file" || format=23 bytes=112344
+    try solidgen --style "$style" --size 32 -j 1 -o "$style.ktx2"
+    is "style $style" "$status $(shape "$style.ktx2") $(cat .err)" "0 $format 32 32 32 0 6 "
+    ok "$style has all levels" test "$(wc -c <"$style.ktx2")" -gt $bytes
+    solidgen --style "$style" --size 32 -j 3 -o three.ktx2
+    ok "$style is the same for any number of threads" cmp "$style.ktx2" three.ktx2
+    solidgen --style "$style" --size 32 --seed 2 -o other.ktx2
+    ok "$style differs with the seed" test "$(cmp -l "$style.ktx2" other.ktx2 | wc -l)" -gt 10000
+    is "$style: keys of the file" \
+        "$(strings -n 1 "$style.ktx2" | grep -A1 '^hatch:' | paste -sd' ')" "hatch:seed 1 hatch:solid $style"
+    if [ -z "$SANITIZE" ]; then
+        ms=$(milliseconds 2000 solidgen --style "$style" --size 32 -j 1 -o timed.ktx2)
+        ok "$style takes less than two seconds of a processor ($ms ms)" test "$ms" -le 2000
+    fi
+    grep -q "^\.It Cm $style\$" "$TOP/man/man1/solidgen.1"
+    is "solidgen.1 names style $style" $? 0
+done
+
+# A threshold t covers the share t.
+texels stipple.ktx2 | awk '{count[$1]++} END {
+    for (value = 0; value < 256; value++) if (count[value] != 128) print value, count[value]}' >uneven
+is "each value occurs equally often" "$(cat uneven)" ""
+solidgen --style stipple --size 32 --set 'equalize no' -o raw.ktx2
+ok "equalize no keeps the values" test "$(texels raw.ktx2 | sort -u | wc -l)" -lt 250
+
+printf 'kind worley\nscale 4 # cells\ndistance f2-f1\n' >cells.solid
+try solidgen --style ./cells.solid --set 'scale 5; jitter 0.5' --size 16 -v -o cells.ktx2
+is "a style of one's own" "$status $(sed 's/[0-9]* bytes/N bytes/' .err)" \
+    "0 solidgen: 16 texels along a side, 1 channel; N bytes"
+is "the file is named after it" "$(strings -n 1 cells.ktx2 | grep -A1 '^hatch:solid')" "hatch:solid
+cells"
+solidgen --style - --set 'scale 5; jitter 0.5' --size 16 <cells.solid >piped.ktx2
+is "a style from a pipe" "$(strings -n 1 piped.ktx2 | grep -A1 '^hatch:solid' | tail -1)" "custom"
+is "with the same texels" "$(texels piped.ktx2 | cksum)" "$(texels cells.ktx2 | cksum)"
+printf 'kind worley\nscale 5\njitter 0.5\ndistance f2-f1\n' >whole.solid
+solidgen --style ./whole.solid --size 16 -o whole.ktx2
+is "--set stands for lines of the file" "$(texels whole.ktx2 | cksum)" "$(texels cells.ktx2 | cksum)"
+printf 'kind canvas\n' >wood
+solidgen --style wood --size 16 -o installed.ktx2
+is "installed styles take precedence over files" "$(shape installed.ktx2)" "23 16 16 16 0 5"
+
+solidgen --style wood --size 16 --slices slices.png -o a.ktx2
+try hatchstat diff slices.png slices.png
+is "--slices draws a picture" "$status $(od -An -tu1 -j16 -N8 slices.png | tr -s ' ')" "0  0 0 0 56 0 0 0 16"
+is "in colour" "$(od -An -tu1 -j25 -N1 slices.png | tr -d ' ')" 2
+if command -v exrheader >/dev/null; then
+    solidgen --style wood --size 16 -o wood.exr
+    is "EXR has a part for each slice" "$(exrheader wood.exr | grep -c 'name (type string): "slice.0')" 16
+    is "and the keys" "$(exrheader wood.exr | grep -c 'hatch:solid (type string): "wood"')" 16
+else
+    skip "parts of EXR files" "no exrheader"
+fi
+
+# says NAME STATUS LINES TEXT COMMAND ...: checks a refusal, and its first line
+says() {
+    says_name=$1 says_status=$2 says_lines=$3 says_text=$4
+    shift 4
+    try "$@"
+    refused "$says_name" "$says_status" "$says_lines"
+    is "$says_name: message" "$(head -1 .err)" "$says_text"
+}
+says "a size that is no power of two" 2 2 "solidgen: --size 48: want a power of two" solidgen --size 48 -o x
+says "an unknown style" 2 2 "solidgen: solid: 'oak' is not one of canvas, crosshatch, marble, paper,\
+ perlin, stipple, strokes, turbulence, wood, worley, and not a file" solidgen --style oak -o x
+printf 'kind wood\nrings 3\ndots 4\n' >bad.solid
+says "a key of another kind" 3 1 "solidgen: bad.solid: line 3: dots: kind wood does not use it" \
+    solidgen --style bad.solid -o x
+says "a wrong setting" 2 2 "solidgen: --set: line 2: scale: 0, want 1 to 128" \
+    solidgen --style perlin --set 'octaves 2; scale 0' -o x
+says "settings without a key" 2 2 "solidgen: --set: empty: want at least one line with a key, such as 'kind wood'" \
+    solidgen --set ' ; # none' -o x
+says "a texture beyond the memory" 5 1 \
+    "solidgen: --size 512 needs 768 MB of memory, --max-memory allows 524 MB" \
+    solidgen --style perlin --size 512 --max-memory 500M -o x
+[ -z "$SANITIZE" ] && ms=$(milliseconds 50 solidgen --style perlin --size 512 --max-memory 500M -o x) || ms=0
+ok "is refused before any work ($ms ms)" test "$ms" -le 50
+says "an unknown ending" 2 2 "solidgen: x.png: the ending is that of another format: want .ktx2 or\
+ .exr" solidgen -o x.png
+ok "no output is left" test ! -e x
+for shell in bash zsh fish; do
+    case $shell in
+    bash) completions=share/bash-completion/completions/solidgen ;;
+    zsh) completions=share/zsh/site-functions/_solidgen ;;
+    fish) completions=share/fish/vendor_completions.d/solidgen.fish ;;
+    esac
+    ok "$shell completes installed styles" grep -q '\[\.\]solid' "$BUILD/$completions"
+done
+finish
