@@ -103,6 +103,20 @@ START_TEST(a_wrong_header_is_refused_before_any_allocation)
 }
 END_TEST
 
+/* Four floats per pixel must fit, whatever the image has. */
+START_TEST(an_image_may_take_all_memory)
+{
+    struct hatch_image image = ramp(64, 64, "Y"), got;
+    struct hatch_bytes file = encode(&image, HATCH_PNG_SRGB, 8);
+    for (size_t missing = 0; missing < 2; missing++) {
+        struct hatch_arena small;
+        hatch_arena_init(&small, 64 * 64 * 4 * sizeof(float) - missing);
+        ck_assert_int_eq(hatch_png_read(file, &small, &scratch, &got, &err), missing ? HATCH_LIMIT : HATCH_OK);
+        hatch_arena_free(&small);
+    }
+}
+END_TEST
+
 struct reading {
     struct hatch_bytes file;
     struct hatch_image image;
@@ -143,6 +157,7 @@ static Suite *suite(void)
     tcase_add_test(tests, truncated_files_are_refused_and_damaged_ones_harmless);
     tcase_add_test(tests, a_wrong_header_is_refused_before_any_allocation);
     tcase_add_test(tests, each_allocation_may_fail);
+    tcase_add_test(tests, an_image_may_take_all_memory);
     suite_add_tcase(suite, tests);
     return suite;
 }
