@@ -319,6 +319,7 @@ START_TEST(exact_runs_are_read_back_and_damage_is_detected)
     struct hatch_tam tam = made_map(64, 40, 1, "Y", two_strokes);
     struct hatch_exact got;
     make_exact(&tam);
+    ck_assert_uint_eq(exact.texels.level_count, 1);
     HATCH_TEST_OK(hatch_exact_from_texels(&exact.texels, &got, &map_err), &map_err);
     ck_assert_uint_eq(got.run_count, exact.run_count);
     ck_assert_uint_eq(got.levels, 2);
