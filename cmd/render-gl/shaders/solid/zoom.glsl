@@ -1,12 +1,14 @@
 // The infinite zoom on solid textures: Dynamic Solid Textures (2009), section 3, as solid/zoom.h writes it. SOLIDS is
 // the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values.
 // With FLAT they are 2D textures, whose places are texture coordinates.
+#ifdef PIECES
+#include "frame/fixed.glsl"
+#endif
 #ifdef FLAT
 #include "rptam/place.glsl"
 #else
 in vec3 v_place;
 #ifdef PIECES
-#include "frame/fixed.glsl"
 flat in uvec4 v_origin_u, v_origin_v, v_origin_w;
 #endif
 #endif
