@@ -25,14 +25,6 @@ refuses() {
 }
 
 # Textures that are none.
-solid flat 16x16x0 waves:4
-printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
-with_torus=$draw
-draw="render-gl --size 32x24 -o picture.png bare.obj -t solid"
-refuses "a 2D texture on a mesh without texture coordinates" 3 1 "primitive 0 has no texture coordinates, which \
-2D textures need; 3D textures, which solidgen makes, need none" --solid flat.ktx2
-draw=$with_torus
-refuses "flat and solid textures" 2 2 "--solid: flat.ktx2 is flat, the others are not" --solid waves.ktx2,flat.ktx2
 solid box 16x16x8 waves:4
 refuses "a texture that is no cube" 3 1 "box.ktx2: 16x16x8 texels, want a cube or a square" --solid box.ktx2
 tamvol -q --tones 8 map.exr -o volume.ktx2
@@ -49,9 +41,9 @@ for format in two words; do
     refuses "texels of another format, $format" 3 1 \
         "$format.ktx2: texels of a format other than R8, RGB8 and RGBA8" --solid $format.ktx2
 done
-refuses "a file that is neither a texture nor a picture" 3 1 \
-    "bare.obj: the picture cannot be read: not an image of a known format, neither by content nor by extension" \
-    --solid bare.obj
+refuses "a file that is no picture" 3 1 \
+    "torus.glb: the picture cannot be read: not an image of a known format, neither by content nor by extension" \
+    --solid torus.glb
 refuses "a file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" --solid none.ktx2
 refuses "a second file that does not exist" 4 1 "none.ktx2: cannot open: no such file or directory" \
     --solid waves.ktx2,none.ktx2
@@ -74,12 +66,29 @@ said=$(for at in 0 5 12 15 16 19 20 23 24 27 28 31 32 35 36 39 40 43 44 47 80 87
 done | grep -vE ': [35] 1 1 $')
 is "files with a wrong byte in the header or the level index" "$said" ""
 
+# 2D textures.
+solid flat 16x16x0 waves:4
+refuses "a flat texture and a solid one" 2 2 "--solid: waves.ktx2 is a solid texture, the others are not" \
+    --solid flat.ktx2,waves.ktx2
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
+refuses "a 2D texture on a mesh without texture coordinates" 3 1 \
+    "primitive 1 has no texture coordinates, which 2D textures need; 3D textures, which solidgen makes, need none" \
+    --solid flat.ktx2 bare.obj
+ok "a 2D texture" $draw --solid flat.ktx2
+rm -f picture.png
+
+# Surfaces so near that they are drawn in pieces.
+for texture in waves flat; do
+    ok "$texture, from very near" $draw --solid $texture.ktx2 --zoom 1e9
+    rm -f picture.png
+done
+
 # Textures that are unusual, but are some.
 solid grey 8 grey:0
 solid alpha 16 waves:4 rgba8
 tamvol -q --tones 64 map.exr -o cube.ktx2
-for texture in grey.ktx2 alpha.ktx2 cube.ktx2 flat.ktx2 map.exr; do
-    ok "an unusual texture, $texture" $draw --solid $texture
+for texture in grey alpha cube; do
+    ok "an unusual texture, $texture" $draw --solid $texture.ktx2
     rm -f picture.png
 done
 many=waves.ktx2,waves.ktx2,waves.ktx2,waves.ktx2
@@ -140,8 +149,7 @@ END
 )"
 
 # The inks of objects, the pipeline, and a lapped surface with a 2D texture.
-refuses_inks="red,nocolor"
-try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks $refuses_inks -o picture.png
+try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks red,nocolor -o picture.png
 is "an ink that is no colour" "$status $(head -n 1 .err)" \
     "2 render-gl: --inks: 'nocolor' is neither the name of a colour nor #rrggbb"
 ok "two inks" render-gl torus.glb bare.obj --size 64x48 -t solid --solid waves.ktx2 --inks red,blue --from 20:14 -o inks.png
@@ -149,4 +157,5 @@ ok "solid.mk" make -s -f "$TOP/pipelines/solid.mk" MESH=torus.glb SOLID=16 SIZE=
 ok "its texture, picture and turn" test -s out/torus.solid.ktx2 -a -s out/torus.png -a -s out/torus-001.png
 ok "a lapped surface" sh -c 'meshgen torus --faces 400 | dirfield | lapped-param |
     render-gl - --size 48x36 -t solid --solid flat.ktx2 --look binary -o lapped.png'
+ok "a map as a picture" render-gl torus.glb --size 48x36 -t solid --solid map.exr -o column.png
 finish

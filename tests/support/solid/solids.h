@@ -83,6 +83,8 @@ static inline void solid_use(struct test_frame *frame, const struct hatch_solid 
     HATCH_TEST_OK(technique_open(&frame->instances[0], &technique_solid, &frame->technique_args, &frame->err),
                   &frame->err);
     struct solid_state *state = frame->instances[0].state;
+    state->shading = solid_look_shading(SOLID_PLAIN, false);
+    frame->instances[0].places = HATCH_NEAR_REST;
     state->files.count = 1;
     state->files.solids[0] = *solid;
     solid_options.blend = (int)blend;
