@@ -32,8 +32,8 @@ struct hatch_zoom {
 };
 
 /* Makes the texture A.
- *   size  texels along a side of A: from the size of T to four times it, a power of two; octaves that are finer than
- *         its texels are averaged
+ *   size  texels along a side of A: a power of two, HATCH_SOLID_SIZE_MIN to four times the size of T; octaves that are
+ *         finer than its texels are averaged
  *   grey  the luminance of a coloured texture is used
  *   zoom  out: in arena; one channel if grey
  * HATCH_LIMIT when the memory does not suffice. */

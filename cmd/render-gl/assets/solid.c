@@ -109,7 +109,8 @@ static enum hatch_status upload_one(const struct solid_files *files, uint32_t in
     struct hatch_zoom zoom;
     struct hatch_zoom_table table;
     struct hatch_texels mips;
-    uint32_t size = solid->size;
+    uint32_t size =
+        HATCH_SOLID_SIZE_MIN; /* until its texels are no larger than pixels, or those of the finest octave */
     while (size < 0.75 * form->period_px && size < 4 * solid->size && size < HATCH_SOLID_SIZE_MAX)
         size *= 2;
     HATCH_TRY(hatch_zoom_make(solid, size, form->grey, pool, arena, scratch, &zoom, err));

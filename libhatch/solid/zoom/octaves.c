@@ -139,7 +139,7 @@ enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size
                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_zoom *zoom,
                                   struct hatch_err *err)
 {
-    assert(size >= solid->size && size <= 4 * solid->size);
+    assert(size >= HATCH_SOLID_SIZE_MIN && size <= 4 * solid->size && (size & (size - 1)) == 0);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_zoom made = {.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     enum hatch_status status = HATCH_OK;
