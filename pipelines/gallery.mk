@@ -97,7 +97,7 @@ $(WORK)/%.solid.ktx2:
 papers := canvas marble wood paper
 $(OUT)/solid-watercolor.png: $(foreach s,teapot torus cone,$(call shape,$(s))) $(call solid,paper)
 	render-gl $(filter %.glb,$^) --ground 4 --technique solid --solid $(call solid,paper) --look watercolor \
-	    --inks '#8a2a10,#184a7a,#3a6a20,#c0a050' --light -50:40 --from 20:14 --size 960x540 -o $@
+	    --inks '#8a2a10,#184a7a,#3a6a20,#c0a050' --shadows 0.03 --light -50:40 --from 20:14 --size 960x540 -o $@
 $(OUT)/solid-binary.png: $(call shape,teapot) $(call solid,stipple)
 	render-gl $< -t solid --look binary --solid $(call solid,stipple) --size 640x400 -o $@
 $(OUT)/solid-collage.png: $(call shape,teapot) $(foreach s,$(papers),$(call solid,$(s)))
