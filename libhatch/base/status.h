@@ -17,7 +17,7 @@ enum hatch_status {
     HATCH_LIMIT = 5      /* memory or a size limit was reached */
 };
 
-#define HATCH_ERR_TEXT_MAX 320
+#define HATCH_ERR_TEXT_MAX 512
 
 struct hatch_err {
     enum hatch_status status;

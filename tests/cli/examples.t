@@ -14,7 +14,7 @@ for turn in 000 001 002; do
     render-gl model.glb --technique gouraud --size 64x48 --from ${turn#00}0:20 -o turn.$turn.png
 done
 echo '<svg viewBox="0 0 9 9"><path stroke="navy" fill="none" d="m1,4q3-5,6,1m-6,2h8"/></svg>' >drawing.svg
-for picture in a b picture reference; do
+for picture in a b picture reference bark; do
     cp turn.000.png $picture.png
 done
 cd .. || exit 1
