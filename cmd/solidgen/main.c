@@ -12,7 +12,7 @@
 
 static const char *style_name = "perlin", *settings, *slices_path;
 static int64_t size = 64;
-static struct solidgen_exemplar exemplar = {.neighborhood = 8, .levels = 3, .iterations = 6};
+static struct solidgen_exemplar exemplar = {.neighborhood = 8, .levels = 3, .iterations = 8};
 
 static const struct cmd_option options[] = {
     {'S', "style", CMD_TEXT, 0, 0, "SOLID", "style of the texture: a name, or a file (default perlin)", &style_name,
@@ -30,7 +30,7 @@ static const struct cmd_option options[] = {
      "kopf: side of the neighbourhoods that are compared, 3 .. 12 (default 8)", &exemplar.neighborhood, NULL, NULL},
     {0, "levels", CMD_INT, 1, HATCH_SYNTHESIS_LEVELS_MAX, "N",
      "kopf: levels of detail at most, coarse to fine, 1 .. 4 (default 3)", &exemplar.levels, NULL, NULL},
-    {0, "iterations", CMD_INT, 1, 1000, "N", "exemplar: iterations at the finest level, 1 .. 1000 (default 6)",
+    {0, "iterations", CMD_INT, 1, 1000, "N", "exemplar: iterations at the finest level, 1 .. 1000 (default 8)",
      &exemplar.iterations, NULL, NULL},
     {0, "exhaustive", CMD_FLAG, 0, 0, NULL, "kopf: search all neighbourhoods, as a reference; slow",
      &exemplar.exhaustive, NULL, NULL},

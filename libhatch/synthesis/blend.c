@@ -17,6 +17,7 @@ struct job {
 static uint32_t list_contributions(const struct job *job, const uint32_t at[3], uint32_t *list)
 {
     const uint32_t size = job->volume->size, side = job->exemplar->side, after = side / 2 + 2 * size;
+    const uint32_t mask = size - 1; /* sizes are powers of two */
     const uint32_t places[HATCH_AXES][3] = {{at[0], at[2], at[1]}, {at[1], at[2], at[0]}, {at[2], at[1], at[0]}};
     uint32_t count = 0;
     for (uint32_t axis = 0; axis < HATCH_AXES; axis++) {
@@ -24,9 +25,9 @@ static uint32_t list_contributions(const struct job *job, const uint32_t at[3], 
             continue;
         const uint16_t *matches = job->volume->matches[axis] + (size_t)places[axis][0] * size * size;
         for (uint32_t j = 0; j < side; j++) {
-            const uint16_t *row = matches + (size_t)((places[axis][1] + after - j) % size) * size;
+            const uint16_t *row = matches + (size_t)((places[axis][1] + after - j) & mask) * size;
             for (uint32_t i = 0; i < side; i++)
-                list[count++] = row[(places[axis][2] + after - i) % size] + j * HATCH_EXEMPLAR_PITCH + i;
+                list[count++] = row[(places[axis][2] + after - i) & mask] + j * HATCH_EXEMPLAR_PITCH + i;
         }
     }
     return count;

@@ -64,13 +64,13 @@ static enum hatch_status make_basis(const struct hatch_exemplar *exemplar, struc
 void hatch_features_project(const struct hatch_features *features, const int16_t *values,
                             int16_t feature[HATCH_FEATURES])
 {
+    const uint32_t length = features->length & ~15u; /* for vectors of whole length */
     const int32_t unit = (1 << BASIS_BITS) / HATCH_FEATURES_SCALE;
     for (uint32_t d = 0; d < HATCH_FEATURES; d++) {
         const int16_t *row = features->basis + (size_t)d * features->length;
         int32_t sum = 0;
-        for (uint32_t i = 0; i < features->length; i += 16)
-            for (uint32_t k = 0; k < 16; k++)
-                sum += row[i + k] * values[i + k];
+        for (uint32_t i = 0; i < length; i++)
+            sum += row[i] * values[i];
         feature[d] = (int16_t)((sum + (sum < 0 ? -unit : unit) / 2) / unit);
     }
 }
@@ -133,7 +133,7 @@ size_t hatch_features_bytes(const struct hatch_exemplar *exemplar)
            HATCH_FEATURES * (length + 15) * sizeof(int16_t) + (length + 2 * HATCH_FEATURES) * length * sizeof(double);
 }
 
-enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, struct hatch_pool *pool,
+enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, bool similar, struct hatch_pool *pool,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                       struct hatch_features *features, struct hatch_err *err)
 {
@@ -142,14 +142,16 @@ enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, str
     size_t count = (size_t)exemplar->across * exemplar->down;
     HATCH_TRY(HATCH_ALLOC(arena, &made.basis, HATCH_FEATURES * made.length, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.vectors, count * HATCH_FEATURES, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.similar, count * HATCH_FEATURES_SIMILAR, err));
+    if (similar)
+        HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.similar, count * HATCH_FEATURES_SIMILAR, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = make_basis(exemplar, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
     struct job job = {exemplar, &made};
     hatch_parallel_for(pool, exemplar->down, project_row, &job);
-    hatch_parallel_for(pool, exemplar->down, find_similar, &job);
+    if (similar)
+        hatch_parallel_for(pool, exemplar->down, find_similar, &job);
     *features = made;
     return HATCH_OK;
 }

@@ -11,18 +11,19 @@
 #define HATCH_FEATURES_SIMILAR 3u /* similar neighbourhoods that are kept of each */
 
 struct hatch_features {
-    uint32_t length;  /* of a row of the basis, a multiple of 16: side * side * channels, then zeros */
-    int16_t *basis;   /* [component * length + i], times 2^12 */
-    int16_t *vectors; /* [(y * across + x) * HATCH_FEATURES + component] */
-    uint16_t
-        *similar; /* [(y * across + x) * HATCH_FEATURES_SIMILAR + i]: names of neighbourhoods, most similar first */
+    uint32_t length;   /* of a row of the basis, a multiple of 16: side * side * channels, then zeros */
+    int16_t *basis;    /* [component * length + i], times 2^12 */
+    int16_t *vectors;  /* [(y * across + x) * HATCH_FEATURES + component] */
+    uint16_t *similar; /* NULL, or [(y * across + x) * HATCH_FEATURES_SIMILAR + i]: names of neighbourhoods, most
+                          similar first */
 };
 
 /* Returns the memory that hatch_features_make takes, with its temporary data. */
 size_t hatch_features_bytes(const struct hatch_exemplar *exemplar);
 
-/* Computes the features of all neighbourhoods of an exemplar. */
-enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, struct hatch_pool *pool,
+/* Computes the features of all neighbourhoods of an exemplar.
+ *   similar  find those that are similar to each, too */
+enum hatch_status hatch_features_make(const struct hatch_exemplar *exemplar, bool similar, struct hatch_pool *pool,
                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                       struct hatch_features *features, struct hatch_err *err) HATCH_MUST_USE;
 

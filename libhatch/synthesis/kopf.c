@@ -8,6 +8,7 @@
 #include "synthesis/blend.h"
 #include "synthesis/search.h"
 
+#define SCANS 2u    /* first searches of the coarsest level that compare all features */
 #define SIZE_MIN 8u /* of the coarsest level */
 #define MORE 4u     /* factor of iterations from level to level */
 #define BLOCKS 8u   /* allocations of a level, each aligned */
@@ -84,7 +85,7 @@ static enum hatch_status iterate(struct synthesis *synthesis, uint32_t which, co
             .volume = &level->volume,
             .prices = synthesis->prices,
             .exhaustive = synthesis->options->exhaustive,
-            .scan = coarsest,
+            .scan = !features->similar || (coarsest && i < SCANS),
             .backwards = i % 2,
             .key = hatch_random_key(synthesis->options->seed, (uint64_t)which * STREAMS + i + 1)};
         const double share = level->iterations > 1 ? (double)i / (level->iterations - 1) : 1;
@@ -112,8 +113,11 @@ static enum hatch_status fill_level(struct synthesis *synthesis, uint32_t which,
         hatch_volume_randomize(&level->volume, &level->exemplar, hatch_random_key(synthesis->options->seed, 0));
     else
         hatch_volume_refine(&level[1].volume, &level[1].exemplar, &level->volume, &level->exemplar);
-    enum hatch_status status =
-        hatch_features_make(&level->exemplar, synthesis->pool, synthesis->scratch, synthesis->scratch, &features, err);
+    /* Finding what is similar to each neighbourhood of the exemplar takes as long as comparing so many with all. */
+    const double searches = (double)hatch_volume_count(&level->volume) * HATCH_AXES * level->iterations;
+    const bool similar = searches > (double)level->exemplar.across * level->exemplar.down;
+    enum hatch_status status = hatch_features_make(&level->exemplar, similar, synthesis->pool, synthesis->scratch,
+                                                   synthesis->scratch, &features, err);
     if (status == HATCH_OK)
         status = iterate(synthesis, which, &features, err);
     hatch_arena_rewind(synthesis->scratch, mark);

@@ -24,9 +24,9 @@ struct hatch_search {
     const struct hatch_volume *volume;
     const float *prices; /* [HATCH_CELLS]: a match costs its squared distance times this */
     bool exhaustive;     /* all neighbourhoods are compared, pixel by pixel */
-    bool scan;           /* the features of all neighbourhoods are compared */
-    bool backwards;      /* the order of the texels in a slice */
-    uint64_t key;        /* of random numbers, new for each search */
+    bool scan; /* the features of all neighbourhoods are compared; must be set where features have no similar ones */
+    bool backwards; /* the order of the texels in a slice */
+    uint64_t key;   /* of random numbers, new for each search */
 };
 
 /* Searches the cheapest match of each texel and axis, and puts it into the volume. Without exhaustive and scan, a texel

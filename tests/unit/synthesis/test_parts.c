@@ -100,7 +100,7 @@ START_TEST(features_keep_distances)
         struct hatch_features features;
         int16_t values[HATCH_EXEMPLAR_VALUES_MAX + 16] = {0}, feature[HATCH_FEATURES];
         HATCH_TEST_OK(hatch_exemplar_make(&image, side, &keep, &exemplar, &err), &err);
-        HATCH_TEST_OK(hatch_features_make(&exemplar, NULL, &keep, &scratch, &features, &err), &err);
+        HATCH_TEST_OK(hatch_features_make(&exemplar, true, NULL, &keep, &scratch, &features, &err), &err);
         for (uint32_t i = 0; i < side * side; i++)
             values[i] = (int16_t)(hatch_random_u64(side, 1, i) % 256 - 128);
         hatch_features_project(&features, values, feature);
@@ -127,7 +127,7 @@ START_TEST(similar_neighbourhoods_of_a_periodic_exemplar_are_equal_ones)
     for (uint32_t i = 0; i < 1600; i++)
         image.pixels[i] = image.pixels[i / 40 % 10 * 40 + i % 10];
     HATCH_TEST_OK(hatch_exemplar_make(&image, 6, &keep, &exemplar, &err), &err);
-    HATCH_TEST_OK(hatch_features_make(&exemplar, NULL, &keep, &scratch, &features, &err), &err);
+    HATCH_TEST_OK(hatch_features_make(&exemplar, true, NULL, &keep, &scratch, &features, &err), &err);
     for (uint32_t i = 0; i < exemplar.across * exemplar.down; i++)
         for (uint32_t k = 0; k < HATCH_FEATURES_SIMILAR; k++) {
             uint32_t similar = features.similar[i * HATCH_FEATURES_SIMILAR + k];
