@@ -27,27 +27,6 @@ static void make_shape(enum hatch_shape shape, uint32_t faces)
     mesh = frame_shape(&frame, shape, faces);
 }
 
-/* Computes a point of a face and the normal of the face.
- *   share  barycentric coordinates */
-static void face_point(uint32_t face, const double share[3], double point[3], double normal[3])
-{
-    double corner[3][3];
-    ck_assert(hatch_mesh_corners(&mesh, face, corner));
-    for (int k = 0; k < 3; k++)
-        point[k] = share[0] * corner[0][k] + share[1] * corner[1][k] + share[2] * corner[2][k];
-    hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
-    hatch_vec_normalize(normal);
-}
-
-/* Computes the direction to the eye: the normal rotated by an angle. */
-static void lean(const double normal[3], double tilt, double back[3])
-{
-    double side[3];
-    hatch_vec_any_orthogonal(normal, side);
-    for (int k = 0; k < 3; k++)
-        back[k] = cos(tilt) * normal[k] + sin(tilt) * side[k];
-}
-
 static void check_places(const struct hatch_view *view, double pixels, uint32_t wrong)
 {
     struct zoom_error error = zoom_measure(&frame, view, WIDTH, HEIGHT, 5);
@@ -91,8 +70,8 @@ START_TEST(strokes_keep_their_places_over_forty_octaves)
     double point[3], normal[3], back[3];
     make_shape(surfaces[_i].shape, surfaces[_i].faces);
     begin_mesh(surfaces[_i].bounds);
-    face_point(surfaces[_i].face, surfaces[_i].share, point, normal);
-    lean(normal, surfaces[_i].tilt, back);
+    zoom_face_point(&mesh, surfaces[_i].face, surfaces[_i].share, point, normal);
+    zoom_lean(normal, surfaces[_i].tilt, back);
     for (size_t i = 0; i < sizeof octaves / sizeof *octaves; i++) {
         struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - octaves[i]), (double)WIDTH / HEIGHT);
         check_places(&view, 0.05, 1);
@@ -116,8 +95,8 @@ START_TEST(strokes_keep_their_places_at_large_texture_coordinates)
     for (size_t i = 0; i < 2 * (size_t)mesh.vertex_count; i++)
         texcoord[i] = (texcoord[i] - 0.3f) * (_i ? 0x1p40f : 1000.0f) + (_i ? 0 : 5e4f);
     begin_mesh(&odd_bounds);
-    face_point(90, (const double[3]){0.3, 0.3, 0.4}, point, normal);
-    lean(normal, 0.6, back);
+    zoom_face_point(&mesh, 90, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    zoom_lean(normal, 0.6, back);
     for (int octave = 0; octave <= 42; octave += 6) {
         struct hatch_view view = zoomed_view(&frame, point, back, exp2(1 - octave), (double)WIDTH / HEIGHT);
         check_places(&view, 0.05, 0);
@@ -131,8 +110,8 @@ START_TEST(strokes_keep_their_places_in_orthographic_views)
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&odd_bounds);
-    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
-    lean(normal, 0.6, back);
+    zoom_face_point(&mesh, 300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    zoom_lean(normal, 0.6, back);
     for (int octave = 0; octave <= 40; octave += 5) {
         struct hatch_view view = zoomed_view(&frame, point, back, 3, (double)WIDTH / HEIGHT);
         view.orthographic = true;
@@ -151,9 +130,9 @@ START_TEST(a_camera_on_the_surface_needs_few_pieces)
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&frame_unit);
-    face_point(300, shares[_i % 3], point, normal);
+    zoom_face_point(&mesh, 300, shares[_i % 3], point, normal);
     for (int turn = 0; turn < 6; turn++) {
-        lean(normal, 0.3 + turn * 3.14159265358979324 / 6, back);
+        zoom_lean(normal, 0.3 + turn * 3.14159265358979324 / 6, back);
         struct hatch_view view = zoomed_view(&frame, point, back, 1, (double)WIDTH / HEIGHT);
         for (int k = 0; k < 3; k++) {
             view.eye[k] = point[k];
@@ -173,9 +152,9 @@ START_TEST(pieces_leave_no_gaps)
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_PLANE, _i ? 2000 : 50);
     begin_mesh(&odd_bounds);
-    face_point(_i ? 1000 : 24, (const double[3]){0.45, 0.45, 0.1}, point, normal);
+    zoom_face_point(&mesh, _i ? 1000 : 24, (const double[3]){0.45, 0.45, 0.1}, point, normal);
     for (int side = 0; side < 2; side++) {
-        lean(normal, side ? 3.14159265358979324 - 1.1 : 1.1, back);
+        zoom_lean(normal, side ? 3.14159265358979324 - 1.1 : 1.1, back);
         for (double octave = 5; octave <= 42; octave += 2.3) {
             struct hatch_view view = zoomed_view(&frame, point, back, exp2(-octave), (double)WIDTH / HEIGHT);
             ck_assert_uint_eq(bare_pixels(&view), 0);
@@ -190,8 +169,8 @@ START_TEST(tiled_and_whole_pictures_are_equal)
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&frame_unit);
-    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
-    lean(normal, 0.6, back);
+    zoom_face_point(&mesh, 300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    zoom_lean(normal, 0.6, back);
     struct hatch_view view = zoomed_view(&frame, point, back, 0x1p-30, (double)WIDTH / HEIGHT);
     struct hatch_image pictures[2];
     struct canvas canvas;
@@ -213,8 +192,8 @@ static struct hatch_view begin_torus(double distance)
     double point[3], normal[3], back[3];
     make_shape(HATCH_SHAPE_TORUS, 1000);
     begin_mesh(&odd_bounds);
-    face_point(300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
-    lean(normal, 0.6, back);
+    zoom_face_point(&mesh, 300, (const double[3]){0.3, 0.3, 0.4}, point, normal);
+    zoom_lean(normal, 0.6, back);
     return zoomed_view(&frame, point, back, distance, (double)WIDTH / HEIGHT);
 }
 

@@ -74,6 +74,26 @@ START_TEST(a_cycles_end_is_not_seen)
 }
 END_TEST
 
+/* The camera moves sideways by eight pixels and nearer by a 64th of an octave. Pixels are moved as the surface is; a
+ * paper that stays with the screen, with the same values, does not follow. */
+START_TEST(the_texture_moves_with_the_surface)
+{
+    double textured = 0, papered = 0, point[3] = {0.1, 0.2, 0};
+    solid_use(&frame, &solid, (enum hatch_zoom_blend)_i, PERIOD_PX);
+    for (int t = 0; t < 8; t++) {
+        double octave = 6.15 + t / 8.0;
+        double pixel = facing_draw_at(&frame, point, octave, values[0]);
+        const double moved[3] = {point[0] + 8 * pixel, point[1] + 3 * pixel, 0};
+        double scale = facing_draw_at(&frame, moved, octave + 1 / 64.0, values[1]) / pixel;
+        double middle = 0.5 * (FACING_SIZE - 1) * (1 - scale);
+        const double shift[2] = {8 + middle, 3 + middle};
+        textured += facing_moved_change(values[0], values[1], scale, shift);
+        papered += facing_moved_change(values[0], values[0], scale, shift);
+    }
+    ck_assert_double_lt(5 * textured, papered);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("solid zoom");
@@ -82,6 +102,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, the_dominant_frequency_stays_within_an_octave, 0, 3);
     tcase_add_loop_test(tests, the_mean_stays, 0, 3);
     tcase_add_loop_test(tests, a_cycles_end_is_not_seen, 0, 3);
+    tcase_add_loop_test(tests, the_texture_moves_with_the_surface, 0, 3);
     suite_add_tcase(suite, tests);
     return suite;
 }

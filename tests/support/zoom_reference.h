@@ -47,18 +47,37 @@ static inline struct hatch_view zoomed_view(struct test_frame *frame, const doub
     return view;
 }
 
-static inline void zoom_corners(struct test_frame *frame, const struct hatch_view *view, struct zoom_corner *corners)
+/* Computes a point of a face and the normal of the face.
+ *   share  barycentric coordinates */
+static inline void zoom_face_point(const struct hatch_mesh *mesh, uint32_t face, const double share[3], double point[3],
+                                   double normal[3])
 {
-    const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
+    double corner[3][3];
+    ck_assert(hatch_mesh_corners(mesh, face, corner));
+    for (int k = 0; k < 3; k++)
+        point[k] = share[0] * corner[0][k] + share[1] * corner[1][k] + share[2] * corner[2][k];
+    hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
+    hatch_vec_normalize(normal);
+}
+
+/* Computes the direction to the eye: the normal rotated by an angle. */
+static inline void zoom_lean(const double normal[3], double tilt, double back[3])
+{
+    double side[3];
+    hatch_vec_any_orthogonal(normal, side);
+    for (int k = 0; k < 3; k++)
+        back[k] = cos(tilt) * normal[k] + sin(tilt) * side[k];
+}
+
+/* Computes the positions of vertices in camera coordinates. */
+static inline void zoom_positions(struct test_frame *frame, const struct hatch_view *view, struct zoom_corner *corners)
+{
     const struct hatch_item *item = &frame->on_gpu.unit.items[0];
-    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     const double *axes[3] = {view->right, view->up, view->back};
-    size_t count = mesh->vertex_count;
+    size_t count = frame->scene.meshes[0].mesh.vertex_count;
     struct hatch_arena_mark mark = hatch_arena_mark(&frame->args.scratch);
     double *world = HATCH_NEW(&frame->args.scratch, double, 3 * count, &frame->err);
-    float *spans = HATCH_NEW(&frame->args.scratch, float, 6 * count, &frame->err);
     hatch_pose_vertices(&frame->on_gpu.unit.pose, item->node, 0, world, NULL);
-    gpu_buffer_read(frame->on_gpu.items[0].uv_tangents, spans, 6 * sizeof *spans * count);
     for (size_t v = 0; v < count; v++) {
         struct hatch_pair from[3];
         for (int k = 0; k < 3; k++) {
@@ -67,6 +86,21 @@ static inline void zoom_corners(struct test_frame *frame, const struct hatch_vie
         }
         for (int k = 0; k < 3; k++)
             corners[v].at[k] = hatch_pair_dot(from, axes[k]);
+    }
+    hatch_arena_rewind(&frame->args.scratch, mark);
+}
+
+static inline void zoom_corners(struct test_frame *frame, const struct hatch_view *view, struct zoom_corner *corners)
+{
+    const struct hatch_mesh *mesh = &frame->scene.meshes[0].mesh;
+    const struct hatch_item *item = &frame->on_gpu.unit.items[0];
+    const float *texcoord = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    size_t count = mesh->vertex_count;
+    zoom_positions(frame, view, corners);
+    struct hatch_arena_mark mark = hatch_arena_mark(&frame->args.scratch);
+    float *spans = HATCH_NEW(&frame->args.scratch, float, 6 * count, &frame->err);
+    gpu_buffer_read(frame->on_gpu.items[0].uv_tangents, spans, 6 * sizeof *spans * count);
+    for (size_t v = 0; v < count; v++) {
         for (size_t k = 0; k < 2; k++)
             corners[v].uv[k] = hatch_pair_product((double)texcoord[2 * v + k], (double)item->repeat[k]);
         for (size_t k = 0; k < 6;
