@@ -35,6 +35,7 @@ runs() {
         if (file !~ /\.json$/) return
         add("tamgen --size 64 --style IN -o OUT.exr", "ERR", "-", "-")
         add("tamgen --size 64 --palette IN -o OUT.exr", "ERR", "-", "-")
+        add("solidgen --size 8 --style IN -o OUT.ktx2", "ERR", "-", "-")
     }
     NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next}
     {

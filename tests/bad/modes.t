@@ -73,6 +73,7 @@ text_modes() {
     for option in style palette replay; do
         echo "tamgen --size 64 --tones 1 --$option IN -o OUT.exr"
     done
+    echo "solidgen --size 8 --style IN -o OUT.ktx2"
     echo "hatchstat seeds IN -o OUT.tsv"
     echo "hatchstat tam $PWD/map.exr --strokes IN -o OUT.tsv"
     echo "dirfield $PWD/plane.glb --constraints IN -o OUT.glb"

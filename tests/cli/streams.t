@@ -47,6 +47,7 @@ endless tamthresh
 endless tamgen --size 64 --replay
 endless tamgen --size 64 --style
 endless tamgen --size 64 --palette
+endless solidgen --size 8 --style
 endless tamgen --size 64 --brush
 endless render-gl mesh.glb --technique rptam --seeds
 endless render-gl mesh.glb --technique rptam --layers

@@ -37,6 +37,7 @@ touch model.glb
 is "bash completes a file after a subject" "$(bash ask.bash "$here" hatchstat mesh mod)" "model.glb "
 is "bash completes a style" "$(bash ask.bash "$here" tamgen --style ch)" "chalk charcoal "
 is "bash completes a palette" "$(bash ask.bash "$here" tamgen --palette s)" "sea "
+is "bash completes a style of solid textures" "$(bash ask.bash "$here" solidgen --style st)" "stipple strokes "
 is "bash completes the style of rptam" "$(bash ask.bash "$here" render-gl --style pen)" "pencil "
 is "bash completes a colour" "$(bash ask.bash "$here" render-gl --ink b)" "black blue "
 is "bash completes a kind of line" "$(bash ask.bash "$here" render-gl --lines cr)" "creases "
@@ -76,6 +77,10 @@ if [ -x "$here/bin/tamgen" ]; then
         name=$(basename "$style" .style)
         ok "tamgen --style $name finds the installed style" \
             tamgen --size 64 --tones 2 --levels 1 --style "$name" -o "$name.exr"
+    done
+    for style in "$TOP"/styles/*.solid; do
+        name=$(basename "$style" .solid)
+        ok "solidgen --style $name finds the installed style" solidgen --size 8 --style "$name" -o "$name.ktx2"
     done
 fi
 chmod -R u+w "$here"
