@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "image/color.h"
 #include "io/foreign/foreign.h"
@@ -10,6 +11,10 @@
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
+#include "shared/style.h"
+#include "solid/make.h"
+
+#define STYLE_SIZE 64 /* texels along a side of the texture of a style */
 
 static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)
 {
@@ -27,6 +32,18 @@ static void read_one(struct cmd_args *args, const char *path, struct hatch_solid
     cmd_check(hatch_solid_take(&texels, &args->keep, solid, &err), name, &err);
 }
 
+/* Makes the texture of an installed style. */
+static void make_style(struct cmd_args *args, const char *name, struct hatch_solid *solid)
+{
+    struct hatch_solid_style style;
+    struct hatch_err err;
+    const char *path = cmd_find_style(args, name, "solid");
+    hatch_solid_style_default(&style);
+    cmd_check(hatch_solid_style_parse(cmd_read(args, path), &style, &err), path, &err);
+    const struct hatch_solid_options how = {.style = &style, .size = STYLE_SIZE, .seed = 1, .pool = cmd_pool(args)};
+    cmd_check(hatch_solid_from_style(&how, &args->keep, &args->scratch, solid, &err), name, &err);
+}
+
 void solid_files_read(struct cmd_args *args, const char *paths, struct solid_files *files)
 {
     struct hatch_err err;
@@ -41,7 +58,10 @@ void solid_files_read(struct cmd_args *args, const char *paths, struct solid_fil
         const char *path = hatch_arena_text(&args->keep, at, length, &err);
         cmd_check(path ? HATCH_OK : HATCH_LIMIT, NULL, &err);
         struct hatch_solid *solid = &files->solids[files->count++];
-        read_one(args, path, solid);
+        if (strpbrk(path, "/.") || strcmp(path, "-") == 0 || access(path, F_OK) == 0)
+            read_one(args, path, solid);
+        else
+            make_style(args, path, solid);
         if (files->count > 1 && files->flat != (solid->depth == 1))
             cmd_usage("--solid: %s is %s, the others are not", path, solid->depth == 1 ? "flat" : "a solid texture");
         files->flat = solid->depth == 1;

@@ -40,8 +40,6 @@ static void read_inks(struct solid_block *block)
 static void read_files(struct technique_context *context, struct technique_instance *instance)
 {
     struct solid_state *state = instance->state;
-    if (!solid_options.files)
-        cmd_usage("--technique solid needs --solid FILE: solidgen makes solid textures");
     solid_files_read(context->args, solid_options.files, &state->files);
     read_inks(&state->block);
     state->shading = solid_look_shading(look(), state->files.flat);

@@ -15,7 +15,7 @@ strokegen -q --levels 6 teapot.glb -o teapot.strokes.glb
 # draw OPTION ...: draws with $technique and $asset and prints the mean darkness
 draw() {
     # shellcheck disable=SC2086 # the options are words
-    render-gl -q -t "$technique" ${asset:+-T $asset} --lines none -o picture.exr "$@" &&
+    render-gl -q -t "$technique" ${asset:+-T $asset} $options --lines none -o picture.exr "$@" &&
         hatchstat frames picture.exr picture.exr | awk 'NR == 2 {print 1 - $2}'
 }
 # The square fills the picture, and strokes, whose ends taper, end outside of it.
@@ -52,7 +52,7 @@ columns=".16666667 .5 .83333333" # tones of columns of the map
 between=".04 .25 .6 .9"
 # shellcheck disable=SC2086 # tones are words
 for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gsub(",", " ", $7); print $7}'); do
-    asset='' strokes=
+    asset='' strokes='' options=
     case $technique in
     gouraud) # the tone itself, stored as half floats
         squares .001 .001 $ends $columns $between
@@ -102,6 +102,11 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         asset=thresholds.ktx2
         squares .2 0.001 $ends $columns $between
         lit .06 0
+        ;;
+    solid) # binary: ranks cover what the tone asks for
+        options="--solid perlin --look binary"
+        squares .01 .01 $ends $columns $between
+        lit .01 .01
         ;;
     traced) # the response of the style corrects what strokes leave out and cover twice
         strokes=yes

@@ -1,7 +1,8 @@
 /* Options of the technique solid. */
 #include "render-gl/technique/solid/solid.h"
 
-struct solid_options solid_options = {.blend = HATCH_ZOOM_HISTOGRAM,
+struct solid_options solid_options = {.files = "paper",
+                                      .blend = HATCH_ZOOM_HISTOGRAM,
                                       .grain = 1,
                                       .bands = 5,
                                       .wobble_px = 3,
@@ -15,7 +16,7 @@ static const char *const blends[] = {"linear", "contrast", "histogram", NULL}; /
 
 const struct cmd_option solid_option_table[] = {
     {0, "solid", CMD_TEXT, 0, 0, "FILE",
-     "solid: texture of solidgen, or a picture; several with commas: one per material", &solid_options.files, NULL,
+     "solid: textures of solidgen, styles of it, or pictures, with commas (default paper)", &solid_options.files, NULL,
      NULL},
     {0, "look", CMD_CHOICE, 0, 0, "LOOK", "solid: plain, binary, watercolor or collage (default plain)",
      &solid_options.look, looks, NULL},
