@@ -59,8 +59,8 @@ done
 is "rooms of render-gl include only those above them in DEPS" "$bad" ""
 is "no file leads back to itself by includes" "$(perl tests/lint/circles.pl $(ours | grep -E '^(libhatch|cmd)/'))" ""
 
-# Beside its file, its shaders and the list, a technique is known by what it says of itself. Passes, messages and
-# mesh files may have the same words.
+# Beside its file, its shaders and the list, a technique is known by what it says of itself. Passes, messages, kinds of
+# styles and mesh files may have the same words.
 names=$(sed -n 's/^ *X(\([a-z_]*\)).*/\1/p' cmd/render-gl/technique/list.h)
 is "the list has techniques" "$(echo "$names" | grep -c .)" "$(grep -c '^const struct technique technique_' \
     cmd/render-gl/technique/*.c | awk -F: '{sum += $2} END {print sum - 1}')"
@@ -68,7 +68,7 @@ bad=""
 for name in $names; do
     dashed=$(echo "$name" | tr _ -)
     bad="$bad$(grep -rnE "technique_$name\\b|\"$dashed\"" cmd/render-gl libhatch |
-        grep -vE "^cmd/render-gl/technique/$name(_[a-z]*)?\.[ch]:|CMD_TEXT|\.name = |_end_pass\(|_check_memory\(|^libhatch/io/mesh/")"
+        grep -vE "^cmd/render-gl/technique/$name(_[a-z]*)?\.[ch]:|CMD_TEXT|\.name = |_end_pass\(|_check_memory\(|cmd_find_style\(|^libhatch/io/mesh/")"
     case $dashed in
     *-*) bad="$bad$(grep -rnE "(^|[^-a-z])$dashed([^-a-z]|\$)" cmd libhatch |
         grep -vE "^cmd/render-gl/(technique/$name\.c|shaders/)")" ;;

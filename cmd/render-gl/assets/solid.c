@@ -35,10 +35,9 @@ static void read_one(struct cmd_args *args, const char *path, struct hatch_solid
 /* Makes the texture of an installed style. */
 static void make_style(struct cmd_args *args, const char *name, struct hatch_solid *solid)
 {
-    struct hatch_solid_style style;
+    struct hatch_solid_style style = {.kind = HATCH_SOLID_NO_KIND};
     struct hatch_err err;
     const char *path = cmd_find_style(args, name, "solid");
-    hatch_solid_style_default(&style);
     cmd_check(hatch_solid_style_parse(cmd_read(args, path), &style, &err), path, &err);
     const struct hatch_solid_options how = {.style = &style, .size = STYLE_SIZE, .seed = 1, .pool = cmd_pool(args)};
     cmd_check(hatch_solid_from_style(&how, &args->keep, &args->scratch, solid, &err), name, &err);

@@ -104,8 +104,8 @@ ok "no texture: that of a style" $draw
 rm -f picture.png
 ok "textures of two styles" $draw --solid wood,canvas
 rm -f picture.png
-refuses "a style that does not exist" 2 2 "no style 'wod'; installed are canvas, crosshatch, marble, paper, perlin, stipple, strokes, \
-turbulence, wood, worley; perhaps wood" --solid wod
+refuses "a style that does not exist" 2 2 "solid: 'wod' is not one of canvas, crosshatch, marble, paper, perlin, stipple, strokes, \
+turbulence, wood, worley, and not a file; perhaps wood" --solid wod
 refuses "nine files" 2 2 "--solid: more than 8 files" --solid $many,$many,waves.ktx2
 for names in , waves.ktx2, ,waves.ktx2 waves.ktx2,,grey.ktx2; do
     refuses "an empty name in $names" 2 2 "--solid $names: an empty name" --solid $names

@@ -42,7 +42,7 @@ squares() {
 lit() {
     off "$technique $asset, a teapot" "$(teapot "${3:-1}")" "$(cat "lit.${3:-1}")" "$1" "$2"
 }
-technique=gouraud asset=
+technique=gouraud asset= options=
 for darkest in 1 .6; do
     teapot $darkest >lit.$darkest
 done
@@ -103,9 +103,9 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         squares .2 0.001 $ends $columns $between
         lit .06 0
         ;;
-    solid) # binary: ranks cover what the tone asks for
-        options="--solid perlin --look binary"
-        squares .01 .01 $ends $columns $between
+    solid) # binary: ranks cover what the tone asks for in space, a plane is a sample of it
+        options="--solid stipple --look binary"
+        squares .02 .02 $ends $columns $between
         lit .01 .01
         ;;
     traced) # the response of the style corrects what strokes leave out and cover twice
