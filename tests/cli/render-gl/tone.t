@@ -105,7 +105,7 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         ;;
     solid) # binary: ranks cover what the tone asks for in space, a plane is a sample of it
         options="--solid stipple --look binary"
-        squares .02 .02 $ends $columns $between
+        squares .03 .02 $ends $columns $between
         lit .01 .01
         ;;
     traced) # the response of the style corrects what strokes leave out and cover twice
