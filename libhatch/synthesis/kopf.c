@@ -37,6 +37,7 @@ struct synthesis {
     struct hatch_blend_tables tables;
     const struct hatch_progress *progress;
     double work_done, work_total; /* texels times iterations */
+    double energy;
 };
 
 static enum hatch_status make_level(struct synthesis *synthesis, uint32_t which, uint32_t side,
@@ -73,25 +74,39 @@ static enum hatch_status make_level(struct synthesis *synthesis, uint32_t which,
     return HATCH_OK;
 }
 
+static struct hatch_search search_of(const struct synthesis *synthesis, uint32_t which,
+                                     const struct hatch_features *features, uint32_t iteration)
+{
+    const struct level *level = &synthesis->levels[which];
+    const bool coarsest = which + 1 == synthesis->level_count;
+    return (struct hatch_search){
+        .exemplar = &level->exemplar,
+        .features = features,
+        .volume = &level->volume,
+        .prices = synthesis->prices,
+        .exhaustive = synthesis->options->exhaustive,
+        .scan = !features->similar || (coarsest && iteration < SCANS),
+        .backwards = iteration % 2,
+        .key = hatch_random_key(synthesis->options->seed, (uint64_t)which * STREAMS + iteration + 1)};
+}
+
+static void reset_prices(struct synthesis *synthesis)
+{
+    for (uint32_t i = 0; i < HATCH_CELLS; i++)
+        synthesis->prices[i] = 1;
+}
+
 static enum hatch_status iterate(struct synthesis *synthesis, uint32_t which, const struct hatch_features *features,
                                  struct hatch_err *err)
 {
     struct level *level = &synthesis->levels[which];
-    const bool coarsest = which + 1 == synthesis->level_count;
+    reset_prices(synthesis);
     for (uint32_t i = 0; i < level->iterations; i++) {
-        const struct hatch_search search = {
-            .exemplar = &level->exemplar,
-            .features = features,
-            .volume = &level->volume,
-            .prices = synthesis->prices,
-            .exhaustive = synthesis->options->exhaustive,
-            .scan = !features->similar || (coarsest && i < SCANS),
-            .backwards = i % 2,
-            .key = hatch_random_key(synthesis->options->seed, (uint64_t)which * STREAMS + i + 1)};
+        const struct hatch_search search = search_of(synthesis, which, features, i);
         const double share = level->iterations > 1 ? (double)i / (level->iterations - 1) : 1;
         const double tolerance = exp2(TOLERANCE_FIRST + (TOLERANCE_LAST - TOLERANCE_FIRST) * share);
         /* The matches of the coarser level are the first ones of this one. */
-        if (i > 0 || coarsest)
+        if (i > 0 || which + 1 == synthesis->level_count)
             HATCH_TRY(hatch_search_run(&search, synthesis->pool, synthesis->scratch, err));
         hatch_search_price(&level->volume, &level->exemplar, synthesis->counts, synthesis->prices);
         hatch_blend_run(&level->volume, &level->exemplar, (uint32_t)(tolerance + 0.5), synthesis->pool,
@@ -102,13 +117,23 @@ static enum hatch_status iterate(struct synthesis *synthesis, uint32_t which, co
     return HATCH_OK;
 }
 
+/* Measures the energy of the finest level: of matches to its last texels, at equal prices. */
+static enum hatch_status measure(struct synthesis *synthesis, const struct hatch_features *features,
+                                 struct hatch_err *err)
+{
+    const struct level *finest = &synthesis->levels[0];
+    const struct hatch_search search = search_of(synthesis, 0, features, finest->iterations);
+    reset_prices(synthesis);
+    HATCH_TRY(hatch_search_run(&search, synthesis->pool, synthesis->scratch, err));
+    return hatch_volume_energy(&finest->volume, &finest->exemplar, synthesis->pool, synthesis->scratch,
+                               &synthesis->energy, err);
+}
+
 static enum hatch_status fill_level(struct synthesis *synthesis, uint32_t which, struct hatch_err *err)
 {
     struct level *level = &synthesis->levels[which];
     struct hatch_features features;
     struct hatch_arena_mark mark = hatch_arena_mark(synthesis->scratch);
-    for (uint32_t i = 0; i < HATCH_CELLS; i++)
-        synthesis->prices[i] = 1;
     if (which + 1 == synthesis->level_count)
         hatch_volume_randomize(&level->volume, &level->exemplar, hatch_random_key(synthesis->options->seed, 0));
     else
@@ -120,6 +145,8 @@ static enum hatch_status fill_level(struct synthesis *synthesis, uint32_t which,
                                                    synthesis->scratch, &features, err);
     if (status == HATCH_OK)
         status = iterate(synthesis, which, &features, err);
+    if (status == HATCH_OK && which == 0)
+        status = measure(synthesis, &features, err);
     hatch_arena_rewind(synthesis->scratch, mark);
     return status;
 }
@@ -160,8 +187,8 @@ static enum hatch_status fill(struct synthesis *synthesis, const struct hatch_im
     const struct hatch_volume *finest = &synthesis->levels[0].volume;
     if (finest->texels != solid->texels)
         memcpy(solid->texels, finest->texels, hatch_volume_count(finest) * finest->channels);
-    return hatch_volume_energy(finest, &synthesis->levels[0].exemplar, synthesis->pool, synthesis->scratch,
-                               &figures->energy, err);
+    figures->energy = synthesis->energy;
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_kopf_fill(const struct hatch_image *exemplar, const struct hatch_synthesis_options *options,

@@ -47,9 +47,9 @@ printf 'method\texemplar\tsize\taxes\tneighborhood\titerations\tseconds\tseconds
 printf '\tenergy\thistogram\tneighborhood_distance\n'
 # row RUNS METHOD EXEMPLAR SIZE AXES NEIGHBOURHOOD ITERATIONS [OPTION]: METHOD is kopf, pyramid or exhaustive
 row() {
-    runs=$1 method=$2 exemplar=$work/$3 size=$4 axes=$5 side=$6 iterations=$7
+    runs=$1 method=$2 picture=$work/$3 size=$4 axes=$5 side=$6 iterations=$7
     printf '%s\t' "$method" "${3%.*}" "$size" "$axes" "$side" "$iterations"
-    set -- solidgen --exemplar "$exemplar" --size "$size" --iterations "$iterations" -o "$work/solid.ktx2"
+    set -- solidgen --exemplar "$picture" --size "$size" --iterations "$iterations" -o "$work/solid.ktx2"
     case $method in
     kopf) set -- "$@" --neighborhood "$side" --axes "$axes" ;;
     exhaustive) set -- "$@" --neighborhood "$side" --axes "$axes" --exhaustive ;;
@@ -57,7 +57,7 @@ row() {
     esac
     "$MEASURE" "$runs" "$@" --seed @ -v 2>"$work/said" | tr '\n' '\t'
     awk '/difference/ {sum += $NF; n++} END {if (n) printf "%.5f\t", sum / n; else printf "nan\t"}' "$work/said"
-    hatchstat solid "$work/solid.ktx2" --reference "$exemplar" | awk -F'\t' 'NR == 2 {printf "%.5f\t%.5f\n", $14, $18}'
+    hatchstat solid "$work/solid.ktx2" --reference "$picture" | awk -F'\t' 'NR == 2 {printf "%.5f\t%.5f\n", $14, $18}'
 }
 for size in 8 16 32 64 128; do
     runs=$RUNS
@@ -77,6 +77,6 @@ for exemplar in cells.png bricks.png strokes.png; do
         row $RUNS kopf $exemplar 32 xyz 8 $iterations
     done
     row $RUNS pyramid $exemplar 32 xyz 0 8
-    row $RUNS kopf $exemplar 16 xyz 8 3
-    row $RUNS exhaustive $exemplar 16 xyz 8 3
+    row 1 kopf $exemplar 8 xyz 8 8
+    row 1 exhaustive $exemplar 8 xyz 8 8
 done
