@@ -84,7 +84,7 @@ hatchstat --options-table | awk -F'\t' '$8 == "own" {
     subjects = $11
     sub(/^SUBJECT=/, "", subjects)
     sub(/ .*/, "", subjects)
-    if ($2 == "reference") { part[1] = "field,ink,tones" } # its help tells what each subject reads
+    if ($2 == "reference") { part[1] = "field,ink,solid,tones" } # its help tells what each subject reads
     if (part[1] != subjects) print $2 ": " part[1] " in the help, " subjects " in the table"
 }' >differing
 is "the help of hatchstat names the subjects of each option" "$(cat differing)" ""
@@ -98,7 +98,7 @@ says() {
     grep -qF -e "$text" .err
     is "$name: the message contains '$text'" $? 0
 }
-says "a reference for meshes" "mesh: --reference is for field, ink and tones" hatchstat mesh m --reference x
+says "a reference for meshes" "mesh: --reference is for field, ink, solid and tones" hatchstat mesh m --reference x
 says "search steps without a search" "--max-nodes needs --method backtrack" seedgen --max-nodes 200000000
 says "a map for strokes without one" "--tam needs --technique tam, tam-flat" render-gl m -t rptam --tam x
 says "a report that is not written" "--json needs --report" dirfield --json

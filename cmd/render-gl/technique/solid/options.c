@@ -16,9 +16,9 @@ static const char *const blends[] = {"linear", "contrast", "histogram", NULL}; /
 
 const struct cmd_option solid_option_table[] = {
     {0, "solid", CMD_TEXT, 0, 0, "FILE",
-     "solid: textures of solidgen, styles of it, or pictures, with commas (default paper)", &solid_options.files, NULL,
+     "+solid: textures of solidgen, styles of it, or pictures, with commas (default paper)", &solid_options.files, NULL,
      NULL},
-    {0, "look", CMD_CHOICE, 0, 0, "LOOK", "solid: plain, binary, watercolor or collage (default plain)",
+    {0, "look", CMD_CHOICE, 0, 0, "LOOK", "+solid: plain, binary, watercolor or collage (default plain)",
      &solid_options.look, looks, NULL},
     {0, "inks", CMD_TEXT, 0, 0, "COLORS", "+solid: inks of the materials in turn: colours with commas (default: --ink)",
      &solid_options.inks, NULL, NULL},
