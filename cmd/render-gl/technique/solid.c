@@ -116,7 +116,7 @@ static void set_block(const struct frame *frame, struct solid_state *state)
     const float marks[4] = {(float)solid_options.grain, (float)(solid_options.wobble_px * side),
                             (float)solid_options.dry, (float)solid_options.darkening};
     state->block.zoom[0] = (float)log2(form.period_px / unit_px);
-    state->block.zoom[1] = (float)(form.period_px * side);
+    state->block.zoom[1] = (float)form.period_px;
     state->block.zoom[2] = (float)log2(form.period_px);
     state->block.edges[0] = (float)solid_options.bands;
     state->block.edges[2] = (float)solid_options.paper_grain;

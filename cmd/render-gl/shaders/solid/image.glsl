@@ -2,7 +2,7 @@
 #include "frame/frame.glsl"
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
-    vec4 zoom; // y: samples along a period of the paper
+    vec4 zoom; // y: pixels along a period of the paper
     vec4 marks;
     vec4 edges;
 };
@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
 layout(binding = UNIT_SOLIDS) uniform sampler3D paper_octaves;
 layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D wash;
 layout(binding = UNIT_TECHNIQUE + 2) uniform sampler2D grain;
-layout(binding = UNIT_TECHNIQUE + 3) uniform sampler2D blurred;
+layout(binding = UNIT_TECHNIQUE + 3) uniform sampler2D blurred; // or the painted pixels
 layout(binding = UNIT_TECHNIQUE + 4) uniform sampler2D depths;
 layout(binding = UNIT_TONES) uniform sampler2D colors; // of inks
 
@@ -19,9 +19,15 @@ ivec2 inside(vec2 at)
     return clamp(ivec2(at), ivec2(0), textureSize(depths, 0) - 1);
 }
 
-// Returns the height of the paper behind the scene, -1 .. 1.
+// Returns the number of samples along a pixel's side.
+int side_samples()
+{
+    return int(sqrt(curve.w) + 0.5);
+}
+
+// Returns the height of the paper behind the scene, -1 .. 1. at: in pixels of the tile
 float paper_height(vec2 at, float depth)
 {
-    vec3 place = vec3((at + viewport.zw * sqrt(curve.w)) / zoom.y, depth);
+    vec3 place = vec3((at + viewport.zw) / zoom.y, depth);
     return clamp(4.0 * (textureLod(paper_octaves, place, 0.0).r - 0.5), -1.0, 1.0);
 }

@@ -1,5 +1,6 @@
 /* The looks of solid textures: their passes over the items and over the image. */
 #include <math.h>
+#include <string.h>
 
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/texture.h"
@@ -30,15 +31,17 @@ struct frame_shading solid_look_shading(enum solid_look look, bool flat)
 /* A pass over the image. */
 struct pass {
     const char *name, *fragment;
-    GLenum outputs[2]; /* formats of its transient target; 0: it draws into the canvas */
+    GLenum outputs[3]; /* formats of its transient target; 0: it draws into the canvas */
+    bool pixels;       /* the target has texels for pixels; false: for samples */
 };
 
-enum { WASH, BLUR, WATERCOLOR, STRIPS, PASTE };
-static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F}},
-                                     [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}},
-                                     [WATERCOLOR] = {"paint", "solid/watercolor.frag", {0}},
-                                     [STRIPS] = {"borders", "solid/strips.frag", {GL_RGBA16F}},
-                                     [PASTE] = {"paste", "solid/paste.frag", {0}}};
+enum { WASH, BLUR, WATERCOLOR, SPREAD, STRIPS, PASTE };
+static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F, GL_RGBA16F}, true},
+                                     [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}, true},
+                                     [WATERCOLOR] = {"paint", "solid/watercolor.frag", {GL_RGBA16F}, true},
+                                     [SPREAD] = {"spread", "solid/spread.frag", {0}, false},
+                                     [STRIPS] = {"borders", "solid/strips.frag", {GL_RGBA16F}, false},
+                                     [PASTE] = {"paste", "solid/paste.frag", {0}, false}};
 
 static enum hatch_status program_of(struct frame *frame, const struct pass *pass, const struct gpu_program **program,
                                     struct hatch_err *err)
@@ -50,7 +53,7 @@ static enum hatch_status program_of(struct frame *frame, const struct pass *pass
 enum hatch_status solid_look_prepare(struct frame *frame, enum solid_look look, struct hatch_err *err)
 {
     static const int first[] = {[SOLID_WATERCOLOR] = WASH, [SOLID_COLLAGE] = STRIPS};
-    static const int last[] = {[SOLID_WATERCOLOR] = WATERCOLOR, [SOLID_COLLAGE] = PASTE};
+    static const int last[] = {[SOLID_WATERCOLOR] = SPREAD, [SOLID_COLLAGE] = PASTE};
     const struct gpu_program *program;
     for (int i = first[look]; (look == SOLID_WATERCOLOR || look == SOLID_COLLAGE) && i <= last[look]; i++)
         HATCH_TRY(program_of(frame, &passes[i], &program, err));
@@ -66,8 +69,9 @@ static enum hatch_status run(struct frame *frame, int which, const GLint along[2
 {
     const struct pass *pass = &passes[which];
     const struct gpu_target *canvas = &frame->request.canvas->samples;
-    const struct gpu_target_form form = {
-        .width = canvas->form.width, .height = canvas->form.height, .outputs = {pass->outputs[0], pass->outputs[1]}};
+    uint32_t side = pass->pixels ? frame->request.canvas->side : 1;
+    struct gpu_target_form form = {.width = canvas->form.width / side, .height = canvas->form.height / side};
+    memcpy(form.outputs, pass->outputs, sizeof pass->outputs);
     const struct gpu_program *program;
     *target = canvas;
     HATCH_TRY(program_of(frame, pass, &program, err));
@@ -124,14 +128,17 @@ static enum hatch_status draw_items(struct frame *frame, struct shaded_state *sh
 static enum hatch_status draw_watercolor(struct frame *frame, struct shaded_state *shaded,
                                          const struct frame_shading *shading, struct hatch_err *err)
 {
-    const struct gpu_target *marks, *wash, *blurred, *canvas;
+    const struct gpu_target *marks, *wash, *blurred, *painted, *canvas;
     HATCH_TRY(draw_items(frame, shaded, shading, &marks, err));
     HATCH_TRY(run(frame, WASH, NULL, 0, &wash, err));
-    HATCH_TRY(run_both(frame, BLUR, wash->outputs[0], EDGE_PX * frame->request.canvas->side, &blurred, err));
+    HATCH_TRY(run_both(frame, BLUR, wash->outputs[0], EDGE_PX, &blurred, err));
     gpu_texture_bind(UNIT_TECHNIQUE + 1, wash->outputs[0], 0);
     gpu_texture_bind(UNIT_TONES, wash->outputs[1], 0);
+    gpu_texture_bind(UNIT_TECHNIQUE + 2, wash->outputs[2], 0);
     gpu_texture_bind(UNIT_TECHNIQUE + 3, blurred->outputs[0], 0);
-    return run(frame, WATERCOLOR, NULL, 0, &canvas, err);
+    HATCH_TRY(run(frame, WATERCOLOR, NULL, 0, &painted, err));
+    gpu_texture_bind(UNIT_TECHNIQUE + 3, painted->outputs[0], 0);
+    return run(frame, SPREAD, NULL, 0, &canvas, err);
 }
 
 static enum hatch_status draw_collage(struct frame *frame, struct shaded_state *shaded,

@@ -30,7 +30,7 @@ extern const struct cmd_option solid_option_table[];
 
 /* The uniform block of the shaders (solid/zoom.glsl, solid/image.glsl). */
 struct solid_block {
-    float zoom[4];  /* binary logarithm of the period, in units of the scene at distance 1; samples along a period of
+    float zoom[4];  /* binary logarithm of the period, in units of the scene at distance 1; pixels along a period of
                        the paper behind the scene; binary logarithm of the period in pixels */
     float marks[4]; /* grain; wobble in samples; share that a dry brush skips; darkening of edges */
     float edges[4]; /* number of tones; number of inks; grain of the paper; unused */
