@@ -34,6 +34,13 @@ static float board(uint32_t x, uint32_t y, uint32_t c)
     return (x / 4 + y / 4) % 2 ? 0.8f : 0.2f;
 }
 
+/* Three colours whose channels mix in no order. */
+static float three_colors(uint32_t x, uint32_t y, uint32_t c)
+{
+    static const float colors[3][3] = {{0.2f, 0.8f, 0.4f}, {0.8f, 0.4f, 0.2f}, {0.4f, 0.2f, 0.8f}};
+    return colors[hatch_random_u64(5, 0, (uint64_t)(y / 4) * 64 + x / 4) % 3][c];
+}
+
 static float stripes(uint32_t x, uint32_t y, uint32_t c)
 {
     (void)y, (void)c;
@@ -94,6 +101,23 @@ START_TEST(a_checkerboard_keeps_its_values_and_its_histogram)
     HATCH_TEST_OK(hatch_measure_solid(&solid, &image, 200, NULL, &scratch, &measured, &err), &err);
     ck_assert_double_lt(measured.histogram, 0.05);
     ck_assert_double_lt(measured.neighborhood_all, 0.2);
+}
+END_TEST
+
+START_TEST(a_solid_has_the_colours_of_the_exemplar_only)
+{
+    struct hatch_synthesis_figures figures;
+    struct hatch_image image = picture(40, 40, "RGB", three_colors);
+    struct hatch_solid solid = make(
+        &image,
+        &(struct hatch_synthesis_options){.size = 16, .side = 6, .levels = 1, .iterations = 4, .axes = 7, .seed = 1},
+        &figures);
+    for (size_t t = 0; t < bytes_of(&solid); t += 3) {
+        const uint8_t *color = solid.texels + t;
+        ck_assert_uint_eq(color[0] + color[1] + color[2], 51 + 204 + 102);
+        ck_assert((color[0] == 51 && color[1] == 204) || (color[0] == 204 && color[1] == 102) ||
+                  (color[0] == 102 && color[1] == 51));
+    }
 }
 END_TEST
 
@@ -239,10 +263,8 @@ static void count_reports(void *context, double share)
     reported++;
 }
 
-/* Memory, and that none is tried for after work has begun. */
-START_TEST(memory_is_bounded_and_refused_before_work)
+START_TEST(memory_is_sixteen_times_the_solid_at_most)
 {
-    static const struct hatch_progress progress = {count_reports, NULL};
     for (uint32_t method = 0; method < 2; method++) {
         struct hatch_synthesis_options options = quick;
         struct hatch_synthesis_figures figures;
@@ -257,19 +279,33 @@ START_TEST(memory_is_bounded_and_refused_before_work)
         HATCH_TEST_OK(hatch_synthesis_make(&image, &options, NULL, NULL, &results, &temporary, &solid, &figures, &err),
                       &err);
         ck_assert_uint_le(results.peak_bytes + temporary.peak_bytes, 16 * bytes_of(&solid));
-        size_t needed = temporary.peak_bytes;
-        reported = 0;
-        enum hatch_status status = HATCH_LIMIT;
-        for (size_t limit = needed / 4; status == HATCH_LIMIT && limit < 2 * needed; limit += needed / 12) {
-            hatch_arena_free(&temporary);
-            hatch_arena_init(&temporary, limit);
-            ck_assert_uint_eq(reported, 0);
-            status =
-                hatch_synthesis_make(&image, &options, NULL, &progress, &results, &temporary, &solid, &figures, &err);
-        }
-        ck_assert_int_eq(status, HATCH_OK);
         hatch_arena_free(&temporary);
         hatch_arena_free(&results);
+    }
+}
+END_TEST
+
+START_TEST(too_much_memory_is_refused_before_work)
+{
+    static const struct hatch_progress progress = {count_reports, NULL};
+    for (uint32_t method = 0; method < 2; method++) {
+        struct hatch_synthesis_options options = quick;
+        struct hatch_synthesis_figures figures;
+        struct hatch_solid solid;
+        struct hatch_image image = picture(90, 90, "Y", blots);
+        enum hatch_status status = HATCH_LIMIT;
+        options.method = method ? HATCH_SYNTHESIS_PYRAMID : HATCH_SYNTHESIS_KOPF;
+        options.iterations = 1;
+        reported = 0;
+        for (size_t limit = 65536; status == HATCH_LIMIT; limit += 16384) {
+            struct hatch_arena temporary;
+            ck_assert_uint_eq(reported, 0);
+            hatch_arena_init(&temporary, limit);
+            status = hatch_synthesis_make(&image, &options, NULL, &progress, &keep, &temporary, &solid, &figures, &err);
+            hatch_arena_free(&temporary);
+        }
+        ck_assert_int_eq(status, HATCH_OK);
+        ck_assert_uint_gt(reported, 0);
     }
 }
 END_TEST
@@ -319,13 +355,15 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_constant_exemplar_makes_a_constant_solid);
     tcase_add_test(tests, a_checkerboard_keeps_its_values_and_its_histogram);
+    tcase_add_test(tests, a_solid_has_the_colours_of_the_exemplar_only);
     tcase_add_test(tests, stripes_show_along_two_axes);
     tcase_add_test(tests, both_methods_keep_the_histogram);
     tcase_add_test(tests, exemplars_of_all_sizes_make_solids);
     tcase_add_test(tests, the_fast_search_finds_what_the_exhaustive_one_finds);
     tcase_add_test(tests, threads_make_the_same_bytes_and_seeds_others);
     tcase_add_test(tests, progress_rises_to_the_end);
-    tcase_add_test(tests, memory_is_bounded_and_refused_before_work);
+    tcase_add_test(tests, memory_is_sixteen_times_the_solid_at_most);
+    tcase_add_test(tests, too_much_memory_is_refused_before_work);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
     return suite;
