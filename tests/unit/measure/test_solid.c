@@ -71,6 +71,12 @@ static float four_fifths(uint32_t x, uint32_t y, uint32_t c)
     return 0.8f;
 }
 
+static float nothing(uint32_t x, uint32_t y, uint32_t c)
+{
+    (void)x, (void)y, (void)c;
+    return 0;
+}
+
 static float board(uint32_t x, uint32_t y, uint32_t c)
 {
     (void)c;
@@ -93,6 +99,8 @@ START_TEST(a_constant_cube_has_no_steps_and_no_distance)
     figures = measure(&solid, &other);
     ck_assert_double_eq_tol(figures.histogram, 0.6, 1e-12);
     ck_assert_double_eq_tol(figures.neighborhood[1], 0.6, 1e-12);
+    struct hatch_image darker = picture(8, 8, "Y", nothing);
+    ck_assert_double_eq_tol(measure(&solid, &darker).histogram, 0.2, 1e-12);
     ck_assert_double_eq_tol(figures.neighborhood_all, 0.6, 1e-12);
 }
 END_TEST

@@ -176,6 +176,14 @@ START_TEST(matched_values_are_distributed_as_the_others)
     ck_assert_double_eq_tol(sum, 99.0 * 99 / 3, 20);
     hatch_grid_sort(&grid);
     ck_assert_float_eq_tol(grid.values[2048], 49.5f * 49.5f, 30);
+    for (uint32_t i = 0; i < 4096; i++)
+        grid.values[i] = hatch_random_unit(2, 0, i);
+    grid.values[0] = 1e5f; /* all others are in one bin */
+    hatch_grid_match(&grid, sorted, 100, NULL, ranks);
+    ck_assert_float_eq(grid.values[0], 99 * 99);
+    ck_assert_float_gt(grid.values[1], 0);
+    ck_assert(grid.values[1] < grid.values[2] || hatch_random_unit(2, 0, 1) >= hatch_random_unit(2, 0, 2));
+    ck_assert_float_ne(grid.values[1], grid.values[2]);
     hatch_grid_match(&grid, sorted + 7, 1, NULL, ranks);
     ck_assert_float_eq(grid.values[0], 49);
     hatch_grid_match(&grid, sorted, 100, NULL, ranks); /* all values are alike */
