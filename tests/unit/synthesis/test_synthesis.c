@@ -114,7 +114,7 @@ START_TEST(a_solid_has_the_colours_of_the_exemplar_only)
         &figures);
     for (size_t t = 0; t < bytes_of(&solid); t += 3) {
         const uint8_t *color = solid.texels + t;
-        ck_assert_uint_eq(color[0] + color[1] + color[2], 51 + 204 + 102);
+        ck_assert_int_eq(color[0] + color[1] + color[2], 51 + 204 + 102);
         ck_assert((color[0] == 51 && color[1] == 204) || (color[0] == 204 && color[1] == 102) ||
                   (color[0] == 102 && color[1] == 51));
     }
