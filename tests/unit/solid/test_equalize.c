@@ -88,7 +88,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("solid equalize");
     TCase *tests = tcase_create("equalize");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, each_byte_occurs_equally_often_in_the_order_of_the_values);
     tcase_add_test(tests, ties_are_broken_at_random);
     tcase_add_test(tests, threads_do_not_change_ranks);

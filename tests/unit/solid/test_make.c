@@ -215,7 +215,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("solid make");
     TCase *tests = tcase_create("make");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, textures_are_uniform, 0, SMOOTH);
     tcase_add_loop_test(tests, textures_continue_over_the_border, 0, SMOOTH);
     tcase_add_loop_test(tests, threads_do_not_change_textures_and_seeds_do, 0, SMOOTH);

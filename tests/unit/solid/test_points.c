@@ -152,7 +152,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("solid points");
     TCase *tests = tcase_create("points");
-    tcase_add_checked_fixture(tests, begin, end_rewound);
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, nearest_points_are_those_of_an_exhaustive_search);
     tcase_add_test(tests, each_cell_has_one_jittered_point);
     tcase_add_test(tests, spread_points_keep_their_distance);
