@@ -104,6 +104,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
         memset(&shaded->shader, 0, sizeof shaded->shader);
         memcpy(shaded->defines, defines, sizeof defines);
     }
+    HATCH_TRY(solid_look_prepare(context->frame, look(), err));
     return frame_shader_prepare(context->frame, &state->shading, shaded->defines, &shaded->shader, err);
 }
 

@@ -38,12 +38,13 @@ struct summing {
 static enum hatch_status make_octave(const struct hatch_texels *mips, uint32_t size, uint32_t index,
                                      struct hatch_arena *arena, struct octave *octave, struct hatch_err *err)
 {
-    static const float weights[] = {1.0f / 2, 1.0f / 3, 1.0f / 6};
+    double weights[HATCH_ZOOM_OCTAVES]; /* at the beginning of a cycle, where the first is 0 */
     uint32_t level = 0;
+    hatch_zoom_weights(0, weights);
     while (level + 1 < mips->level_count && ((mips->width >> level) << index) > size)
         level++;
     *octave = (struct octave){
-        mips->texels[level], mips->width >> level, mips->depth == 1, weights[index], {NULL, NULL, NULL}};
+        mips->texels[level], mips->width >> level, mips->depth == 1, (float)weights[index + 1], {NULL, NULL, NULL}};
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.first, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.second, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.share, size, err));
