@@ -191,7 +191,7 @@ START_TEST(mip_levels_are_means)
     ck_assert_ptr_eq(taken.texels, solid.texels);
     texture.depth = 8;
     ck_assert_int_eq(hatch_solid_take(&texture, &keep, &taken, &err), HATCH_BAD_INPUT);
-    ck_assert_str_eq(err.text, "16x16x8 texels, want a cube");
+    ck_assert_str_eq(err.text, "16x16x8 texels, want a cube or a square");
 }
 END_TEST
 
