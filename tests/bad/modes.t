@@ -34,6 +34,7 @@ mesh_modes() {
     draw="render-gl IN --size 64x64 -o OUT.png"
     echo "$draw --technique gouraud"
     echo "$draw --technique rptam --haloes 4"
+    echo "$draw --technique solid --look watercolor"
     echo "$draw --technique gouraud --shadows .1 --ground 3 --pixel-light"
     echo "$draw --show field"
     echo "$draw --tam $PWD/map.exr"
@@ -68,6 +69,9 @@ picture_modes() {
     echo "tamthresh --mask IN $PWD/map.exr -o OUT.ktx2"
     echo "render-gl $PWD/plane.glb --tam IN --size 64x64 -o OUT.png"
     echo "render-gl $PWD/plane.glb --technique gouraud --modulate IN --size 64x64 -o OUT.png"
+    echo "render-gl $PWD/plane.glb --technique solid --solid IN --size 64x64 -o OUT.png"
+    echo "solidgen --size 8 --exemplar IN --iterations 1 -o OUT.ktx2"
+    echo "solidgen --size 8 --exemplar IN --method pyramid -o OUT.ktx2"
 }
 text_modes() {
     for option in style palette replay; do
