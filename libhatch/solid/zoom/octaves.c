@@ -63,11 +63,11 @@ static void mix_row(const struct octave *octave, uint32_t channels, uint32_t y, 
 {
     const struct taps *taps = &octave->taps;
     size_t width = (size_t)octave->size * channels;
-    float down = taps->share[y], deep = taps->share[z];
+    float down = taps->share[y], deep = octave->flat ? 0 : taps->share[z];
     const float weights[4] = {(1 - down) * (1 - deep), down * (1 - deep), (1 - down) * deep, down * deep};
-    const uint32_t rows[4] = {
-        taps->first[z] * octave->size + taps->first[y], taps->first[z] * octave->size + taps->second[y],
-        taps->second[z] * octave->size + taps->first[y], taps->second[z] * octave->size + taps->second[y]};
+    const uint32_t slices[2] = {octave->flat ? 0 : taps->first[z], octave->flat ? 0 : taps->second[z]};
+    const uint32_t rows[4] = {slices[0] * octave->size + taps->first[y], slices[0] * octave->size + taps->second[y],
+                              slices[1] * octave->size + taps->first[y], slices[1] * octave->size + taps->second[y]};
     for (size_t i = 0; i < width; i++)
         row[i] = 0;
     for (int k = 0; k < 4; k++) {

@@ -77,6 +77,45 @@ START_TEST(two_scales_of_a_are_four_octaves_of_t)
 }
 END_TEST
 
+/* Of colours, and of an image that is smaller than its square. */
+START_TEST(flat_textures_are_the_same_at_every_depth)
+{
+    struct hatch_image image;
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    HATCH_TEST_OK(hatch_image_make(&keep, 12, SIZE, "RGB", &image, &err), &err);
+    for (size_t i = 0; i < (size_t)12 * SIZE * 3; i++)
+        image.pixels[i] = hatch_random_unit(9, 0, i);
+    HATCH_TEST_OK(hatch_solid_of_image(&image, &keep, &solid, &err), &err);
+    ck_assert_uint_eq(solid.size, SIZE);
+    ck_assert_uint_eq(solid.depth, 1);
+    for (size_t y = 0; y < SIZE; y++)
+        for (size_t c = 0; c < 3; c++) /* texel 1 lies under pixels 0 and 1: three quarters of a pixel wide */
+            ck_assert_int_eq(solid.texels[(y * SIZE + 1) * 3 + c],
+                             hatch_unorm8((image.pixels[36 * y + c] + 2 * image.pixels[36 * y + 3 + c]) / 3));
+    make_zoom(4 * SIZE, HATCH_ZOOM_HISTOGRAM, &zoom, &mips);
+    ck_assert_uint_eq(zoom.octaves.depth, 1);
+    ck_assert_uint_eq(mips.level_count, 7);
+    for (uint32_t i = 0; i < 200; i++) {
+        float place[3] = {0, 0, 7.3f * hatch_random_unit(6, 2, i)}, value[3], base[3], sum[3] = {0};
+        for (uint32_t k = 0; k < 2; k++)
+            place[k] = (floorf(64 * hatch_random_unit(6, k, i)) + 0.5f) / 64;
+        const struct hatch_texels finest = {
+            .width = SIZE, .height = SIZE, .depth = 1, .channels = 3, .level_count = 1, .texels = {zoom.base.texels}};
+        for (int octave = 0; octave < 3; octave++) {
+            static const float weights[] = {1.0f / 2, 1.0f / 3, 1.0f / 6};
+            float scaled[3] = {ldexpf(place[0], octave), ldexpf(place[1], octave), place[2]};
+            hatch_zoom_sample(&finest, 0, scaled, base);
+            for (int c = 0; c < 3; c++)
+                sum[c] += weights[octave] * base[c];
+        }
+        hatch_zoom_blend_at(&mips, place, 0, 0, value);
+        for (int c = 0; c < 3; c++)
+            ck_assert_float_eq_tol(value[c], sum[c], 0.51f / 255);
+    }
+}
+END_TEST
+
 START_TEST(a_cycle_ends_where_the_next_begins)
 {
     struct hatch_zoom zoom;
@@ -245,6 +284,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, weights_meet_the_papers_constraints);
     tcase_add_test(tests, two_scales_of_a_are_four_octaves_of_t);
+    tcase_add_test(tests, flat_textures_are_the_same_at_every_depth);
     tcase_add_test(tests, a_cycle_ends_where_the_next_begins);
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
     tcase_add_test(tests, ranks_cover_what_tones_ask_for);
