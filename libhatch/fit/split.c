@@ -30,7 +30,8 @@ double hatch_cubic_missed(const struct hatch_cubic *cubic, const struct hatch_fr
         const struct hatch_fragment *f = &fragments[i];
         float place[2];
         hatch_cubic_at(cubic, hatch_cubic_u(cubic, f->t), place);
-        if (hypot((double)(f->x - place[0]), (double)(f->y - place[1])) > reach_px)
+        double x = (double)(f->x - place[0]), y = (double)(f->y - place[1]);
+        if (x * x + y * y > reach_px * reach_px)
             missed += (double)f->weight;
         all += (double)f->weight;
     }
@@ -48,12 +49,13 @@ static int compare(const void *a, const void *b)
     return (f->x > g->x) - (f->x < g->x);
 }
 
-/* A picture of the box around the fragments: each pixel has a list of its fragments. */
+/* A picture of the box around the fragments, with a border that they do not reach: each pixel has a list of those of
+ * its fragments that have no component. */
 struct box {
-    const struct hatch_fragment *fragments;
     int low[2], width, height;
     uint32_t *pixels; /* 1 + the index of the first; 0: none */
     uint32_t *next;   /* per fragment: 1 + the index of the next one on its pixel; 0: none */
+    uint32_t *at;     /* per fragment: the index of its pixel */
 };
 
 /* Finds the box; returns whether it is small enough for a picture. */
@@ -66,50 +68,56 @@ static bool find_box(const struct hatch_fragment *fragments, uint32_t count, str
         high[0] = fmaxf(high[0], fragments[i].x);
         high[1] = fmaxf(high[1], fragments[i].y);
     }
-    *box = (struct box){.fragments = fragments,
-                        .low = {(int)floorf(low[0]), (int)floorf(low[1])},
-                        .width = (int)floorf(high[0]) - (int)floorf(low[0]) + 1,
-                        .height = (int)floorf(high[1]) - (int)floorf(low[1]) + 1};
+    *box = (struct box){.low = {(int)floorf(low[0]) - TOUCH_PX, (int)floorf(low[1]) - TOUCH_PX}};
+    box->width = (int)floorf(high[0]) - box->low[0] + 1 + TOUCH_PX;
+    box->height = (int)floorf(high[1]) - box->low[1] + 1 + TOUCH_PX;
     return (double)box->width * box->height <= BOX_MOST;
-}
-
-/* Returns the pixel at a distance from that of a fragment; NULL: it is outside of the box. */
-static uint32_t *pixel_beside(const struct box *box, uint32_t fragment, int right, int up)
-{
-    int column = (int)floorf(box->fragments[fragment].x) - box->low[0] + right;
-    int row = (int)floorf(box->fragments[fragment].y) - box->low[1] + up;
-    bool inside = column >= 0 && row >= 0 && column < box->width && row < box->height;
-    return inside ? &box->pixels[(size_t)row * (size_t)box->width + (size_t)column] : NULL;
 }
 
 /* A component in search of its fragments. */
 struct flood {
-    const struct box *box;
-    uint32_t *component;      /* in, out: per fragment; UINT32_MAX: none yet */
+    const struct hatch_fragment *fragments;
+    struct box *box;
+    uint32_t *component;      /* in, out: per fragment */
     uint32_t *stack, waiting; /* fragments whose neighbours are to be visited */
 };
 
 /* Takes the fragments of a pixel into the component of a fragment that they touch. */
-static void take_pixel(struct flood *flood, uint32_t from, const uint32_t *pixel)
+static void take_pixel(struct flood *flood, uint32_t from, uint32_t *link)
 {
-    const struct hatch_fragment *fragments = flood->box->fragments;
-    for (uint32_t i = pixel ? *pixel : 0; i > 0; i = flood->box->next[i - 1])
-        if (flood->component[i - 1] == UINT32_MAX && fabsf(fragments[i - 1].t - fragments[from].t) <= TOUCH_T) {
-            flood->component[i - 1] = flood->component[from];
-            flood->stack[flood->waiting++] = i - 1;
+    const struct hatch_fragment *fragments = flood->fragments;
+    while (*link) {
+        uint32_t i = *link - 1;
+        if (fabsf(fragments[i].t - fragments[from].t) > TOUCH_T) {
+            link = &flood->box->next[i];
+            continue;
         }
+        *link = flood->box->next[i];
+        flood->component[i] = flood->component[from];
+        flood->stack[flood->waiting++] = i;
+    }
 }
 
 /* Takes all fragments that a fragment touches, directly or through others, into its component. */
 static void take_all(struct flood *flood, uint32_t from)
 {
-    flood->stack[flood->waiting++] = from;
+    const struct box *box = flood->box;
+    take_pixel(flood, from, &box->pixels[box->at[from]]);
     while (flood->waiting) {
         uint32_t i = flood->stack[--flood->waiting];
-        for (int y = -TOUCH_PX; y <= TOUCH_PX; y++)
-            for (int x = -TOUCH_PX; x <= TOUCH_PX; x++)
-                take_pixel(flood, i, pixel_beside(flood->box, i, x, y));
+        uint32_t *row = box->pixels + box->at[i] - TOUCH_PX * box->width - TOUCH_PX;
+        for (int y = -TOUCH_PX; y <= TOUCH_PX; y++, row += box->width)
+            for (int x = 0; x <= 2 * TOUCH_PX; x++)
+                take_pixel(flood, i, &row[x]);
     }
+}
+
+/* Makes an empty picture for so many fragments. */
+static enum hatch_status make_box(uint32_t count, struct hatch_arena *scratch, struct box *box, struct hatch_err *err)
+{
+    HATCH_TRY(HATCH_ALLOC(scratch, &box->pixels, (size_t)box->width * (size_t)box->height, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &box->next, count, err));
+    return HATCH_ALLOC_UNSET(scratch, &box->at, count, err);
 }
 
 /* Finds the components of touching fragments, numbered in the order of their first fragments. */
@@ -118,18 +126,18 @@ static enum hatch_status find_components(const struct hatch_fragment *fragments,
                                          struct hatch_err *err)
 {
     struct box box;
-    struct flood flood = {.box = &box, .component = component};
+    struct flood flood = {.fragments = fragments, .box = &box, .component = component};
     *components = 1;
     memset(component, 0, sizeof *component * count);
     if (!find_box(fragments, count, &box))
         return HATCH_OK;
-    HATCH_TRY(HATCH_ALLOC(scratch, &box.pixels, (size_t)box.width * (size_t)box.height, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &box.next, count, err));
+    HATCH_TRY(make_box(count, scratch, &box, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &flood.stack, count, err));
     for (uint32_t i = 0; i < count; i++) {
-        uint32_t *pixel = pixel_beside(&box, i, 0, 0);
-        box.next[i] = *pixel;
-        *pixel = i + 1;
+        int column = (int)floorf(fragments[i].x) - box.low[0], row = (int)floorf(fragments[i].y) - box.low[1];
+        box.at[i] = (uint32_t)row * (uint32_t)box.width + (uint32_t)column;
+        box.next[i] = box.pixels[box.at[i]];
+        box.pixels[box.at[i]] = i + 1;
         component[i] = UINT32_MAX;
     }
     *components = 0;

@@ -39,6 +39,12 @@ void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes)
     glGetNamedBufferSubData(buffer, 0, (GLsizeiptr)size_bytes, data);
 }
 
+void gpu_buffer_copy(GLuint from, size_t from_bytes, GLuint to, size_t to_bytes, size_t size_bytes)
+{
+    if (size_bytes)
+        glCopyNamedBufferSubData(from, to, (GLintptr)from_bytes, (GLintptr)to_bytes, (GLsizeiptr)size_bytes);
+}
+
 void gpu_array_attach(GLuint array, GLuint slot, GLuint buffer, size_t stride_bytes,
                       const struct gpu_attribute *attributes, size_t count)
 {

@@ -28,6 +28,9 @@ void gpu_storage_bind(GLuint binding, GLuint buffer);
 /* Reads back the first size_bytes of a buffer. Waits for the GPU. */
 void gpu_buffer_read(GLuint buffer, void *data, size_t size_bytes);
 
+/* Copies size_bytes from one buffer to another, from and to an offset in bytes. */
+void gpu_buffer_copy(GLuint from, size_t from_bytes, GLuint to, size_t to_bytes, size_t size_bytes);
+
 /* One vertex attribute and its position in the buffer. */
 struct gpu_attribute {
     GLuint location;     /* ATTRIBUTE_... of gpu/bindings.h */

@@ -203,7 +203,8 @@ static void free_state(struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
     const GLuint buffers[] = {state->fragments.name, state->table.name,  state->sorted.name,  state->found.name,
-                              state->missed.name,    state->points.name, state->indices.name, state->block_buffer};
+                              state->missed.name,    state->order.name,  state->divided.name, state->points.name,
+                              state->indices.name,   state->block_buffer};
     glDeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
     glDeleteTextures(1, &state->points_view);
     glDeleteTextures(2, state->brush);

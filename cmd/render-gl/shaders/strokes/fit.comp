@@ -11,9 +11,9 @@ struct Slot {
 };
 layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; }; // without free ones
 layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
-layout(location = UNIFORM_COUNT) uniform uint count;
+layout(std430, binding = STORAGE_ORDER) readonly buffer Order { uint order[]; }; // indices of the slots to fit
+layout(location = UNIFORM_COUNT) uniform uint count; // of these
 
-const uint DRAWN = 16u;  // bit of `joined`: the stroke has its ribbon
 const float REACH = 1.5; // distance of a stroke's fragments from its curve, in widths of the pen
 const float CUT = 0.04;  // share of t by which a stroke that is cut off falls short of its own end
 
@@ -61,12 +61,10 @@ bool make_dot(inout Cubic cubic, inout Path path, inout float widths[RIBBON_POIN
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= count)
+    if (gl_GlobalInvocationID.x >= count)
         return;
+    uint i = order[gl_GlobalInvocationID.x];
     Slot slot = slots[i];
-    if ((slot.joined & DRAWN) != 0u)
-        return;
     Cubic cubic = fit(slot.first, slot.count);
     Path path;
     float widths[RIBBON_POINTS];

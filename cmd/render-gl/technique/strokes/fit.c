@@ -15,37 +15,71 @@
 #define PLACES 8u         /* places along a stroke whose parts have different ids */
 #define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
 
-/* Fits the strokes of a list.
- *   missed  out: for each, the share of its weight that its curve misses; NULL: not wanted */
-static enum hatch_status fit(const struct frame *frame, struct strokes_state *state, const struct strokes_list *list,
-                             float *missed, struct hatch_err *err)
+/* Makes room for the ribbons of so many strokes, and keeps those that are there. */
+static void reserve_ribbons(struct strokes_state *state, uint32_t count)
 {
-    const size_t bytes = RIBBON_BYTES * list->count;
-    if (bytes > state->points.size_bytes) {
-        strokes_reserve(&state->points, bytes + bytes / 2); /* room for the parts of divided strokes */
-        glDeleteTextures(1, &state->points_view);
-        state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
+    const size_t bytes = RIBBON_BYTES * count;
+    struct strokes_buffer before = state->points;
+    if (bytes <= before.size_bytes)
+        return;
+    state->points = (struct strokes_buffer){.name = 0};
+    strokes_reserve(&state->points, bytes + bytes / 2); /* room for the parts of divided strokes */
+    gpu_buffer_copy(before.name, 0, state->points.name, 0, before.size_bytes);
+    glDeleteBuffers(1, &before.name);
+    glDeleteTextures(1, &state->points_view);
+    state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
+}
+
+/* Orders 64-bit words, the largest first. */
+static int compare_words(const void *a, const void *b)
+{
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x < y) - (x > y);
+}
+
+/* Binds the list of the strokes to fit, those of the most fragments first: strokes that are fitted side by side wait
+ * for the longest of them. chosen  count indices of strokes, sorted in the same way; NULL: the first `count` */
+static enum hatch_status bind_order(struct strokes_state *state, const struct strokes_slot *strokes,
+                                    const uint32_t *chosen, uint32_t count, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
+{
+    uint32_t *order;
+    uint64_t *sorted;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &order, count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &sorted, count, err));
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t stroke = chosen ? chosen[i] : i;
+        sorted[i] = (uint64_t)strokes[stroke].count << 32 | stroke;
     }
+    qsort(sorted, count, sizeof *sorted, compare_words);
+    for (uint32_t i = 0; i < count; i++)
+        order[i] = (uint32_t)sorted[i];
+    strokes_reserve(&state->order, sizeof *order * count);
+    HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
+    gpu_buffer_update(state->order.name, order, sizeof *order * count);
+    gpu_storage_bind(STORAGE_ORDER, state->order.name);
+    return HATCH_OK;
+}
+
+/* Fits strokes of a list: as many as the caller has bound the sums or the order of. */
+static enum hatch_status fit(const struct frame *frame, struct strokes_state *state, const struct strokes_list *list,
+                             uint32_t count, struct hatch_err *err)
+{
+    reserve_ribbons(state, list->count);
     strokes_reserve(&state->found, sizeof *list->strokes * list->count);
-    strokes_reserve(&state->missed, sizeof *missed * list->count);
+    strokes_reserve(&state->missed, sizeof(float) * list->count);
     HATCH_TRY(gpu_check_memory(err, "%u strokes", list->count));
     gpu_buffer_update(state->found.name, list->strokes, sizeof *list->strokes * list->count);
-    if (state->blends)
-        strokes_blend_bind(state);
-    else
-        gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
     gpu_storage_bind(STORAGE_SLOTS, state->found.name);
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
-    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, list->count);
+    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, count);
     state->found_count = list->count;
     frame_dispatch(&(struct frame_dispatch){.name = "fit",
                                             .program = state->fit,
-                                            .groups = {(list->count + 31) / 32, 1, 1},
+                                            .groups = {(count + 31) / 32, 1, 1},
                                             .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
                    frame->timer);
-    if (missed)
-        gpu_buffer_read(state->missed.name, missed, sizeof *missed * list->count);
     return HATCH_OK;
 }
 
@@ -106,50 +140,94 @@ static enum hatch_status divide(const struct strokes_slot *stroke, double reach_
     return HATCH_OK;
 }
 
-/* Divides the strokes of a list whose curves miss too much. The first part takes the place of the stroke; the others
- * come after all strokes, ordered by ink as these are. */
-static enum hatch_status divide_all(struct strokes_state *state, const float *missed, struct strokes_list *list,
-                                    struct hatch_arena *scratch, struct hatch_err *err)
+/* Reads the fragments of strokes.
+ *   poor   count indices of the strokes
+ *   words  out: the fragments of one stroke after those of another, in the scratch arena
+ *   size   out: number of fragments */
+static enum hatch_status read_fragments(struct strokes_state *state, const struct strokes_slot *strokes,
+                                        const uint32_t *poor, uint32_t count, uint32_t (**words)[2], uint32_t *size,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
 {
+    uint32_t at = 0;
+    *size = 0;
+    for (uint32_t i = 0; i < count; i++)
+        *size += strokes[poor[i]].count;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, words, *size, err));
+    strokes_reserve(&state->divided, STROKES_SORTED_BYTES * *size);
+    HATCH_TRY(gpu_check_memory(err, "%u fragments of strokes", *size));
+    for (uint32_t i = 0; i < count; i++) {
+        const struct strokes_slot *stroke = &strokes[poor[i]];
+        gpu_buffer_copy(state->sorted.name, STROKES_SORTED_BYTES * stroke->first, state->divided.name,
+                        STROKES_SORTED_BYTES * at, STROKES_SORTED_BYTES * stroke->count);
+        at += stroke->count;
+    }
+    gpu_buffer_read(state->divided.name, *words, STROKES_SORTED_BYTES * *size);
+    return HATCH_OK;
+}
+
+/* Divides strokes of a list. The first part takes the place of the stroke; the others come after all strokes, ordered
+ * by ink as these are. The fragments of the parts are in the buffer `divided`.
+ *   poor        in: poor_count indices of the strokes; out: of their parts, with room for all that there may be */
+static enum hatch_status divide_all(struct strokes_state *state, struct strokes_list *list, uint32_t *poor,
+                                    uint32_t *poor_count, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    const double reach_px = (double)REACH * state->width_px + 1;
     struct strokes_slot *strokes, parts[HATCH_FIT_PARTS_MAX];
-    uint32_t(*words)[2], poor = 0, count = list->count;
-    for (uint32_t i = 0; i < list->count; i++)
-        poor += missed[i] > MISSED_MOST;
-    if (!poor)
-        return HATCH_OK;
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, list->count + (size_t)HATCH_FIT_PARTS_MAX * poor, err));
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &words, list->fragments, err));
-    gpu_buffer_read(state->sorted.name, words, sizeof *words * list->fragments);
-    for (uint32_t i = 0; i < list->count; i++) {
-        const struct strokes_slot *stroke = &list->strokes[i];
-        uint32_t part_count;
-        strokes[i] = *stroke;
-        strokes[i].joined = STROKES_DRAWN;
-        if (missed[i] <= MISSED_MOST)
-            continue;
-        HATCH_TRY(divide(stroke, (double)REACH * state->width_px + 1, words + stroke->first, scratch, parts,
-                         &part_count, err));
-        strokes[i] = parts[0];
+    uint32_t(*words)[2], size, first = 0, count = list->count, part_count;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, count + (size_t)HATCH_FIT_PARTS_MAX * *poor_count, err));
+    memcpy(strokes, list->strokes, sizeof *strokes * count);
+    HATCH_TRY(read_fragments(state, strokes, poor, *poor_count, &words, &size, scratch, err));
+    for (uint32_t i = 0; i < *poor_count; i++) {
+        struct strokes_slot *stroke = &strokes[poor[i]];
+        stroke->first = first;
+        first += stroke->count;
+        HATCH_TRY(divide(stroke, reach_px, words + stroke->first, scratch, parts, &part_count, err));
+        *stroke = parts[0];
         memcpy(&strokes[count], &parts[1], sizeof *parts * (part_count - 1));
         count += part_count - 1;
     }
-    for (uint32_t i = 0; RIBBON_BYTES * count > state->points.size_bytes && i < list->count; i++)
-        strokes[i].joined &= ~STROKES_DRAWN; /* the ribbons will be made in a larger buffer */
-    gpu_buffer_update(state->sorted.name, words, sizeof *words * list->fragments);
-    list->strokes = strokes;
-    list->count = count;
+    for (uint32_t i = list->count; i < count; i++)
+        poor[(*poor_count)++] = i;
+    gpu_buffer_update(state->divided.name, words, STROKES_SORTED_BYTES * size);
+    *list = (struct strokes_list){.strokes = strokes, .count = count, .fragments = list->fragments};
+    return HATCH_OK;
+}
+
+/* Lists the strokes whose curves miss too much.
+ *   poor  out: their indices, in the scratch arena, with room for all of their parts */
+static enum hatch_status find_poor(const struct strokes_state *state, const struct strokes_list *list, uint32_t **poor,
+                                   uint32_t *poor_count, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    uint32_t all = 0;
+    float *missed;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
+    gpu_buffer_read(state->missed.name, missed, sizeof *missed * list->count);
+    for (uint32_t i = 0; i < list->count; i++)
+        all += missed[i] > MISSED_MOST;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, poor, (size_t)HATCH_FIT_PARTS_MAX * all, err));
+    *poor_count = 0;
+    for (uint32_t i = 0; i < list->count; i++)
+        if (missed[i] > MISSED_MOST)
+            (*poor)[(*poor_count)++] = i;
     return HATCH_OK;
 }
 
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
                               struct hatch_arena *scratch, struct hatch_err *err)
 {
-    const struct strokes_slot *before = list->strokes;
-    float *missed;
-    if (state->blends)
-        return fit(frame, state, list, NULL, err);
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
-    HATCH_TRY(fit(frame, state, list, missed, err));
-    HATCH_TRY(divide_all(state, missed, list, scratch, err));
-    return list->strokes == before ? HATCH_OK : fit(frame, state, list, NULL, err);
+    uint32_t *poor, count;
+    if (state->blends) {
+        strokes_blend_bind(state);
+        return fit(frame, state, list, list->count, err);
+    }
+    gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
+    HATCH_TRY(bind_order(state, list->strokes, NULL, list->count, scratch, err));
+    HATCH_TRY(fit(frame, state, list, list->count, err));
+    HATCH_TRY(find_poor(state, list, &poor, &count, scratch, err));
+    if (!count)
+        return HATCH_OK;
+    HATCH_TRY(divide_all(state, list, poor, &count, scratch, err));
+    gpu_storage_bind(STORAGE_SORTED, state->divided.name);
+    HATCH_TRY(bind_order(state, list->strokes, poor, count, scratch, err));
+    return fit(frame, state, list, count, err);
 }

@@ -21,7 +21,6 @@ struct strokes_slot {
 };
 #define STROKES_JOINED_START 4u /* it goes on before its start, after its end */
 #define STROKES_JOINED_END 8u
-#define STROKES_DRAWN 16u /* it has its ribbon */
 
 /* Tables of strokes with the sums over their fragments, which blending computes. Zeroed: none. */
 struct strokes_blend {
@@ -44,7 +43,7 @@ struct strokes_state {
     struct frame_shader map;    /* programs that gather the strokes of a map */
     struct frame_shader owners; /* programs that draw which patch lies on top */
     const struct gpu_program *route, *sort, *fit, *ribbon;
-    struct strokes_buffer fragments, table, sorted, found, missed, points, indices;
+    struct strokes_buffer fragments, table, sorted, found, missed, order, divided, points, indices;
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
     uint32_t waited;      /* strokes that shared a slot with others when the frame's fragments were first routed */
     bool blends;          /* sums over fragments are computed by blending; else fragments are sorted by stroke */
