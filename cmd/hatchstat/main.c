@@ -27,6 +27,8 @@ static const struct cmd_option options[] = {
      "field: mesh with the true field; ink: picture to compare with; solid: picture whose look FILE should have; "
      "tones: the map from which FILE was made",
      &values.reference, NULL, NULL},
+    {0, "patches", CMD_TEXT, 0, 0, "FILE", "ink: picture of the patches, whose borders strokes should cross",
+     &values.patches, NULL, NULL},
     {0, "share", CMD_REAL, 0.001, 1, "X",
      "field: share of the points compared, most confident first, 0.001 .. 1 (default 1)", &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N",
@@ -42,6 +44,7 @@ static const struct cmd_rule rules[] = {
     {"throws", "SUBJECT=tam,seeds SUBJECT=seeds|strokes", NULL},
     {"check", "SUBJECT=tam,lapped,seeds", NULL},
     {"reference", "SUBJECT=field,ink,solid,tones", NULL},
+    {"patches", "SUBJECT=ink", NULL},
     {"share", "SUBJECT=field reference", NULL},
     {"samples", "SUBJECT=lapped,tones", NULL},
     {NULL, NULL, NULL},

@@ -15,6 +15,7 @@ struct stat_options {
     int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
     bool check;            /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
     const char *reference; /* field, tones, ink, solid: NULL when not given */
+    const char *patches;   /* ink: NULL when not given */
     double share;          /* field: share of the compared points that counts, the most confident first */
     int64_t samples;       /* lapped: number of samples; tones: number per level of detail */
 };

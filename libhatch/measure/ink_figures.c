@@ -14,8 +14,7 @@
 #define INK_MIN 0.75f
 #define WINDOW_MIN 0.01 /* windows whose mean darkness in the reference is at most this are not compared */
 
-/* Returns the darkness of each pixel, 0 (paper) .. 1 (ink), in scratch. */
-static float *darkness_of(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)
+float *hatch_ink_darkness(const struct hatch_image *image, struct hatch_arena *scratch, struct hatch_err *err)
 {
     size_t count = (size_t)image->width * image->height;
     uint32_t channels = image->channel_count;
@@ -156,12 +155,12 @@ enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const str
     struct hatch_ink_figures found = {
         .tone_error = NAN, .tone_worst = NAN, .edge_error = NAN, .tone_rms = NAN, .uneven24 = NAN};
     uint32_t width = picture->width, height = picture->height;
-    const float *dark = darkness_of(picture, scratch, err), *want = NULL;
+    const float *dark = hatch_ink_darkness(picture, scratch, err), *want = NULL;
     enum hatch_status status = dark ? HATCH_OK : HATCH_LIMIT;
     if (dark)
         count_greys(dark, width, height, &found);
     if (dark && reference) {
-        want = darkness_of(reference, scratch, err);
+        want = hatch_ink_darkness(reference, scratch, err);
         status = want ? compare_tones(dark, want, width, height, scratch, &found, err) : HATCH_LIMIT;
     }
     if (want && status == HATCH_OK)

@@ -21,6 +21,12 @@ struct hatch_ink_figures {
     double uneven24;   /* standard deviation of such differences, over windows of HATCH_INK_EVEN_PX */
 };
 
+/* Returns the darkness of each pixel, 0 (paper) .. 1 (ink).
+ *   image  in linear light: grey, or colours in the first three channels
+ * NULL when memory does not suffice. */
+float *hatch_ink_darkness(const struct hatch_image *image, struct hatch_arena *arena,
+                          struct hatch_err *err) HATCH_MUST_USE;
+
 /* Measures a picture in linear light, 0 (ink) to 1 (paper): grey, or colours in the first three channels.
  *   reference  of the same size; may be NULL */
 enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const struct hatch_image *reference,

@@ -435,7 +435,7 @@ seedgen-gives-up seedgen -n 1024 --method backtrack --max-nodes 2000
 hatchstat-diff hatchstat diff first.png second.png
 hatchstat-diff-srgb hatchstat diff --srgb --json --max-difference 0.1 first.png tone.png
 hatchstat-frames hatchstat frames first.png second.png first.png tone.png
-hatchstat-ink hatchstat ink --reference tone.png first.png second.png
+hatchstat-ink hatchstat ink --reference tone.png --patches second.png first.png second.png
 hatchstat-field hatchstat field field.glb true.glb
 hatchstat-field-reference dirfield -q true.glb | hatchstat field --reference true.glb --share 0.5
 hatchstat-lapped hatchstat lapped --samples 5000 lapped.glb --json

@@ -56,6 +56,8 @@ is "ink of a grey checkerboard against a black one" "$(hatchstat ink grey.pgm bl
     "inked grey grey_strokes tone_error 1 1 1 nan 0.5 0 0 nan"
 try hatchstat ink grey.pgm --reference tone.exr
 refused "a reference of another size" 3 1
+try hatchstat ink grey.pgm --patches tone.exr
+refused "patches of another size" 3 1
 try hatchstat ink
 refused "no picture" 2 2
 finish

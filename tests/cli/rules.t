@@ -98,6 +98,7 @@ says() {
     grep -qF -e "$text" .err
     is "$name: the message contains '$text'" $? 0
 }
+says "patches for meshes" "mesh: --patches is for ink" hatchstat mesh m --patches x
 says "a reference for meshes" "mesh: --reference is for field, ink, solid and tones" hatchstat mesh m --reference x
 says "search steps without a search" "--max-nodes needs --method backtrack" seedgen --max-nodes 200000000
 says "a map for strokes without one" "--tam needs --technique tam, tam-flat" render-gl m -t rptam --tam x
