@@ -63,6 +63,20 @@ START_TEST(strokes_that_end_at_the_border_do_not)
 }
 END_TEST
 
+/* Two columns of the one patch do not go on; the few columns of the other are connected to the one patch. */
+START_TEST(ink_goes_on_for_more_than_two_pixels)
+{
+    struct hatch_image picture = strokes(0), shown = patches(0, false);
+    const uint32_t beyond = (uint32_t)_i;
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        if (i % SIDE >= BORDER + beyond)
+            picture.pixels[i] = 1;
+    measure(&picture, &shown);
+    ck_assert_double_eq_tol(figures.across, beyond > 2 ? 1 : beyond / (2.0 + beyond), 1e-12);
+    ck_assert_double_eq_tol(figures.inside, 1, 1e-12);
+}
+END_TEST
+
 /* Of six strokes, three have two columns near the border, and three have four. */
 START_TEST(the_share_is_that_of_the_ink)
 {
@@ -117,6 +131,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, strokes_that_cross_go_on, 0, 5);
     tcase_add_loop_test(tests, strokes_that_end_at_the_border_do_not, 0, 5);
+    tcase_add_loop_test(tests, ink_goes_on_for_more_than_two_pixels, 1, 5);
     tcase_add_test(tests, the_share_is_that_of_the_ink);
     tcase_add_test(tests, ends_inside_patches_are_taken_into_account);
     tcase_add_test(tests, outlines_are_no_borders);
