@@ -42,6 +42,11 @@ static void warn_of_blank(const struct job *job, uint32_t blank)
                  reason);
 }
 
+static void note_counts(struct technique_counts counts)
+{
+    cmd_note("%u strokes, %u fragments, %u waited", counts.strokes, counts.fragments, counts.waited);
+}
+
 void pictures_write(struct job *job)
 {
     const struct options *options = job->options;
@@ -60,8 +65,8 @@ void pictures_write(struct job *job)
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
-        if (options->technique->note)
-            options->technique->note(picture.instance);
+        if (options->technique->count)
+            note_counts(options->technique->count(picture.instance));
         blank += !job->empty && is_blank(&image, job->frame.style.inks.paper);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};

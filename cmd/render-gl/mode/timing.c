@@ -11,7 +11,8 @@
 struct series {
     const struct technique *technique;
     const char *name;
-    double *gpu_ms, *wall_ms; /* one entry per frame */
+    double *gpu_ms, *wall_ms;              /* one entry per frame */
+    const struct technique_counts *counts; /* NULL: none */
 };
 
 #define SERIES_MAX (GPU_TIMER_PASSES_MAX + 2u)
@@ -33,9 +34,10 @@ static double quantile(const double *sorted, uint32_t count, double share)
  * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique. Passes are not
  * timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the number of
  * series.
- *   turns  one picture for each kind of frame */
+ *   turns   one picture for each kind of frame
+ *   counts  out: the strokes of the very first frame, if the technique counts them */
 static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
-                        struct series *series)
+                        struct series *series, struct technique_counts *counts)
 {
     const struct options *options = job->options;
     const struct hatch_tile tile = {0, 0, canvas->width, canvas->height, options->width, options->height};
@@ -48,6 +50,10 @@ static uint32_t measure(struct job *job, const struct picture turns[3], const st
         for (uint32_t turn = 0; turn < 3; turn++) {
             timer->every_pass = turn == 1;
             cmd_check(picture_draw_tile(&turns[turn], &view, &tile, canvas, &err), NULL, &err);
+            if (run == 0 && turn == 0 && turns->instance->technique->count) {
+                *counts = turns->instance->technique->count(turns->instance);
+                series[0].counts = counts;
+            }
             uint32_t first = turn == 0 ? 0 : turn == 1 ? 1 : last;
             for (uint32_t i = 0; i < timer->count; i++) {
                 struct series *span = &series[first + i];
@@ -81,6 +87,9 @@ static void report_span(struct cmd_report *report, const struct job *job, const 
     report_times(report, span->gpu_ms, frames);
     report_times(report, span->wall_ms, frames);
     cmd_report_text(report, job->gpu.device);
+    const struct technique_counts counts = span->counts ? *span->counts : (struct technique_counts){.strokes = 0};
+    const double numbers[] = {counts.strokes, counts.fragments, counts.waited};
+    cmd_report_numbers(report, span->counts ? numbers : NULL, 3);
 }
 
 static void make_series(struct job *job, struct series series[SERIES_MAX])
@@ -89,19 +98,20 @@ static void make_series(struct job *job, struct series series[SERIES_MAX])
     for (uint32_t i = 0; i < SERIES_MAX; i++) {
         double *ms = HATCH_NEW(&job->args.keep, double, 2 * (size_t)job->options->timed_frames, &err);
         cmd_check(ms ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-        series[i] = (struct series){NULL, "", ms, ms + job->options->timed_frames};
+        series[i] = (struct series){.name = "", .gpu_ms = ms, .wall_ms = ms + job->options->timed_frames};
     }
 }
 
 void timing_report(struct job *job)
 {
-    static const char *const columns[] = {"technique",    "span",        "frames",  "gpu_ms",
-                                          "gpu_low_ms",   "gpu_high_ms", "wall_ms", "wall_low_ms",
-                                          "wall_high_ms", "device",      NULL};
+    static const char *const columns[] = {
+        "technique",   "span",         "frames", "gpu_ms",       "gpu_low_ms",     "gpu_high_ms", "wall_ms",
+        "wall_low_ms", "wall_high_ms", "device", "stroke_count", "fragment_count", "waited",      NULL};
     struct series series[SERIES_MAX];
     struct cmd_report report;
     struct gpu_timer timer;
     struct canvas canvas;
+    struct technique_counts counts;
     const struct picture picture = job_picture(job, job_use(job, job->options->technique));
     const struct picture reference = job_picture(job, job_use(job, technique_find(TECHNIQUE_REFERENCE)));
     struct picture turns[3] = {picture, picture, reference};
@@ -113,7 +123,7 @@ void timing_report(struct job *job)
         cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", canvas.width, canvas.height);
     gpu_timer_make(&timer);
     job->frame.timer = &timer;
-    uint32_t count = measure(job, turns, &canvas, series);
+    uint32_t count = measure(job, turns, &canvas, series, &counts);
     cmd_report_begin(&report, &job->args, columns);
     for (uint32_t i = 0; i < count; i++)
         report_span(&report, job, &series[i]);

@@ -157,10 +157,10 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
-    state->noted[0] += list->count;
+    state->counts.strokes += list->count;
     HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
-    state->noted[1] += list->fragments;
-    state->noted[2] += state->waited;
+    state->counts.fragments += list->fragments;
+    state->counts.waited += state->waited;
     return HATCH_OK;
 }
 
@@ -182,11 +182,12 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     return status;
 }
 
-static void note(struct technique_instance *instance)
+static struct technique_counts count(struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
-    cmd_note("%u strokes, %u fragments, %u waited", state->noted[0], state->noted[1], state->noted[2]);
-    memset(state->noted, 0, sizeof state->noted);
+    const struct technique_counts counts = state->counts;
+    state->counts = (struct technique_counts){.strokes = 0};
+    return counts;
 }
 
 /* A stroke is found only where it is gathered whole. */
@@ -231,7 +232,7 @@ const struct technique technique_strokes = {
     .read = rptam_read,
     .prepare = prepare,
     .draw = draw,
-    .note = note,
+    .count = count,
     .curves = strokes_curves,
     .reach_px = reach_px,
     .changed = rptam_changed,

@@ -57,6 +57,12 @@ struct technique_curves {
 };
 
 /* A description of a technique. Any function may be NULL. */
+/* Strokes that a technique has found in its frames. */
+struct technique_counts {
+    uint32_t strokes, fragments; /* fragments: pixels of the strokes */
+    uint32_t waited;             /* strokes that found no slot of their own at first */
+};
+
 struct technique {
     const char *name;
     const char *summary;                  /* one line, for the window's list of techniques */
@@ -85,8 +91,8 @@ struct technique {
     /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. NULL: shaded_draw. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
-    /* Tells with --verbose about the frames that it has drawn since the last call: those of a picture. */
-    void (*note)(struct technique_instance *instance);
+    /* Counts the strokes of the frames that it has drawn since the last call: those of a picture. NULL: it cannot. */
+    struct technique_counts (*count)(struct technique_instance *instance);
     /* Finds the strokes of the posed scene as curves, between frame_begin and frame_end. NULL: it has none.
      *   pen_px  width of the pen that will draw them
      *   arena   for the curves */

@@ -24,6 +24,15 @@ for shape in plane torus teapot; do
     ok "$shape: the tones are equal" awk 'NR == 2 {exit !($3 > -0.01 && $3 < 0.01)}' diff.tsv
 done
 
+# The report of times has the numbers that --verbose tells.
+for how in sort blend; do
+    draw $how torus.glb -o picture.exr
+    render-gl -q -t strokes --aggregate $how --lines none --size 480x360 torus.glb --time 1 -o times.tsv
+    is "$how: --time counts strokes" "$(cut -f1,2,11- times.tsv | sed -n '1p;2p;$p' | tr '\t\n' '  ')" \
+        "technique span stroke_count fragment_count waited strokes frame \
+$(sed 's/ [a-z][a-z]*//g' $how.note) gouraud frame nan nan nan "
+done
+
 # The table grows with the strokes, and none is lost.
 draw sort plane.glb --stroke 5x1 -o sort.exr
 draw blend plane.glb --stroke 5x1 -o blend.exr

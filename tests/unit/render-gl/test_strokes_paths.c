@@ -64,10 +64,10 @@ static void draw(bool blends, double azimuth_rad, struct drawn *drawn)
     frame_draw(&frame, "strokes", &view, WIDTH, HEIGHT, 1, &picture);
     struct strokes_state *state = frame.instances[0].state;
     drawn->count = state->found_count;
-    drawn->strokes = state->noted[0];
-    drawn->fragments = state->noted[1];
+    drawn->strokes = state->counts.strokes;
+    drawn->fragments = state->counts.fragments;
     drawn->waited = state->waited;
-    memset(state->noted, 0, sizeof state->noted);
+    memset(&state->counts, 0, sizeof state->counts);
     ck_assert_uint_gt(drawn->count, 0);
     ck_assert_uint_le(drawn->count, STROKES_MAX);
     gpu_buffer_read(state->found.name, drawn->found, sizeof *drawn->found * drawn->count);

@@ -48,13 +48,13 @@ struct strokes_state {
     uint32_t waited;      /* strokes that shared a slot with others when the frame's fragments were first routed */
     bool blends;          /* sums over fragments are computed by blending; else fragments are sorted by stroke */
     struct strokes_blend blend;
-    uint32_t noted[3];   /* strokes, fragments and strokes that waited, since they were last told */
-    size_t capacity;     /* fragments that the buffer holds */
-    uint32_t slot_count; /* of the table, a power of two */
-    uint32_t most;       /* strokes that are drawn */
-    double width_px;     /* nominal width of the frame's strokes */
-    bool warned;         /* that there are more */
-    GLuint points_view;  /* texture through which the points are read */
+    struct technique_counts counts; /* since they were last told */
+    size_t capacity;                /* fragments that the buffer holds */
+    uint32_t slot_count;            /* of the table, a power of two */
+    uint32_t most;                  /* strokes that are drawn */
+    double width_px;                /* nominal width of the frame's strokes */
+    bool warned;                    /* that there are more */
+    GLuint points_view;             /* texture through which the points are read */
     GLuint array, block_buffer;
     bool has_brush;  /* the ribbons have the image of a brush */
     GLuint brush[2]; /* textures: its alpha, its grain */
