@@ -6,7 +6,7 @@
 #include "solid/noise.h"
 #include "solid/style.h"
 
-/* What a field is made for. */
+/* Purpose of a field. */
 struct solid_job {
     const struct hatch_solid_style *style;
     uint32_t size; /* texels along a side */

@@ -25,7 +25,7 @@ enum hatch_solid_kind {
     HATCH_SOLID_KINDS
 };
 
-/* What a worley texture shows: the distance from the nearest point, from the second nearest, or their difference. */
+/* Value of a worley texture: the distance from the nearest point, from the second nearest, or their difference. */
 enum hatch_solid_distance { HATCH_SOLID_F1, HATCH_SOLID_F2, HATCH_SOLID_F2_F1 };
 
 /* Whether values are equalized: always, never, or unless the style has colours. */

@@ -5,7 +5,7 @@
 #include "render-gl/assets/solid.h"
 #include "render-gl/technique/technique.h"
 
-/* What is made of the texture: --look. */
+/* Ways to draw the texture: --look. */
 enum solid_look { SOLID_PLAIN, SOLID_BINARY, SOLID_WATERCOLOR, SOLID_COLLAGE };
 
 #define SOLID_INKS_MAX 16u
