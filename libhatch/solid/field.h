@@ -6,7 +6,7 @@
 #include "solid/noise.h"
 #include "solid/style.h"
 
-/* Purpose of a field. */
+/* Settings that a field is made from. */
 struct solid_job {
     const struct hatch_solid_style *style;
     uint32_t size; /* texels along a side */

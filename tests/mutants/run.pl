@@ -4,7 +4,7 @@
 # same machine code, is replaced by another. A first run of all tests, built with --coverage, finds which of them execute
 # the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
 # eight times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
-# of arrays, as by make check SANITIZE=1, and variables that are not set hold a pattern.
+# of arrays, as by make check SANITIZE=1.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
 # equivalent.tsv explains are not counted: they cannot change a result.
 use strict;
@@ -23,7 +23,7 @@ my ($wanted, $seed, $jobs) = ($ENV{N} || 80, $ENV{SEED} || 1, $ENV{JOBS} || 2);
 my $processors = () = contents('/proc/cpuinfo') =~ /^processor\b/mg;
 my @make = ('make', '-s', "-j$jobs");
 my %flags = ( # by the folders of the two builds
-    build => '-O1 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error -ftrivial-auto-var-init=pattern',
+    build => '-O1 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error',
     cover => '-O1 -g0 --coverage',
 );
 require "$here/reach.pl";
