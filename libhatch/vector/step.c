@@ -6,11 +6,14 @@
 #define STEP_PX 4.0   /* least step in depth */
 #define CLIFF 8.0     /* least steps in depth, over REACH_PX, that are another step and no slope */
 
-double hatch_occluders_depth(const struct hatch_occluders *occluders, const double at_px[2])
+const struct hatch_occluder *hatch_occluders_find(const struct hatch_occluders *occluders, const double at_px[2],
+                                                  double *depth)
 {
-    double nearest = -HUGE_VAL;
+    const struct hatch_occluder *found = NULL;
+    double nearest = occluders->view.orthographic ? -HUGE_VAL : 0;
+    *depth = HUGE_VAL;
     if (!(at_px[0] >= 0 && at_px[1] >= 0 && at_px[0] <= occluders->width_px && at_px[1] <= occluders->height_px))
-        return HUGE_VAL;
+        return NULL;
     uint32_t cell = hatch_vector_cell(&occluders->cells, 1, at_px[1]) * occluders->cells.columns +
                     hatch_vector_cell(&occluders->cells, 0, at_px[0]);
     for (uint32_t i = occluders->first[cell]; i < occluders->first[cell + 1]; i++) {
@@ -22,12 +25,21 @@ double hatch_occluders_depth(const struct hatch_occluders *occluders, const doub
               hatch_occluder_value(occluder->sides[2], at_px) >= 0))
             continue;
         double nearness = hatch_occluder_value(occluder->nearness, at_px);
-        if (nearness <= occluders->nearest)
-            nearest = fmax(nearest, nearness);
+        if (nearness <= nearest || nearness > occluders->nearest)
+            continue;
+        nearest = nearness;
+        found = occluder;
     }
-    if (occluders->view.orthographic)
-        return -nearest;
-    return nearest > 0 ? 1 / nearest : HUGE_VAL;
+    if (found)
+        *depth = occluders->view.orthographic ? -nearest : 1 / nearest;
+    return found;
+}
+
+double hatch_occluders_depth(const struct hatch_occluders *occluders, const double at_px[2])
+{
+    double depth;
+    hatch_occluders_find(occluders, at_px, &depth);
+    return depth;
 }
 
 bool hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],

@@ -1,8 +1,13 @@
-/* Steps in depth across a line in the picture. */
+/* The nearest face at a place of the picture, and steps in depth across a line. */
 #ifndef HATCH_VECTOR_STEP_H
 #define HATCH_VECTOR_STEP_H
 
 #include "vector/occluders.h"
+
+/* Returns the face that is visible at a place of the picture, or NULL where there is none, or outside the picture.
+ *   depth  out: depth of the face there, or HUGE_VAL */
+const struct hatch_occluder *hatch_occluders_find(const struct hatch_occluders *occluders, const double at_px[2],
+                                                  double *depth);
 
 /* Returns the depth of the nearest surface at a place of the picture; HUGE_VAL where there is none, or outside the
  * picture. */

@@ -1,9 +1,11 @@
-/* Measures what changes between the frames of a turntable besides the motion itself:
- *     flicker SCENE AZIMUTH STEP ELEVATION FRAME FRAME ...
- * The frames are pictures of SCENE by render-gl --from AZIMUTH:ELEVATION, with the azimuth rising by STEP degrees. Each
- * pixel of a frame but the first is followed to the place where its point of the surface was in the frame before, and
- * compared with that frame there, interpolated between pixels by Catmull-Rom splines. Frames are blurred first, by
- * means over 3 x 3 pixels taken twice, because a sharp line that moves by a part of a pixel cannot be interpolated.
+/* Measures what changes between the frames of a film besides the motion itself:
+ *     flicker [--paper FILE] [--rate FPS] SCENE AZIMUTH STEP ELEVATION FRAME FRAME ...
+ * The frames are pictures of SCENE by render-gl --from AZIMUTH:ELEVATION, with the azimuth rising by STEP degrees; with
+ * --rate, of its first animation, at FPS frames per second from its beginning. Each pixel of a frame but the first is
+ * followed to the place where its point of the surface was in the frame before, and compared with that frame there,
+ * interpolated between pixels by Catmull-Rom splines. Frames are blurred first, by means over 3 x 3 pixels taken twice,
+ * because a sharp line that moves by a part of a pixel cannot be interpolated. With --paper, the picture FILE takes the
+ * place of all frames: a texture that stays with the screen.
  * Standard output gets the mean of the magnitude of the difference of luminance over all pixels whose point is visible
  * in both frames, and the share of such pixels among those that show the surface. */
 #include <math.h>
@@ -22,9 +24,13 @@
 #define FOV_DEG 30 /* render-gl's default */
 #define SAME 0.005 /* relative difference in depth of what counts as the same point */
 #define MEANS 2
+#define SPAN_MOMENTS 9    /* times at which render-gl measures the bounds of an animation */
+#define OPERANDS_BEFORE 4 /* operands before the frames */
 
 static struct cmd_args args;
 static struct hatch_err err;
+static const char *paper;
+static double rate; /* frames per second; 0: the scene is at rest */
 
 /* A frame, and the faces of its view. */
 struct shot {
@@ -40,14 +46,23 @@ struct sums {
     uint64_t shown, compared;
 };
 
-/* Returns the point of the unit scene at a place and depth. */
-static void point_at(const struct hatch_occluders *occluders, const double at_px[2], double depth, double point[3])
+/* Returns where a point of a face that is visible at a place of one view lies in another: homogeneous coordinates. */
+static void follow(const struct hatch_occluders *from, const struct hatch_occluders *to, uint32_t face,
+                   const double at_px[2], double out[3])
 {
-    const struct hatch_view *view = &occluders->view;
-    const double x = (at_px[0] - occluders->width_px / 2) / occluders->focal_px[0] * depth;
-    const double y = (at_px[1] - occluders->height_px / 2) / occluders->focal_px[1] * depth;
-    for (int k = 0; k < 3; k++)
-        point[k] = view->eye[k] + x * view->right[k] + y * view->up[k] - depth * view->back[k];
+    const double at[3] = {at_px[0], at_px[1], 1};
+    double corners[3][3], weights[3];
+    for (uint32_t c = 0; c < 3; c++)
+        memcpy(corners[c], &from->points[3 * (size_t)from->corners[3 * (size_t)face + c]], sizeof corners[c]);
+    for (uint32_t c = 0; c < 3; c++) {
+        double across[3];
+        hatch_vec_cross(corners[(c + 1) % 3], corners[(c + 2) % 3], across);
+        weights[c] = hatch_vec_dot(across, at);
+    }
+    const double sum = weights[0] + weights[1] + weights[2];
+    memset(out, 0, 3 * sizeof *out);
+    for (uint32_t c = 0; c < 3; c++)
+        hatch_vec_add_scaled(out, weights[c] / sum, &to->points[3 * (size_t)to->corners[3 * (size_t)face + c]], out);
 }
 
 /* Computes the means over 3 x 3 pixels, fewer at the border. */
@@ -112,13 +127,12 @@ static void compare_pixel(const struct shot *before, const struct shot *now, uin
                           struct sums *sums)
 {
     const double at_px[2] = {column + 0.5, now->height - row - 0.5};
-    const double depth = hatch_occluders_depth(&now->occluders, at_px);
-    double point[3], was[3];
-    if (!(depth < HUGE_VAL))
+    double depth, was[3];
+    const struct hatch_occluder *face = hatch_occluders_find(&now->occluders, at_px, &depth);
+    if (!face)
         return;
     sums->shown++;
-    point_at(&now->occluders, at_px, depth, point);
-    hatch_occluders_project(&before->occluders, point, was);
+    follow(&now->occluders, &before->occluders, face->face, at_px, was);
     const double was_px[2] = {was[0] / was[2], was[1] / was[2]};
     if (!(fmin(was_px[0], was_px[1]) >= 2 && was_px[0] <= now->width - 2 && was_px[1] <= now->height - 2) ||
         !(fabs(hatch_occluders_depth(&before->occluders, was_px) / was[2] - 1) < SAME))
@@ -127,10 +141,14 @@ static void compare_pixel(const struct shot *before, const struct shot *now, uin
     sums->difference += fabs((double)now->luminance[(size_t)row * now->width + column] - luminance_at(before, was_px));
 }
 
-/* Reads a frame, and finds the faces of its view. */
-static void take(const struct hatch_scene *scene, const double from_deg[2], const char *path, struct shot *shot)
+/* Reads a frame, and finds the faces of its view.
+ *   frame, frames  its number, from 0, and the number of all */
+static void take(const struct hatch_scene *scene, const double from_deg[2], int frame, int frames, struct shot *shot)
 {
-    const struct hatch_pose_span span = {.animation = HATCH_NONE, .moments = 1};
+    const bool moves = rate > 0;
+    const struct hatch_pose_span span = {.animation = moves ? 0 : HATCH_NONE,
+                                         .end_s = moves ? (frames - 1) / rate : 0,
+                                         .moments = moves ? SPAN_MOMENTS : 1};
     const struct hatch_view_choice choice = {.kind = HATCH_VIEW_FRAMED,
                                              .azimuth_rad = from_deg[0] * HATCH_RADIANS,
                                              .elevation_rad = from_deg[1] * HATCH_RADIANS,
@@ -141,14 +159,14 @@ static void take(const struct hatch_scene *scene, const double from_deg[2], cons
     struct hatch_unit_scene unit;
     struct hatch_view view;
     hatch_arena_init(arena, args.max_memory);
-    read_frame(path, shot);
+    read_frame(paper ? paper : args.operands[OPERANDS_BEFORE + frame], shot);
     const double width = shot->width, height = shot->height;
     const struct hatch_framing framing = {&span, &bounds, width / height};
     cmd_check(hatch_pose_make(scene, arena, &pose, &err), NULL, &err);
     cmd_check(hatch_pose_bounds(&pose, &span, &args.scratch, &bounds, &err), NULL, &err);
     cmd_check(hatch_view_make(&choice, &pose, &framing, &args.scratch, &view, &err), NULL, &err);
     cmd_check(hatch_unit_scene_make(scene, NULL, &bounds, arena, &unit, &err), NULL, &err);
-    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    hatch_unit_scene_pose(&unit, span.animation, moves ? frame / rate : 0);
     cmd_check(hatch_occluders_make(&unit, &view, width, height, arena, &args.scratch, &shot->occluders, &err), NULL,
               &err);
 }
@@ -163,7 +181,19 @@ static double number_of(const char *text)
 
 int main(int argc, char **argv)
 {
-    static const struct cmd_option options[] = {{0}};
+    static const struct cmd_option options[] = {{.name = "paper",
+                                                 .type = CMD_TEXT,
+                                                 .metavariable = "FILE",
+                                                 .help = "a picture instead of all frames",
+                                                 .value = &paper},
+                                                {.name = "rate",
+                                                 .type = CMD_REAL,
+                                                 .minimum = 0,
+                                                 .maximum = 1000,
+                                                 .metavariable = "FPS",
+                                                 .help = "frames per second of the animation (default 0: rest)",
+                                                 .value = &rate},
+                                                {0}};
     static const char *const examples[] = {"flicker torus.glb 30 1 0 turn0.exr turn1.exr", NULL};
     static const struct cmd_program program = {
         .name = "flicker",
@@ -179,14 +209,16 @@ int main(int argc, char **argv)
     struct sums sums = {0, 0, 0};
     cmd_begin(&program, argc, argv, &args);
     cmd_read_scene(&args, args.operands[0], CMD_SCENE_AS_IS, &scene);
-    for (int i = 4; i < args.operand_count; i++) {
+    if (rate > 0 && !scene.animation_count)
+        cmd_usage("%s has no animation", args.operands[0]);
+    const int frames = args.operand_count - OPERANDS_BEFORE;
+    for (int i = 0; i < frames; i++) {
         struct shot *now = &shots[i % 2];
-        const double turn = (i - 4) * number_of(args.operands[2]);
-        take(&scene, (const double[]){number_of(args.operands[1]) + turn, number_of(args.operands[3])},
-             args.operands[i], now);
-        for (uint32_t pixel = 0; i > 4 && pixel < now->width * now->height; pixel++)
+        const double turn = i * number_of(args.operands[2]);
+        take(&scene, (const double[]){number_of(args.operands[1]) + turn, number_of(args.operands[3])}, i, frames, now);
+        for (uint32_t pixel = 0; i > 0 && pixel < now->width * now->height; pixel++)
             compare_pixel(&shots[1 - i % 2], now, pixel % now->width, pixel / now->width, &sums);
-        if (i > 4)
+        if (i > 0)
             hatch_arena_free(&shots[1 - i % 2].arena);
     }
     printf("%.5f\t%.4f\n", sums.difference / (double)sums.compared, (double)sums.compared / (double)sums.shown);
