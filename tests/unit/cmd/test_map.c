@@ -19,6 +19,8 @@ static void check_nesting(size_t memory)
     hatch_arena_init(&args.scratch, memory);
     random_map(64, 2, &args.keep, &map);
     cmd_warn_nesting(&args, "random.exr", &map);
+    hatch_arena_free(&args.scratch);
+    hatch_arena_free(&args.keep);
 }
 
 START_TEST(images_that_do_not_nest_are_only_warned_of)
