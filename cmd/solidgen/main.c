@@ -131,7 +131,13 @@ static void encode(struct job *job, struct hatch_buffer *file)
     struct hatch_texels texels;
     char seed[24];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)job->args.seed);
-    const char *const keys[] = {HATCH_SOLID_KEY, job->maker, HATCH_SOLID_KEY_SEED, seed, NULL};
+    const char *const keys[] = {HATCH_SOLID_KEY,
+                                job->maker,
+                                HATCH_SOLID_KEY_SEED,
+                                seed,
+                                job->solid.isotropic ? HATCH_SOLID_KEY_ISOTROPIC : NULL,
+                                "yes",
+                                NULL};
     const struct cmd_texture texture = {&texels, keys, NULL};
     cmd_check(hatch_solid_mips(&job->solid, &job->args.keep, &texels, &err), NULL, &err);
     cmd_encode_texture(&job->args, &texture, job->args.output, file);

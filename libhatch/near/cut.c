@@ -66,9 +66,11 @@ static void set_uv(const double turn[2], const float texcoord[2], const float re
 static void set_rest(const struct hatch_item_rest *rest, const double origin[3], const float position[3],
                      struct hatch_pair place[3])
 {
+    struct hatch_pair from[3];
     for (int k = 0; k < 3; k++)
-        place[k] = hatch_pair_add(hatch_pair_scale(hatch_pair_sum((double)position[k], -origin[k]), 1 / rest->unit),
-                                  hatch_pair_of(rest->offset[k]));
+        from[k] = hatch_pair_scale(hatch_pair_sum((double)position[k], -origin[k]), 1 / rest->unit);
+    for (int k = 0; k < 3; k++)
+        place[k] = hatch_pair_add(hatch_pair_dot(from, rest->axes[k]), hatch_pair_of(rest->offset[k]));
 }
 
 /* Returns the region that the tile shows, with a margin. */

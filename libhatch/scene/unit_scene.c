@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
+
 static void set_box(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
 {
     float low[3], high[3];
@@ -37,7 +39,9 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
     uint32_t count = 0;
     for (uint32_t i = 0; i < scene->node_count; i++)
         count += scene->nodes[i].mesh_count;
+    static const double aligned[3] = {0, 0, 0};
     struct hatch_unit_scene made = {.scene = scene, .bounds = *bounds};
+    hatch_unit_scene_turn_rest(&made, aligned);
     HATCH_TRY(hatch_pose_make(scene, arena, &made.pose, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.meshes, scene->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.items, count, err));
@@ -166,6 +170,21 @@ static double volume_factor(const struct hatch_unit_scene *unit, const struct ha
     return fabs(factor * (world[0] * cofactors[0] + world[1] * cofactors[1] + world[2] * cofactors[2]));
 }
 
+void hatch_unit_scene_turn_rest(struct hatch_unit_scene *unit, const double turn_rad[3])
+{
+    for (int axis = 0; axis < 3; axis++)
+        for (int k = 0; k < 3; k++)
+            unit->rest_axes[axis][k] = axis == k;
+    /* The axes of the texture turn as vectors of the mesh. */
+    for (int around = 0; around < 3; around++)
+        for (int axis = 0; axis < 3; axis++) {
+            double *v = unit->rest_axes[axis], *a = &v[(around + 1) % 3], *b = &v[(around + 2) % 3];
+            const double c = cos(turn_rad[around]), s = sin(turn_rad[around]), before = *a;
+            *a = c * before - s * *b;
+            *b = s * before + c * *b;
+        }
+}
+
 struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint32_t index)
 {
     static const double away[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703}; /* on no grid */
@@ -176,8 +195,9 @@ struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint
         for (int k = 0; k < 3; k++)
             half = fmax(half, unit->meshes[node->first_mesh + i].half[k]);
     struct hatch_item_rest rest = {.unit = half > 0 ? exp2(floor(log2(half))) : 1};
+    memcpy(rest.axes, unit->rest_axes, sizeof rest.axes);
     for (int k = 0; k < 3; k++)
-        rest.offset[k] = fmod(unit->meshes[item->mesh].origin[k] / rest.unit, 64) + away[k];
+        rest.offset[k] = fmod(hatch_vec_dot(rest.axes[k], unit->meshes[item->mesh].origin) / rest.unit, 64) + away[k];
     rest.scale = (factor > 0 && factor < INFINITY ? factor : 1) * rest.unit / unit->bounds.radius;
     return rest;
 }

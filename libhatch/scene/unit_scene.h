@@ -44,6 +44,7 @@ struct hatch_unit_scene {
     uint32_t item_count;
     struct hatch_unit_mesh *meshes; /* scene->mesh_count */
     struct hatch_item *items;
+    double rest_axes[3][3]; /* axes of solid textures in coordinates of meshes: hatch_unit_scene_turn_rest */
 };
 
 /* Lists the items of a scene. They are not posed yet: call hatch_unit_scene_pose next.
@@ -70,14 +71,20 @@ void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_
                         float *normals);
 
 /* Where the undeformed surface of an item lies in a solid texture: the place of a vertex is
- *     (its position in the mesh at rest - the mesh's origin) / unit + offset
+ *     (its position in the mesh at rest - the mesh's origin) along the axes of the texture / unit + offset
  * Meshes of one node have the same units, so that a texture continues from one to the next. Place 0, where copies of
  * the texture at all scales meet, lies outside of most surfaces. */
 struct hatch_item_rest {
-    double unit;      /* a power of two, about the size of the node's meshes */
-    double offset[3]; /* the mesh's origin in units, less a multiple of 64, plus a constant */
-    double scale;     /* length in the unit scene, at the pose, of a unit: the cube root of the volume's factor */
+    double unit;       /* a power of two, about the size of the node's meshes */
+    double axes[3][3]; /* unit vectors, orthogonal to each other */
+    double offset[3];  /* the mesh's origin in units along the axes, less a multiple of 64, plus a constant */
+    double scale;      /* length in the unit scene, at the pose, of a unit: the cube root of the volume's factor */
 };
+
+/* Turns solid textures against the meshes of all items, from alignment: around x first, then around y, then around z.
+ * Surfaces along two axes of a mesh then show more than one slice of the texture.
+ *   turn_rad  angles, counter-clockwise seen from the end of the axis */
+void hatch_unit_scene_turn_rest(struct hatch_unit_scene *unit, const double turn_rad[3]);
 
 /* Finds it for a posed item. A skinned item has the scale of its first joint. */
 struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint32_t item);

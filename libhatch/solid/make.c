@@ -98,6 +98,7 @@ enum hatch_status hatch_solid_from_style(const struct hatch_solid_options *optio
     enum hatch_status status = make(options, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
+    made.isotropic = hatch_solid_is_isotropic(options->style);
     *solid = made;
     return HATCH_OK;
 }

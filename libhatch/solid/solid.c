@@ -88,8 +88,8 @@ enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch
     made.level_count = hatch_texels_chain_length(&made);
     made.texels[0] = solid->texels;
     for (uint32_t level = 1; level < made.level_count; level++) {
-        const struct hatch_solid coarser = {solid->size >> level, solid->channels, NULL,
-                                            hatch_mip_size(solid->depth, level)};
+        const struct hatch_solid coarser = {
+            .size = solid->size >> level, .channels = solid->channels, .depth = hatch_mip_size(solid->depth, level)};
         HATCH_TRY(HATCH_ALLOC(arena, &made.texels[level], hatch_texels_level_size(&made, level), err));
         fill_level(made.texels[level - 1], &coarser, solid->depth == 1, made.texels[level]);
     }
@@ -113,7 +113,8 @@ enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct ha
         return hatch_fail(err, HATCH_BAD_INPUT, "%u texels along a side, want a power of two from %u to %u",
                           texture->width, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX);
     if (texture->channels != 4) {
-        *solid = (struct hatch_solid){texture->width, texture->channels, texture->texels[0], depth};
+        *solid = (struct hatch_solid){
+            .size = texture->width, .channels = texture->channels, .texels = texture->texels[0], .depth = depth};
         return HATCH_OK;
     }
     HATCH_TRY(hatch_solid_make_like(arena, &(struct hatch_solid){.depth = depth}, texture->width, 3, solid, err));

@@ -4,6 +4,8 @@
 #ifndef HATCH_SOLID_SOLID_H
 #define HATCH_SOLID_SOLID_H
 
+#include <stdbool.h>
+
 #include "image/texels.h"
 
 #define HATCH_SOLID_SIZE_MIN 8u
@@ -12,6 +14,8 @@
 /* Keys of the file: the style or method that made the texture, and its random seed. */
 #define HATCH_SOLID_KEY "hatch:solid"
 #define HATCH_SOLID_KEY_SEED "hatch:seed"
+/* Its value "yes" tells that the texture has no direction, so that it may be turned against the mesh. */
+#define HATCH_SOLID_KEY_ISOTROPIC "hatch:isotropic"
 
 /* The finest level of a solid texture. Texel (x, y, z) covers [x, x + 1) / size and so on along each axis; what lies
  * beyond is repeated. A flat texture is the same at every z. */
@@ -20,6 +24,7 @@ struct hatch_solid {
     uint32_t channels; /* 1: grey; 3: R G B */
     uint8_t *texels;   /* [((z * size + y) * size + x) * channels + c]: linear reflectance, 255 is paper, 0 is ink */
     uint32_t depth;    /* texels along z: size, or 1: a flat texture */
+    bool isotropic;    /* known to have no direction */
 };
 
 /* Returns the number of texels. */

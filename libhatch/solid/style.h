@@ -73,6 +73,9 @@ const char *hatch_solid_kind_name(enum hatch_solid_kind kind);
 /* Returns whether the values of a style are equalized. */
 bool hatch_solid_equalizes(const struct hatch_solid_style *style);
 
+/* Returns whether the textures of a style have no direction: its kind has none, or its strokes point anywhere. */
+bool hatch_solid_is_isotropic(const struct hatch_solid_style *style);
+
 /* Parses the text of a style.
  *   style  in: zeroed for a file, whose first key is its kind; for lines that follow a file: its style; out: the style,
  *          unchanged on failure

@@ -18,11 +18,12 @@ static const struct {
     uint32_t faces, face;
     const struct hatch_bounds *bounds;
     double share[3], tilt;
+    const char *turn; /* --solid-turn; NULL: none */
 } surfaces[] = {
-    {HATCH_SHAPE_PLANE, 2, 0, &frame_unit, {0.5, 0.2, 0.3}, 0.7},
-    {HATCH_SHAPE_TORUS, 2000, 640, &frame_unit, {0.3, 0.3, 0.4}, 0.5},
-    {HATCH_SHAPE_TEAPOT, 3000, 1000, &odd_bounds, {0.2, 0.5, 0.3}, 0.3},
-    {HATCH_SHAPE_TORUS, 2000, 640, &odd_bounds, {0.5, 0.5, 0}, 0.1}, /* an edge */
+    {HATCH_SHAPE_PLANE, 2, 0, &frame_unit, {0.5, 0.2, 0.3}, 0.7, "23,34,11"},
+    {HATCH_SHAPE_TORUS, 2000, 640, &frame_unit, {0.3, 0.3, 0.4}, 0.5, NULL},
+    {HATCH_SHAPE_TEAPOT, 3000, 1000, &odd_bounds, {0.2, 0.5, 0.3}, 0.3, "-80,6,155"},
+    {HATCH_SHAPE_TORUS, 2000, 640, &odd_bounds, {0.5, 0.5, 0}, 0.1, NULL}, /* an edge */
 };
 enum { SURFACES = sizeof surfaces / sizeof *surfaces };
 
@@ -34,6 +35,7 @@ static void begin_surface(int i)
     solid = solid_of_value(&frame.args.keep, 8, 128);
     solid_use(&frame, &solid, HATCH_ZOOM_LINEAR, PERIOD_PX);
     ((struct solid_state *)frame.instances[0].state)->shading.stages.fragment = "solid/places.frag";
+    solid_options.turn = surfaces[i].turn;
 }
 
 /* Sets the places of vertices as struct hatch_item_rest defines them: x, and the sum of y and z. */
@@ -42,11 +44,11 @@ static void set_places(const struct hatch_item_rest *rest, struct zoom_corner *c
     const float *position = hatch_mesh_find(&mesh, "POSITION", 3);
     const double *origin = frame.on_gpu.unit.meshes[0].origin;
     for (size_t v = 0; v < mesh.vertex_count; v++) {
-        struct hatch_pair at[3];
+        struct hatch_pair from[3], at[3];
         for (size_t k = 0; k < 3; k++)
-            at[k] = hatch_pair_add(
-                hatch_pair_scale(hatch_pair_sum((double)position[3 * v + k], -origin[k]), 1 / rest->unit),
-                hatch_pair_of(rest->offset[k]));
+            from[k] = hatch_pair_scale(hatch_pair_sum((double)position[3 * v + k], -origin[k]), 1 / rest->unit);
+        for (size_t k = 0; k < 3; k++)
+            at[k] = hatch_pair_add(hatch_pair_dot(from, rest->axes[k]), hatch_pair_of(rest->offset[k]));
         corners[v].uv[0] = at[0];
         corners[v].uv[1] = hatch_pair_add(at[1], at[2]);
         memset(corners[v].span, 0, sizeof corners[v].span);
@@ -73,13 +75,13 @@ static double error_px(const struct hatch_view *view, const struct hatch_item_re
 static struct zoom_error measure(const struct hatch_view *view)
 {
     static float rgba[4 * WIDTH * HEIGHT];
-    const struct hatch_item_rest rest = hatch_item_rest(&frame.on_gpu.unit, 0);
     struct zoom_error error = {0, 0, 0, 0};
     struct hatch_arena_mark mark = hatch_arena_mark(&frame.args.keep);
     struct zoom_corner *corners = HATCH_NEW(&frame.args.keep, struct zoom_corner, mesh.vertex_count, &frame.err);
     ck_assert_ptr_nonnull(corners);
     frame_draw_numbers(&frame, "solid", view, WIDTH, HEIGHT, rgba);
     zoom_positions(&frame, view, corners);
+    const struct hatch_item_rest rest = hatch_item_rest(&frame.on_gpu.unit, 0);
     set_places(&rest, corners);
     for (uint32_t i = STEP / 2; i < WIDTH * HEIGHT; i += STEP * 2 + 1) {
         const struct zoom_ray ray = zoom_ray_of(view, (i % WIDTH + 0.5) / WIDTH, ((double)(i / WIDTH) + 0.5) / HEIGHT);

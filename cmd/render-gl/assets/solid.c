@@ -21,6 +21,7 @@ static void read_one(struct cmd_args *args, const char *path, struct hatch_solid
     struct hatch_texels texels;
     struct hatch_image image;
     struct hatch_err err;
+    const char *const *keys, *isotropic;
     const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
     struct hatch_bytes file = cmd_read(args, path);
     if (!tone_texture_is(file)) {
@@ -30,6 +31,9 @@ static void read_one(struct cmd_args *args, const char *path, struct hatch_solid
     }
     cmd_check(hatch_ktx2_read(file, &args->keep, &texels, &err), name, &err);
     cmd_check(hatch_solid_take(&texels, &args->keep, solid, &err), name, &err);
+    cmd_check(hatch_ktx2_read_keys(file, &args->keep, &keys, &err), name, &err);
+    isotropic = hatch_texels_value(keys, HATCH_SOLID_KEY_ISOTROPIC);
+    solid->isotropic = isotropic && strcmp(isotropic, "yes") == 0;
 }
 
 /* Makes the texture of an installed style. */
@@ -64,6 +68,7 @@ void solid_files_read(struct cmd_args *args, const char *paths, struct solid_fil
         if (files->count > 1 && files->flat != (solid->depth == 1))
             cmd_usage("--solid: %s is %s, the others are not", path, solid->depth == 1 ? "flat" : "a solid texture");
         files->flat = solid->depth == 1;
+        files->isotropic = (files->isotropic || files->count == 1) && solid->isotropic;
         at = comma ? comma + 1 : NULL;
     }
 }

@@ -13,6 +13,7 @@
 struct solid_files {
     uint32_t count; /* 0: none */
     bool flat;      /* they are flat textures: KTX2 files of 2D textures, or pictures */
+    bool isotropic; /* all of them are known to have no direction */
     struct hatch_solid solids[SOLIDS_MAX];
 };
 

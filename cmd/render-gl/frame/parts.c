@@ -8,6 +8,7 @@ void frame_use_item(const struct scene *scene, uint32_t index, float lightness, 
 {
     const struct scene_item *item = &scene->items[index];
     const struct hatch_item *unit = &scene->unit.items[index];
+    float axes[9];
     glUseProgram(program->name);
     if (item->base_texture)
         glBindTextureUnit(UNIT_BASE, item->base_texture);
@@ -18,6 +19,9 @@ void frame_use_item(const struct scene *scene, uint32_t index, float lightness, 
     glUniform1ui(UNIFORM_MATERIAL, scene->unit.scene->meshes[unit->mesh].material);
     glUniform4f(UNIFORM_REST, (float)rest.offset[0], (float)rest.offset[1], (float)rest.offset[2],
                 (float)(1 / rest.unit));
+    for (int k = 0; k < 9; k++)
+        axes[k] = (float)rest.axes[k / 3][k % 3];
+    glUniformMatrix3fv(UNIFORM_REST_AXES, 1, GL_TRUE, axes);
     glUniform1f(UNIFORM_REST_LOG, (float)log2(rest.scale));
     glUniform1f(UNIFORM_NORMAL_STRENGTH, item->normals_strength);
     glUniformMatrix4fv(UNIFORM_UNIT_FROM_MESH, 1, GL_FALSE, unit->to_unit);

@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "image/color.h"
+#include "math/angle.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/scene/attributes.h"
@@ -44,6 +46,24 @@ static void read_files(struct technique_context *context, struct technique_insta
     read_inks(&state->block);
     state->shading = solid_look_shading(look(), state->files.flat);
     instance->places = state->files.flat ? HATCH_NEAR_TEXCOORDS : HATCH_NEAR_REST;
+}
+
+/* Turns the textures against the meshes: by --solid-turn or, if they have no direction, so that surfaces along the axes
+ * of a mesh do not show the same slice over and over. */
+static void turn_textures(const struct solid_files *files, struct scene *scene)
+{
+    static const double aligned[3] = {0, 0, 0}, between_slices[3] = {23, 37, 11};
+    const char *text = solid_options.turn;
+    double turn[3];
+    memcpy(turn, files->isotropic ? between_slices : aligned, sizeof turn);
+    if (text && files->flat)
+        cmd_usage("--solid-turn: 2D textures lie on the surface");
+    if (text && !(hatch_text_vector((struct hatch_text){text, strlen(text)}, turn) &&
+                  fmax(fmax(fabs(turn[0]), fabs(turn[1])), fabs(turn[2])) <= 360))
+        cmd_usage("--solid-turn %s: want X,Y,Z, angles from -360 to 360 degrees", text);
+    for (int k = 0; k < 3; k++)
+        turn[k] *= HATCH_RADIANS;
+    hatch_unit_scene_turn_rest(&scene->unit, turn);
 }
 
 static struct solids_form wanted_form(const struct solid_state *state)
@@ -98,6 +118,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
         HATCH_TRY(prepare_flat(context, state, err));
     else
         scene_set_rest(context->frame->scene);
+    turn_textures(&state->files, context->frame->scene);
     snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s", state->solids.count,
              state->solids.channels, state->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "");
     if (strcmp(defines, shaded->defines) != 0) {

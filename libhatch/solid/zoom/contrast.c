@@ -173,8 +173,10 @@ static enum hatch_status fill(const struct hatch_zoom *zoom, const struct hatch_
 static void sharpen(const struct spread *finest, const struct hatch_texels *mips, uint32_t level, uint32_t channel,
                     struct spread *now)
 {
-    const struct hatch_solid shape = {mips->width >> level, mips->channels, mips->texels[level],
-                                      hatch_mip_size(mips->depth, level)};
+    const struct hatch_solid shape = {.size = mips->width >> level,
+                                      .channels = mips->channels,
+                                      .texels = mips->texels[level],
+                                      .depth = hatch_mip_size(mips->depth, level)};
     size_t count = hatch_solid_count(&shape);
     spread_of_texels(shape.texels, &shape, channel, now);
     double gain = fmin(finest->deviation / fmax(now->deviation, 1e-6), HATCH_ZOOM_GAIN_MAX);

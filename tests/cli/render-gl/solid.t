@@ -120,6 +120,10 @@ $range
 END
     refuses "--$option out of range" 2 2 "--$option: '$value' is not a number from $low to $high" --$option $value
 done
+for turn in 1,2 10,20,361 1:2:3 nan,0,0; do
+    refuses "--solid-turn $turn" 2 2 "--solid-turn $turn: want X,Y,Z, angles from -360 to 360 degrees" \
+        --solid waves.ktx2 --solid-turn $turn
+done
 refuses "--bands out of range" 2 2 "--bands: '16' is not a whole number from 1 to 15" --bands 16
 refuses "--solid with another technique" 2 2 "--solid goes with --technique solid, not with gouraud" \
     --solid waves.ktx2 -t gouraud
@@ -152,6 +156,22 @@ watercolor solid-size;
 collage blend;collage grain;collage bands;collage wobble;collage border;collage solid-size;
 END
 )"
+
+# Textures without a direction are turned, as --solid-turn tells; others are not.
+solidgen --style perlin --size 16 -o perlin.ktx2
+solidgen --style wood --size 16 -o wood.ktx2
+for texture in waves.ktx2 wood.ktx2 wood waves.ktx2,perlin.ktx2 perlin.ktx2,waves.ktx2; do
+    $draw --solid $texture -o usual.png
+    $draw --solid $texture --solid-turn 0,0,0 -o aligned.png
+    ok "$texture is not turned" cmp usual.png aligned.png
+done
+for texture in perlin.ktx2 perlin,stipple; do
+    $draw --solid $texture -o usual.png
+    $draw --solid $texture --solid-turn 23,37,11 -o turned.png
+    $draw --solid $texture --solid-turn 0,0,0 -o aligned.png
+    ok "$texture is turned" cmp usual.png turned.png
+    ok "$texture, aligned, is another picture" test "$(cmp -l usual.png aligned.png | wc -l)" -gt 1000
+done
 
 # The inks of objects, the pipeline, and a lapped surface with a 2D texture.
 try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks red,nocolor -o picture.png

@@ -1,4 +1,5 @@
 /* Items of a posed scene: their matrices against positions computed in world coordinates. */
+#include "math/vector.h"
 #include "meshes.h"
 #include "scene/unit_scene.h"
 
@@ -85,6 +86,53 @@ START_TEST(posing_again_at_the_same_moment_is_no_change)
 }
 END_TEST
 
+/* Places of the mesh's point x, y, z in the texture, before the offset. */
+static void place_of(const struct hatch_item_rest *rest, double x, double y, double z, double place[3])
+{
+    const double point[3] = {x / rest->unit, y / rest->unit, z / rest->unit};
+    for (int k = 0; k < 3; k++)
+        place[k] = hatch_vec_dot(rest->axes[k], point);
+}
+
+/* A quarter turn of the texture around x takes its y to z and its z to -y; one around y then takes x to -z and z to x.
+ */
+START_TEST(solid_textures_turn_around_x_then_y_then_z)
+{
+    const double quarter = acos(-1) / 2;
+    double place[3];
+    place_torus(1);
+    hatch_unit_scene_turn_rest(&unit, (const double[]){quarter, quarter, 0});
+    struct hatch_item_rest rest = hatch_item_rest(&unit, 0);
+    place_of(&rest, 1 * rest.unit, 2 * rest.unit, 3 * rest.unit, place);
+    ck_assert_double_eq_tol(place[0], -3, 1e-14);
+    ck_assert_double_eq_tol(place[1], 1, 1e-14);
+    ck_assert_double_eq_tol(place[2], -2, 1e-14);
+    hatch_unit_scene_turn_rest(&unit, (const double[]){0, 0, quarter});
+    rest = hatch_item_rest(&unit, 0);
+    place_of(&rest, 1 * rest.unit, 2 * rest.unit, 3 * rest.unit, place);
+    ck_assert_double_eq_tol(place[0], 2, 1e-14);
+    ck_assert_double_eq_tol(place[1], -1, 1e-14);
+    ck_assert_double_eq_tol(place[2], 3, 1e-14);
+}
+END_TEST
+
+/* A mesh that lies 5 farther along y has the places of points 5 farther along y, up to 64 periods. */
+START_TEST(turned_textures_continue_from_mesh_to_mesh)
+{
+    double before[3];
+    place_torus(1);
+    hatch_unit_scene_turn_rest(&unit, (const double[]){0.3, -0.7, 1.1});
+    struct hatch_item_rest rest = hatch_item_rest(&unit, 0);
+    memcpy(before, rest.offset, sizeof before);
+    unit.meshes[0].origin[1] += 5;
+    rest = hatch_item_rest(&unit, 0);
+    for (int k = 0; k < 3; k++) {
+        double turns = (rest.offset[k] - before[k] - 5 * rest.axes[k][1] / rest.unit) / 64;
+        ck_assert_double_eq_tol(turns, round(turns), 1e-12);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("unit scene");
@@ -94,6 +142,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_mirroring_node_mirrors_its_item);
     tcase_add_test(tests, an_item_has_the_sides_and_holes_of_its_material);
     tcase_add_test(tests, posing_again_at_the_same_moment_is_no_change);
+    tcase_add_test(tests, solid_textures_turn_around_x_then_y_then_z);
+    tcase_add_test(tests, turned_textures_continue_from_mesh_to_mesh);
     suite_add_tcase(made, tests);
     return made;
 }

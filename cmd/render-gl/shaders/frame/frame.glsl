@@ -28,6 +28,7 @@ layout(location = UNIFORM_PASS) uniform int pass;
 layout(location = UNIFORM_ITEM) uniform uint item; // index of the item
 layout(location = UNIFORM_MATERIAL) uniform uint material; // index of its material
 layout(location = UNIFORM_REST) uniform vec4 rest; // offset; units per length of the mesh: struct hatch_item_rest
+layout(location = UNIFORM_REST_AXES) uniform mat3 rest_axes; // from a mesh to the axes of solid textures
 layout(location = UNIFORM_REST_LOG) uniform float rest_log; // binary logarithm of a unit in the unit scene
 layout(location = UNIFORM_BASE) uniform vec4 base; // material's lightness; mip level for vertices; alpha cutoff
 layout(binding = UNIT_BASE) uniform sampler2D base_texture;

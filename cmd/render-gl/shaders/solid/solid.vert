@@ -24,6 +24,6 @@ layout(location = ATTRIBUTE_REST) in vec3 a_rest;
 void main()
 {
     show_lit();
-    v_place = a_rest * rest.w + rest.xyz;
+    v_place = rest_axes * a_rest * rest.w + rest.xyz;
 }
 #endif

@@ -13,6 +13,7 @@ enum solid_look { SOLID_PLAIN, SOLID_BINARY, SOLID_WATERCOLOR, SOLID_COLLAGE };
 struct solid_options {
     const char *files;  /* --solid */
     const char *inks;   /* --inks; NULL: not given */
+    const char *turn;   /* --solid-turn; NULL: not given */
     int look;           /* enum solid_look */
     int blend;          /* enum hatch_zoom_blend */
     double period_px;   /* --solid-size; 0: two pixels per texel */
