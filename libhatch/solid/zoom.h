@@ -68,24 +68,26 @@ struct hatch_zoom_table {
 
 /* Makes the table of a blend.
  *   mips   of hatch_zoom_mips
+ *   level  mip level, with fractions, at which a surface that faces the eye shows A(p) at the beginning of a cycle;
+ *          below 0 where texels are larger than pixels
  *   table  out: in arena
  * HATCH_LIMIT when the memory does not suffice. */
 enum hatch_status hatch_zoom_table_make(const struct hatch_zoom *zoom, const struct hatch_texels *mips,
-                                        enum hatch_zoom_blend blend, struct hatch_arena *arena,
+                                        enum hatch_zoom_blend blend, double level, struct hatch_arena *arena,
                                         struct hatch_arena *scratch, struct hatch_zoom_table *table,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
-/* Reads a level of a 3D texture, interpolated between texels, the texture being repeated.
+/* Reads a 3D texture, interpolated between texels and between levels, the texture being repeated.
+ *   level  with fractions; beyond the chain, its first or last level
  *   place  in periods
  *   value  out: one per channel, 0 .. 1 */
-void hatch_zoom_sample(const struct hatch_texels *mips, uint32_t level, const float place[3], float value[3]);
+void hatch_zoom_sample(const struct hatch_texels *mips, float level, const float place[3], float value[3]);
 
 /* Computes a blended value as shaders do, before a table changes it.
  *   place  in periods of T
  *   s      progress within the cycle, 0 .. 1
  *   level  mip level for A(p); A(p / 2) is read one level finer
  *   value  out: one per channel */
-void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, uint32_t level,
-                         float value[3]);
+void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, float level, float value[3]);
 
 #endif

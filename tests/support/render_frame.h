@@ -98,8 +98,8 @@ static inline void frame_open_scene(const struct hatch_patch_mesh *patches, cons
         .size_max_px = frame->context.size_max_px,
     };
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
-    frame->technique_context =
-        (struct technique_context){.frame = &frame->shown, .assets = &frame->assets, .args = &frame->technique_args};
+    frame->technique_context = (struct technique_context){
+        .frame = &frame->shown, .assets = &frame->assets, .args = &frame->technique_args, .side = 1};
     memset(frame->instances, 0, sizeof frame->instances);
 }
 

@@ -39,6 +39,7 @@ void solid_files_read(struct cmd_args *args, const char *paths, struct solid_fil
 /* How solid textures are prepared for drawing. */
 struct solids_form {
     double period_px; /* period of the texture on the screen at the beginning of a zoom cycle, pixels */
+    double samples;   /* along a side of a pixel */
     bool grey;        /* their luminance alone is used */
     enum hatch_zoom_blend blend;
 };

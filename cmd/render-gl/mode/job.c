@@ -244,7 +244,8 @@ void job_read(struct job *job)
                                               .assets = &job->assets,
                                               .args = &job->args,
                                               .view = &job->first_view,
-                                              .height_px = options->height};
+                                              .height_px = options->height,
+                                              .side = options->side};
     name_scene(job);
     load_scene(job, &notes);
     open_techniques(job);

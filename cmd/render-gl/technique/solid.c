@@ -66,18 +66,19 @@ static void turn_textures(const struct solid_files *files, struct scene *scene)
     hatch_unit_scene_turn_rest(&scene->unit, turn);
 }
 
-static struct solids_form wanted_form(const struct solid_state *state)
+static struct solids_form wanted_form(const struct solid_state *state, uint32_t side)
 {
     bool ranks = look() == SOLID_BINARY || look() == SOLID_WATERCOLOR;
     double period_px = solid_options.period_px > 0 ? solid_options.period_px : 2.0 * state->files.solids[0].size;
     return (struct solids_form){.period_px = period_px,
+                                .samples = side,
                                 .grey = ranks,
                                 .blend = ranks ? HATCH_ZOOM_RANK : (enum hatch_zoom_blend)solid_options.blend};
 }
 
 static enum hatch_status upload(struct technique_context *context, struct solid_state *state, struct hatch_err *err)
 {
-    const struct solids_form form = wanted_form(state);
+    const struct solids_form form = wanted_form(state, context->side);
     struct solids fresh;
     if (state->solids.count && form.grey == state->form.grey && form.blend == state->form.blend)
         return HATCH_OK;
@@ -132,8 +133,8 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
 /* Writes the values that depend on the view and on the options. */
 static void set_block(const struct frame *frame, struct solid_state *state)
 {
-    const struct solids_form form = wanted_form(state);
-    double side = frame->request.canvas->side;
+    const uint32_t side = frame->request.canvas->side;
+    const struct solids_form form = wanted_form(state, side);
     double unit_px = frame->request.tile->full_height / (2 * frame->view.half_height);
     const float marks[4] = {(float)solid_options.grain, (float)(solid_options.wobble_px * side),
                             (float)solid_options.dry, (float)solid_options.darkening};

@@ -37,6 +37,7 @@ struct technique_context {
     struct cmd_args *args;         /* arenas, and the means to read files */
     const struct hatch_view *view; /* view of the first picture */
     double height_px;              /* height of the first picture */
+    uint32_t side;                 /* samples along a side of its pixels */
 };
 
 /* A technique in use. */

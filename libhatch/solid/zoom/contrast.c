@@ -17,7 +17,7 @@ static uint32_t repeated(int64_t texel, uint32_t size)
     return (uint32_t)(texel & (int64_t)(size - 1)); /* sizes are powers of two */
 }
 
-void hatch_zoom_sample(const struct hatch_texels *mips, uint32_t level, const float place[3], float value[3])
+static void sample_level(const struct hatch_texels *mips, uint32_t level, const float place[3], float value[3])
 {
     uint32_t size = hatch_mip_size(mips->width, level), channels = mips->channels;
     size_t at[2][3];
@@ -42,12 +42,24 @@ void hatch_zoom_sample(const struct hatch_texels *mips, uint32_t level, const fl
     }
 }
 
-void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, uint32_t level, float value[3])
+void hatch_zoom_sample(const struct hatch_texels *mips, float level, const float place[3], float value[3])
+{
+    float within = fminf(fmaxf(level, 0), (float)(mips->level_count - 1)), coarser[3];
+    uint32_t finer = (uint32_t)within;
+    sample_level(mips, finer, place, value);
+    if (within <= (float)finer)
+        return;
+    sample_level(mips, finer + 1, place, coarser);
+    for (uint32_t c = 0; c < mips->channels; c++)
+        value[c] += (within - (float)finer) * (coarser[c] - value[c]);
+}
+
+void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, float level, float value[3])
 {
     const float half[3] = {0.5f * place[0], 0.5f * place[1], 0.5f * place[2]};
     float coarse[3];
     hatch_zoom_sample(mips, level, place, value);
-    hatch_zoom_sample(mips, level > 0 ? level - 1 : 0, half, coarse);
+    hatch_zoom_sample(mips, level - 1, half, coarse);
     for (uint32_t c = 0; c < mips->channels; c++)
         value[c] += s * (coarse[c] - value[c]);
 }
@@ -81,20 +93,53 @@ static void spread_of_texels(const uint8_t *texels, const struct hatch_solid *sh
     finish(spread, (double)count);
 }
 
-/* The values of A(p) and A(p / 2) at POINTS places, which fill the period evenly: the additive recurrence of the root
- * of x^4 = x + 1. */
-static void take_points(const struct hatch_texels *mips, float (*fine)[3], float (*coarse)[3])
+/* The values of A at POINTS places, which fill the period evenly: the additive recurrence of the root of x^4 = x + 1.
+ */
+static void take_points(const struct hatch_texels *mips, int32_t level, float scale, float (*values)[3])
 {
     static const double steps[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
     for (uint32_t i = 0; i < POINTS; i++) {
-        float place[3], twice[3];
-        for (int k = 0; k < 3; k++) {
-            place[k] = (float)(steps[k] * i - floor(steps[k] * i));
-            twice[k] = 2 * place[k];
-        }
-        hatch_zoom_sample(mips, 0, twice, fine[i]);
-        hatch_zoom_sample(mips, 0, place, coarse[i]);
+        float place[3];
+        for (int k = 0; k < 3; k++)
+            place[k] = scale * (float)(steps[k] * i - floor(steps[k] * i));
+        hatch_zoom_sample(mips, (float)level, place, values[i]);
     }
+}
+
+/* Values of A(p) and A(p / 2) at POINTS places. Within a cycle the mip level rises by one: three levels are read. */
+struct samples {
+    int32_t level; /* the finest of those of A(p); those of A(p / 2) are one finer */
+    float (*fine[3])[3], (*coarse[3])[3];
+};
+
+static enum hatch_status take_samples(const struct hatch_texels *mips, double level, struct hatch_arena *scratch,
+                                      struct samples *samples, struct hatch_err *err)
+{
+    samples->level = (int32_t)floor(level);
+    for (int32_t i = 0; i < 3; i++) {
+        HATCH_TRY(HATCH_ALLOC(scratch, &samples->fine[i], POINTS, err));
+        HATCH_TRY(HATCH_ALLOC(scratch, &samples->coarse[i], POINTS, err));
+        take_points(mips, samples->level + i, 2, samples->fine[i]);
+        take_points(mips, samples->level + i - 1, 1, samples->coarse[i]);
+    }
+    return HATCH_OK;
+}
+
+/* Measures a channel of the blend.
+ *   level  of A(p) */
+static void spread_of_blend(const struct samples *samples, uint32_t channel, double s, double level,
+                            struct spread *spread)
+{
+    uint32_t from = level - samples->level >= 1;
+    double share = level - samples->level - from;
+    *spread = (struct spread){.mean = 0};
+    for (uint32_t i = 0; i < POINTS; i++) {
+        double fine = samples->fine[from][i][channel], coarse = samples->coarse[from][i][channel];
+        fine += share * (samples->fine[from + 1][i][channel] - fine);
+        coarse += share * (samples->coarse[from + 1][i][channel] - coarse);
+        add(spread, fine + s * (coarse - fine));
+    }
+    finish(spread, POINTS);
 }
 
 /* Returns the share of values below one. */
@@ -146,23 +191,18 @@ static void fill_row(enum hatch_zoom_blend blend, const struct spread *base, con
 }
 
 static enum hatch_status fill(const struct hatch_zoom *zoom, const struct hatch_texels *mips,
-                              enum hatch_zoom_blend blend, struct hatch_arena *scratch, struct hatch_zoom_table *table,
-                              struct hatch_err *err)
+                              enum hatch_zoom_blend blend, double level, struct hatch_arena *scratch,
+                              struct hatch_zoom_table *table, struct hatch_err *err)
 {
-    float(*fine)[3], (*coarse)[3];
+    struct samples samples;
     struct spread *spreads; /* of T, of the blend */
-    HATCH_TRY(HATCH_ALLOC(scratch, &fine, POINTS, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &coarse, POINTS, err));
+    HATCH_TRY(take_samples(mips, level, scratch, &samples, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &spreads, 2, err));
-    take_points(mips, fine, coarse);
     for (uint32_t c = 0; c < mips->channels; c++) {
         spread_of_texels(zoom->base.texels, &zoom->base, c, &spreads[0]);
         for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
-            float s = (float)step / (float)(HATCH_ZOOM_STEPS - 1);
-            spreads[1] = (struct spread){.mean = 0};
-            for (uint32_t i = 0; i < POINTS; i++)
-                add(&spreads[1], (double)(fine[i][c] + s * (coarse[i][c] - fine[i][c])));
-            finish(&spreads[1], POINTS);
+            double s = (double)step / (HATCH_ZOOM_STEPS - 1);
+            spread_of_blend(&samples, c, s, level + s, &spreads[1]);
             fill_row(blend, &spreads[0], &spreads[1], table->entries[c][step]);
         }
     }
@@ -201,14 +241,14 @@ enum hatch_status hatch_zoom_mips(const struct hatch_zoom *zoom, enum hatch_zoom
 }
 
 enum hatch_status hatch_zoom_table_make(const struct hatch_zoom *zoom, const struct hatch_texels *mips,
-                                        enum hatch_zoom_blend blend, struct hatch_arena *arena,
+                                        enum hatch_zoom_blend blend, double level, struct hatch_arena *arena,
                                         struct hatch_arena *scratch, struct hatch_zoom_table *table,
                                         struct hatch_err *err)
 {
     struct hatch_zoom_table made;
     HATCH_TRY(HATCH_ALLOC(arena, &made.entries, mips->channels, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = fill(zoom, mips, blend, scratch, &made, err);
+    enum hatch_status status = fill(zoom, mips, blend, level, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *table = made;

@@ -39,7 +39,7 @@ static void measure_fixed(const struct hatch_solid *solid)
         uint32_t level = (uint32_t)fmax(round(log2(step * TEXELS)), 0);
         for (int i = 0; i < FACING_SIZE * FACING_SIZE; i++) {
             float value[3], place[3] = {(float)(step * (i % FACING_SIZE)), (float)(step * (i / FACING_SIZE)), 0.3f};
-            hatch_zoom_sample(&mips, level, place, value);
+            hatch_zoom_sample(&mips, (float)level, place, value);
             values[0][i] = (double)value[0];
         }
         print_peak("fixed", octave);

@@ -105,8 +105,8 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         ;;
     solid) # binary: ranks cover what the tone asks for in space, a plane is a sample of it
         options="--solid stipple --look binary"
-        squares .03 .02 $ends $columns $between
-        lit .01 .01
+        squares .01 .01 $ends $columns $between
+        lit .003 .003
         ;;
     traced) # the response of the style corrects what strokes leave out and cover twice
         strokes=yes

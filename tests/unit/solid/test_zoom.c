@@ -136,10 +136,12 @@ START_TEST(a_cycle_ends_where_the_next_begins)
 }
 END_TEST
 
-/* Mean and deviation of blended values at random points, changed by the table's row for s. */
-static void measure(const struct hatch_texels *mips, const struct hatch_zoom_table *table, uint32_t step, double *mean,
-                    double *deviation, double below[10])
+/* Mean and deviation of blended values at random points, changed by the table's row for s.
+ *   level  at the beginning of the cycle */
+static void measure(const struct hatch_texels *mips, const struct hatch_zoom_table *table, uint32_t step, float level,
+                    double *mean, double *deviation, double below[10])
 {
+    const float s = (float)step / (HATCH_ZOOM_STEPS - 1);
     double sum = 0, squares = 0;
     for (int t = 0; t < 10; t++)
         below[t] = 0;
@@ -147,7 +149,7 @@ static void measure(const struct hatch_texels *mips, const struct hatch_zoom_tab
         float place[3], value[3];
         for (uint32_t k = 0; k < 3; k++)
             place[k] = 2 * hatch_random_unit(5, k, i);
-        hatch_zoom_blend_at(mips, place, (float)step / (HATCH_ZOOM_STEPS - 1), 0, value);
+        hatch_zoom_blend_at(mips, place, s, level + s, value);
         uint32_t entry = (uint32_t)fminf(value[0] * HATCH_ZOOM_VALUES, HATCH_ZOOM_VALUES - 1);
         double changed = table->entries[0][step][entry] / 65535.0;
         sum += changed / POINTS;
@@ -184,10 +186,10 @@ START_TEST(tables_give_back_mean_and_contrast)
         struct hatch_texels mips;
         struct hatch_zoom_table table;
         make_zoom(4 * SIZE, (enum hatch_zoom_blend)blend, &zoom, &mips);
-        HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, &keep, &scratch, &table, &err),
-                      &err);
+        HATCH_TEST_OK(
+            hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, -1, &keep, &scratch, &table, &err), &err);
         for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step += 4) {
-            measure(&mips, &table, step, &now_mean, &now_deviation, below);
+            measure(&mips, &table, step, -1, &now_mean, &now_deviation, below);
             ck_assert_double_eq_tol(now_mean, mean, blend == HATCH_ZOOM_CONTRAST ? 0.02 : 0.006);
             ck_assert_double_le(now_deviation, most[blend] * deviation);
             ck_assert_double_ge(now_deviation, least[blend] * deviation);
@@ -196,17 +198,20 @@ START_TEST(tables_give_back_mean_and_contrast)
 }
 END_TEST
 
+/* Also where the surface shows coarser levels, and levels between. */
 START_TEST(ranks_cover_what_tones_ask_for)
 {
+    static const float levels[] = {-2.5f, -1, 0, 0.6f, 1.3f};
     struct hatch_zoom zoom;
     struct hatch_texels mips;
     struct hatch_zoom_table table;
     double mean, deviation, below[10];
     make_noise(1);
     make_zoom(2 * SIZE, HATCH_ZOOM_RANK, &zoom, &mips);
-    HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_RANK, &keep, &scratch, &table, &err), &err);
+    HATCH_TEST_OK(
+        hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_RANK, (double)levels[_i], &keep, &scratch, &table, &err), &err);
     for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
-        measure(&mips, &table, step, &mean, &deviation, below);
+        measure(&mips, &table, step, levels[_i], &mean, &deviation, below);
         for (int t = 0; t < 10; t++)
             ck_assert_double_eq_tol(below[t], t / 10.0, 0.02);
     }
@@ -249,8 +254,8 @@ START_TEST(one_value_stays_one_value)
         struct hatch_texels mips;
         struct hatch_zoom_table table;
         make_zoom(SIZE, (enum hatch_zoom_blend)blend, &zoom, &mips);
-        HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, &keep, &scratch, &table, &err),
-                      &err);
+        HATCH_TEST_OK(
+            hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, -1, &keep, &scratch, &table, &err), &err);
         for (uint32_t level = 0; level < mips.level_count; level++)
             ck_assert_uint_eq(mips.texels[level][0], 100);
         for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++)
@@ -266,7 +271,7 @@ static enum hatch_status make_all(void *context, struct hatch_arena *keeping, st
     struct hatch_texels mips;
     HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, NULL, keeping, working, &zoom, error));
     HATCH_TRY(hatch_zoom_mips(&zoom, HATCH_ZOOM_HISTOGRAM, keeping, &mips, error));
-    return hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, keeping, working, context, error);
+    return hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, 0, keeping, working, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
@@ -287,7 +292,7 @@ static Suite *suite(void)
     tcase_add_test(tests, flat_textures_are_the_same_at_every_depth);
     tcase_add_test(tests, a_cycle_ends_where_the_next_begins);
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
-    tcase_add_test(tests, ranks_cover_what_tones_ask_for);
+    tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 5);
     tcase_add_test(tests, axes_keep_colors);
     tcase_add_test(tests, one_value_stays_one_value);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);

@@ -5,10 +5,13 @@
 
 out vec4 o_color;
 
-// Returns the share of the fragment that is under ink. step: change of the rank to the next fragment
+// Returns the share of the fragment that is under ink: of its ranks, step around that in its middle, those below the
+// tone. Ranks below 0 are reflected to above it, and those above 1 to below 1, so that ranks stay evenly distributed.
 float covered(float rank, float step, float tone)
 {
-    return clamp((tone * (1.0 + step) - rank) / step, 0.0, opacity);
+    float low = rank - 0.5 * step, high = rank + 0.5 * step;
+    float below = max(min(high, tone) - max(low, -tone), 0.0) + max(high - (2.0 - tone), 0.0);
+    return min(below / step, opacity);
 }
 
 void main()
