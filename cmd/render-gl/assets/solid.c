@@ -139,8 +139,8 @@ static enum hatch_status upload_one(const struct solid_files *files, uint32_t in
         size *= 2;
     HATCH_TRY(hatch_zoom_make(solid, size, form->grey, pool, arena, scratch, &zoom, err));
     HATCH_TRY(hatch_zoom_mips(&zoom, form->blend, arena, &mips, err));
-    HATCH_TRY(
-        hatch_zoom_table_make(&zoom, &mips, form->blend, log2(size / (form->period_px * form->samples)), arena, scratch, &table, err));
+    HATCH_TRY(hatch_zoom_table_make(&zoom, &mips, form->blend, log2(size / (form->period_px * form->samples)), arena,
+                                    scratch, &table, err));
     set_colors(&zoom, solids, index);
     solids->size = size > solids->size ? size : solids->size;
     upload_octaves(&mips, &solids->octaves[index]);
