@@ -6,9 +6,9 @@
 #include "measure/ink_figures.h"
 #include "subject.h"
 
-static const char *const columns[] = {"file",       "inked",    "grey",     "grey_strokes", "tone_error", "tone_worst",
-                                      "edge_error", "tone_rms", "uneven24", "black",        "across",     "inside",
-                                      "continuity", NULL};
+static const char *const columns[] = {"file",       "inked",      "grey",       "grey_strokes", "tone_error",
+                                      "tone_worst", "edge_error", "tone_rms",   "uneven24",     "black",
+                                      "across",     "inside",     "continuity", "width",        NULL};
 
 static void check_size(const char *path, const struct hatch_image *picture, const struct hatch_image *reference,
                        const char *name)
@@ -51,8 +51,9 @@ enum hatch_status stat_ink(struct cmd_args *args, const struct stat_options *opt
         hatch_arena_free(&arena);
         if (named)
             cmd_report_text(&report, cmd_input_name(path));
-        const double numbers[] = {f.inked,    f.grey,     f.grey_strokes, f.tone_error, f.tone_worst, f.edge_error,
-                                  f.tone_rms, f.uneven24, f.black,        b.across,     b.inside,     b.continuity};
+        const double numbers[] = {f.inked,      f.grey,       f.grey_strokes, f.tone_error, f.tone_worst,
+                                  f.edge_error, f.tone_rms,   f.uneven24,     f.black,      b.across,
+                                  b.inside,     b.continuity, f.width_px};
         for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++)
             cmd_report_number(&report, numbers[n]);
     }

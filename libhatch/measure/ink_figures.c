@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "image/color.h"
+#include "math/angle.h"
 
 /* Classes of pixels by darkness: inked above INKED; edge between INKED and EDGE_MAX; grey between GREY_MIN and INK_MIN;
  * ink from INK_MIN on; black above EDGE_MAX. */
@@ -53,6 +54,33 @@ static void count_greys(const float *dark, uint32_t width, uint32_t height, stru
     figures->grey = inked ? (double)grey / (double)inked : 0;
     figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
     figures->black = inked ? (double)black / (double)inked : 0;
+}
+
+/* Returns the sum of the changes of darkness between the pixels of all rows, columns or diagonals.
+ *   right, down  from a pixel to the next: (1, 0), (0, 1), (1, 1) or (-1, 1) */
+static double sum_changes(const float *dark, uint32_t width, uint32_t height, int right, int down)
+{
+    double sum = 0;
+    for (uint32_t y = 0; y + (uint32_t)down < height; y++)
+        for (uint32_t x = right < 0; x + (right > 0) < width; x++) {
+            const float *here = dark + (size_t)y * width + x;
+            sum += fabs((double)here[(ptrdiff_t)down * width + right] - (double)here[0]);
+        }
+    return sum;
+}
+
+/* Returns the mean width of strokes. A stroke of darkness d, width w and length L has the ink d w L, and d changes to 0
+ * over 2 L. Cauchy and Crofton: an outline has the length pi / 2 times its mean projection, here on four directions,
+ * which is up to 5 percent short or 3 long. */
+static double mean_width(const float *dark, uint32_t width, uint32_t height)
+{
+    double ink = 0;
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        ink += (double)dark[i];
+    const double straight = sum_changes(dark, width, height, 1, 0) + sum_changes(dark, width, height, 0, 1);
+    const double slanted = sum_changes(dark, width, height, 1, 1) + sum_changes(dark, width, height, -1, 1);
+    const double outline = 22.5 * HATCH_RADIANS * (straight + slanted / sqrt(2));
+    return outline > 0 ? 2 * ink / outline : NAN;
 }
 
 /* Returns a summed-area table: sums[y * (width + 1) + x] is the sum of the values above row y and left of column x. */
@@ -157,8 +185,10 @@ enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const str
     uint32_t width = picture->width, height = picture->height;
     const float *dark = hatch_ink_darkness(picture, scratch, err), *want = NULL;
     enum hatch_status status = dark ? HATCH_OK : HATCH_LIMIT;
-    if (dark)
+    if (dark) {
         count_greys(dark, width, height, &found);
+        found.width_px = mean_width(dark, width, height);
+    }
     if (dark && reference) {
         want = hatch_ink_darkness(reference, scratch, err);
         status = want ? compare_tones(dark, want, width, height, scratch, &found, err) : HATCH_LIMIT;

@@ -13,6 +13,7 @@ struct hatch_ink_figures {
     double grey;         /* share of the inked pixels that are grey */
     double grey_strokes; /* share of the inked pixels that are grey and, unlike edges, have no ink next to them */
     double black;        /* share of the inked pixels that are nearly all ink */
+    double width_px; /* mean width of strokes: twice the ink over the length of its outline; NaN without an outline */
     /* Errors against the reference; NaN without one. */
     double tone_error; /* mean of |difference of mean darkness| over the windows that the reference darkens */
     double tone_worst; /* largest of these differences */

@@ -135,6 +135,48 @@ START_TEST(edges_are_compared_where_the_reference_has_them)
 }
 END_TEST
 
+/* Makes smooth stripes at an angle, `width` wide at distances of `step`, or a disc of this diameter if step is 0. */
+static struct hatch_image slanted(double angle, double width, double step, double darkness)
+{
+    struct hatch_image image;
+    HATCH_TEST_OK(hatch_image_make(&keep, SIDE, SIDE, "Y", &image, &err), &err);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        double x = i % SIDE + 0.5 - SIDE / 2, y = (double)(i / SIDE) + 0.5 - SIDE / 2;
+        double across = x * cos(angle) + y * sin(angle);
+        double from = step > 0 ? fabs(across - step * round(across / step)) : hypot(x, y);
+        image.pixels[i] = (float)(1 - darkness * fmin(fmax(0.5 + width / 2 - from, 0), 1));
+    }
+    return image;
+}
+
+START_TEST(the_width_of_strokes_is_measured_at_any_angle)
+{
+    static const double widths[] = {2, 3.5, 8};
+    for (int degrees = 0; degrees < 180; degrees += 15)
+        for (int w = 0; w < 3; w++) {
+            struct hatch_image image = slanted(degrees * 0.0174533, widths[w], 24, _i ? 0.3 : 1);
+            measure(&image, NULL);
+            ck_assert_double_ge(figures.width_px, 0.94 * widths[w]);
+            ck_assert_double_le(figures.width_px, 1.1 * widths[w]);
+        }
+    struct hatch_image disc = slanted(0, 40, 0, 1); /* twice its area over its outline is the radius */
+    measure(&disc, NULL);
+    ck_assert_double_eq_tol(figures.width_px, 20, 0.3);
+}
+END_TEST
+
+START_TEST(without_an_outline_there_is_no_width)
+{
+    struct hatch_image image = stripes("Y", 0, 0);
+    measure(&image, NULL);
+    ck_assert(isnan(figures.width_px));
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        image.pixels[i] = 0;
+    measure(&image, NULL);
+    ck_assert(isnan(figures.width_px));
+}
+END_TEST
+
 static enum hatch_status measure_again(void *context, struct hatch_arena *into, struct hatch_arena *temporary,
                                        struct hatch_err *why)
 {
@@ -162,6 +204,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_constant_error_is_even);
     tcase_add_test(tests, edges_are_compared_where_the_reference_has_them);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    tcase_add_loop_test(tests, the_width_of_strokes_is_measured_at_any_angle, 0, 2);
+    tcase_add_test(tests, without_an_outline_there_is_no_width);
     suite_add_tcase(made, tests);
     return made;
 }
