@@ -5,9 +5,11 @@
 #define MOMENTS 7u
 #define PASSES 3u
 
-/* Polynomials and weights are rounded to multiples of the inverses, so that doubles hold their sums exactly, in any
- * order: a sum of 2^20 polynomials times whole numbers up to 2^14 stays within 2^53 of these multiples. */
-#define GRID 524288.0f
+/* Polynomials and weights are rounded to multiples of powers of two, so that doubles hold their sums exactly, in any
+ * order: polynomials to 2^-GRID_BITS or, of strokes of over 2^13 fragments, to coarser ones; times a weight in 128ths
+ * and a whole number up to 2^14, and summed, they stay within 2^53 of these multiples. */
+#define GRID_BITS 19
+#define SHARES 128.0f
 #define WEIGHTS 65536.0f
 
 /* Penalty on the factor of degree 2 of a very short stroke, in the unit of the polynomial's sum of squares over the
@@ -45,13 +47,29 @@ static void find_range(const struct hatch_fragment *fragments, size_t count, str
     cubic->weight = (float)(weight / (double)WEIGHTS);
 }
 
-static void add(const struct hatch_cubic *cubic, const struct hatch_fragment *fragment, struct sums *sums)
+/* Returns how much a fragment counts: what its stroke covers of the pixel, the middle of a 64th. */
+static double share_of(const struct hatch_fragment *fragment)
 {
+    return (double)((2 * floorf(rintf(fragment->weight * 65535) / 1024) + 1) / SHARES);
+}
+
+/* Returns the inverse of what polynomials are rounded to. */
+static float grid_of(size_t count)
+{
+    int bits = 0;
+    while ((size_t)1 << bits < count)
+        bits++;
+    return ldexpf(1, bits > 13 ? GRID_BITS + 13 - bits : GRID_BITS);
+}
+
+static void add(const struct hatch_cubic *cubic, const struct hatch_fragment *fragment, float grid, struct sums *sums)
+{
+    const double share = share_of(fragment);
     const float from[2] = {fragment->x - cubic->origin[0], fragment->y - cubic->origin[1]};
     float values[MOMENTS];
     legendre(hatch_cubic_u(cubic, fragment->t), MOMENTS, values);
     for (uint32_t k = 0; k < MOMENTS; k++) {
-        double value = (double)(rintf(values[k] * GRID) / GRID);
+        double value = share * (double)(rintf(values[k] * grid) / grid);
         sums->moments[k] += value;
         for (int axis = 0; axis < 2 && k < HATCH_CUBIC_TERMS; axis++)
             sums->places[axis][k] += value * (double)from[axis];
@@ -71,9 +89,9 @@ static void products(const double m[MOMENTS], double product[HATCH_CUBIC_TERMS][
     product[3][3] = 100 * m[6] / 231 + 18 * m[4] / 77 + 4 * m[2] / 21 + m[0] / 7;
 }
 
-/* Computes the penalties on the factors, from the length of the line through the fragments. The one on the line itself
- * only keeps the solution finite where all fragments have one parameter. */
-static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], const struct sums *sums,
+/* Computes the penalties on the factors, from the length of the line through the fragments and their mean weight. The
+ * one on the line itself only keeps the solution finite where all fragments have one parameter. */
+static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], const struct sums *sums, size_t count,
                            double penalty[HATCH_CUBIC_TERMS])
 {
     double share = product[1][0] / product[0][0], half[2];
@@ -83,7 +101,7 @@ static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS],
         half[axis] = (sums->places[axis][1] - share * sums->places[axis][0]) /
                      (product[1][1] - share * product[1][0] + penalty[1]);
     double square = 4 * (half[0] * half[0] + half[1] * half[1]);
-    penalty[2] = PENALTY / (1 + square / (SHORT_PX * SHORT_PX));
+    penalty[2] = PENALTY * product[0][0] / (double)count / (1 + square / (SHORT_PX * SHORT_PX));
     penalty[3] = 3 * penalty[2];
 }
 
@@ -103,11 +121,11 @@ static void factorize(double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], double piv
 
 /* Solves the system several times; each time the penalties are on the distance from the last solution. Factors that
  * the fragments determine converge to those of least squares, and the others stay small. */
-static void solve(const struct sums *sums, struct hatch_cubic *cubic)
+static void solve(const struct sums *sums, size_t count, struct hatch_cubic *cubic)
 {
     double a[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS], penalty[HATCH_CUBIC_TERMS], pivots[HATCH_CUBIC_TERMS];
     products(sums->moments, a);
-    find_penalties(a, sums, penalty);
+    find_penalties(a, sums, count, penalty);
     for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
         a[k][k] += penalty[k];
     factorize(a, pivots);
@@ -133,10 +151,11 @@ static void solve(const struct sums *sums, struct hatch_cubic *cubic)
 void hatch_cubic_fit(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
 {
     struct sums sums = {.moments = {0}};
+    const float grid = grid_of(count);
     find_range(fragments, count, cubic);
     for (size_t i = 0; i < count; i++)
-        add(cubic, &fragments[i], &sums);
-    solve(&sums, cubic);
+        add(cubic, &fragments[i], grid, &sums);
+    solve(&sums, count, cubic);
 }
 
 float hatch_cubic_u(const struct hatch_cubic *cubic, float t)

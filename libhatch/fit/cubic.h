@@ -1,10 +1,11 @@
 /* Cubics fitted to the fragments of strokes (Szécsi, Szirányi & Kacsó, "Tonal Art Maps with Image Space Strokes",
  * §2.2). A fragment is a pixel that a stroke covers; it has a place in the picture and a parameter t along the stroke.
- * The cubic is the least-squares solution of equation (1), but in Legendre polynomials of u, which runs from -1 to 1
- * over the part of the stroke that is in sight, instead of powers of t: however short that part is, the system stays
- * well conditioned. Penalties on the polynomials of degrees 2 and 3 (iterated Tikhonov regularization) keep the curve
- * near a line where its fragments do not determine a cubic: few different parameters, a large gap, or a part that is
- * shorter than wide. Where they do, the penalties change nearly nothing. docs/notes/fit.md has the figures.
+ * The cubic is the least-squares solution of equation (1), but each fragment counts as much as it is covered, so that
+ * the curve moves evenly when the stroke moves by parts of a pixel, and in Legendre polynomials of u, which runs from
+ * -1 to 1 over the part of the stroke that is in sight, instead of powers of t: however short that part is, the system
+ * stays well conditioned. Penalties on the polynomials of degrees 2 and 3 (iterated Tikhonov regularization) keep the
+ * curve near a line where its fragments do not determine a cubic: few different parameters, a large gap, or a part that
+ * is shorter than wide. Where they do, the penalties change nearly nothing. docs/notes/fit.md has the figures.
  * shaders/strokes/cubic.glsl of render-gl computes the same. */
 #ifndef HATCH_FIT_CUBIC_H
 #define HATCH_FIT_CUBIC_H

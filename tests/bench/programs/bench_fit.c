@@ -283,6 +283,7 @@ static void draw(const struct work *work, uint64_t index, struct fit_stroke *str
     fit_fragments(&way, stroke);
     for (size_t i = 0; i < stroke->count; i++) {
         struct hatch_fragment *f = &stroke->fragments[i];
+        f->weight = 1; /* as in the paper: what is compared are the ways to solve */
         f->x += by[0];
         f->y += by[1];
         if (work->parameters > 0)

@@ -1,6 +1,7 @@
 /* The curve that fit/cubic.h should find, by another way: the pseudo-inverse of the matrix of powers (1, v, v^2, v^3),
- * in doubles. v runs from 0 to 1 over the fragments' range of t. Rows are turned into a triangle by Givens rotations,
- * and the triangle's columns made orthogonal by Jacobi rotations (Hestenes 1958). */
+ * whose rows are scaled by the square roots of weights, in doubles. v runs from 0 to 1 over the fragments' range of t.
+ * Rows are turned into a triangle by Givens rotations, and the triangle's columns made orthogonal by Jacobi rotations
+ * (Hestenes 1958). */
 #ifndef HATCH_TEST_FIT_REFERENCE_H
 #define HATCH_TEST_FIT_REFERENCE_H
 
@@ -130,6 +131,8 @@ static inline void fit_reference_find(const struct hatch_fragment *fragments, si
         fit_reference_powers(reference, (double)fragments[i].t, row);
         row[HATCH_CUBIC_TERMS] = (double)fragments[i].x;
         row[HATCH_CUBIC_TERMS + 1] = (double)fragments[i].y;
+        for (uint32_t k = 0; k < HATCH_CUBIC_TERMS + 2; k++)
+            row[k] *= sqrt((double)fragments[i].weight);
         fit_reference_add(triangle, row);
     }
     fit_reference_solve(triangle, reference);

@@ -219,6 +219,28 @@ START_TEST(the_weight_is_the_area)
 }
 END_TEST
 
+/* Straight strokes along the pixels, in sixteenths of a pixel: the curve stays in their middle, as well as the middles
+ * of their pixels tell where it is. */
+START_TEST(a_stroke_that_moves_by_parts_of_a_pixel_moves_evenly)
+{
+    static const double widths[] = {1, 1.5, 2, 2.7, 4};
+    for (int w = 0; w < 5; w++)
+        for (int i = 0; i < 16; i++)
+            for (int turned = 0; turned < 2; turned++) {
+                struct fit_way way = {.length_px = 60, .width_px = widths[w], .direction_rad = turned * 1.5707963};
+                struct hatch_cubic cubic;
+                double at[3][2];
+                float place[2];
+                way.offset[!turned] = i / 16.0;
+                fit_fragments(&way, &stroke);
+                hatch_cubic_fit(stroke.fragments, stroke.count, &cubic);
+                hatch_cubic_at(&cubic, 0, place);
+                fit_bezier_at(&stroke.middle, 0.5, at);
+                ck_assert_double_lt(fabs((double)place[!turned] - at[0][!turned]), 0.09);
+            }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("cubic");
@@ -231,6 +253,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_stroke_that_moves_by_whole_pixels_keeps_its_curve);
     tcase_add_test(tests, a_reversed_and_mirrored_stroke_has_the_same_curve);
     tcase_add_test(tests, the_weight_is_the_area);
+    tcase_add_test(tests, a_stroke_that_moves_by_parts_of_a_pixel_moves_evenly);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -112,7 +112,7 @@ START_TEST(both_ways_find_the_same_curves)
         count++;
     }
     ck_assert_uint_gt(count, sorted.strokes / 2);
-    ck_assert_msg(sum < 0.003 * count, "%g pixels apart in the mean", sum / count);
+    ck_assert_msg(sum < 0.004 * count, "%g pixels apart in the mean", sum / count);
     ck_assert_msg(worst < 0.5, "%g pixels apart", worst);
     frame_finish(&frame);
 }

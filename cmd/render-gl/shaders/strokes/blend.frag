@@ -1,4 +1,5 @@
-// Terms of a stroke's sums, which blending adds up (Szecsi et al., Tonal Art Maps with Image Space Strokes, 2.2).
+// Terms of a stroke's sums, which blending adds up (Szecsi et al., Tonal Art Maps with Image Space Strokes, 2.2), each
+// times what the fragment counts.
 // technique/strokes/blend.c has the formats.
 #include "frame/frame.glsl"
 #include "strokes/curve.glsl"
@@ -14,9 +15,10 @@ layout(location = 5) out uvec2 o_id;
 void main()
 {
     float t = 2.0 * t_of(v_fragment.zw) - 1.0, square = t * t, hash = float(v_fragment.x >> 8);
+    float share = share_of(v_fragment.zw);
     vec2 place = pixel_of(v_fragment.zw) - viewport.xy;
-    o_powers = vec4(1.0, t, square, square * t);
-    o_higher = vec4(square * square * vec3(1.0, t, square), float(v_fragment.w >> 16) / 65535.0);
+    o_powers = share * vec4(1.0, t, square, square * t);
+    o_higher = vec4(share * square * square * vec3(1.0, t, square), float(v_fragment.w >> 16) / 65535.0);
     o_x = place.x * o_powers;
     o_y = place.y * o_powers;
     o_extremes = vec4(-t, t, -hash, hash);

@@ -3,7 +3,7 @@
 
 layout(std430, binding = STORAGE_SORTED) readonly buffer Sorted { uvec2 sorted[]; };
 
-const float GRID = 524288.0;
+const int GRID_BITS = 19;
 const double PENALTY = 2.0, SHORT_PX = 50.0;
 const int PASSES = 3;
 
@@ -37,12 +37,14 @@ void add_all(uint first, uint count, Cubic cubic, out double moments[7], out dou
         moments[k] = 0.0;
     for (int k = 0; k < 4; k++)
         x[k] = y[k] = 0.0;
+    float grid = exp2(float(min(GRID_BITS, GRID_BITS + 12 - findMSB(count - 1u))));
     for (uint i = first; i < first + count; i++) {
         vec2 from = pixel_of(sorted[i]) - cubic.origin;
+        double share = double(share_of(sorted[i]));
         float values[7];
         legendre(u_of(cubic, t_of(sorted[i])), values);
         for (int k = 0; k < 7; k++) {
-            double value = double(roundEven(values[k] * GRID) / GRID);
+            double value = share * double(roundEven(values[k] * grid) / grid);
             moments[k] += value;
             if (k < 4) {
                 x[k] += value * double(from.x);
@@ -65,14 +67,15 @@ void products(double m[7], out double a[4][4])
     a[3][3] = 100.0 * m[6] / 231.0 + 18.0 * m[4] / 77.0 + 4.0 * m[2] / 21.0 + m[0] / 7.0;
 }
 
-// Computes the penalties on the factors, from the length of the line through the fragments.
-void find_penalties(double a[4][4], double x[4], double y[4], out double penalty[4])
+// Computes the penalties on the factors, from the length of the line through the fragments and their mean weight.
+void find_penalties(double a[4][4], double x[4], double y[4], uint count, out double penalty[4])
 {
     double share = a[1][0] / a[0][0], spread = a[1][1] - share * a[1][0] + 1e-9LF;
     double half_x = (x[1] - share * x[0]) / spread, half_y = (y[1] - share * y[0]) / spread;
     penalty[0] = 0.0LF;
     penalty[1] = 1e-9LF;
-    penalty[2] = PENALTY / (1.0LF + 4.0LF * (half_x * half_x + half_y * half_y) / (SHORT_PX * SHORT_PX));
+    double square = 4.0LF * (half_x * half_x + half_y * half_y);
+    penalty[2] = PENALTY * a[0][0] / double(count) / (1.0LF + square / (SHORT_PX * SHORT_PX));
     penalty[3] = 3.0LF * penalty[2];
 }
 
@@ -118,7 +121,7 @@ Cubic fit(uint first, uint count)
     find_range(first, count, cubic);
     add_all(first, count, cubic, moments, x, y);
     products(moments, a);
-    find_penalties(a, x, y, penalty);
+    find_penalties(a, x, y, count, penalty);
     for (int k = 0; k < 4; k++)
         a[k][k] += penalty[k];
     factorize(a, pivots);

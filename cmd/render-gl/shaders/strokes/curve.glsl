@@ -11,6 +11,12 @@ float t_of(uvec2 fragment)
     return float(fragment.y & 0xffffu) / 65535.0;
 }
 
+// Returns what the fragment counts: the share of the pixel that is covered, the middle of a 64th.
+float share_of(uvec2 fragment)
+{
+    return float(2u * (fragment.y >> 26) + 1u) / 128.0;
+}
+
 vec2 pixel_of(uvec2 fragment)
 {
     return vec2(fragment.x & 0xffffu, fragment.x >> 16) + 0.5;

@@ -12,7 +12,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 
 const int STEPS = 8; // twice as many as exact arithmetic needs: rounded directions are not quite conjugate
 const float NEGLIGIBLE = 1e-13; // square of a residual, relative to the right side, which is rounded as much
-const float SPARSEST = 2.0; // pixels of length per fragment; others are no stroke, but far pieces of one
+const float SPARSEST = 5.0; // pixels of length per pixel of area; others are no stroke, but far pieces of one
 
 // Solves A c = b, from the mean of the places.
 vec4 solve(mat4 a, vec4 b)
@@ -69,6 +69,6 @@ void main()
     measure(cubic, -1.0, 1.0, path);
     float length_px = path.lengths[LAST], width_px = cubic.weight / max(length_px, SHORTEST_PX);
     for (int k = 0; k <= LAST; k++)
-        widths[k] = length_px < SPARSEST * texelFetch(sums[0], at, 0).x ? width_px : 0.0;
+        widths[k] = length_px < SPARSEST * cubic.weight ? width_px : 0.0;
     extrude(i, Drawn(cubic, slot.high, 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px));
 }
