@@ -15,40 +15,24 @@ struct header {
     uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
 };
 
-/* Returns the number of channels of a VkFormat and sets its code; returns 0 when the format is not supported. */
-static uint32_t channels_of(uint32_t vk_format, enum hatch_texels_code *code)
+/* The formats that are read: those of linear light, and the same as sRGB. */
+static const struct format {
+    uint32_t vk_format, channels;
+    enum hatch_texels_code code;
+} formats[] = {
+    {9, 1, HATCH_TEXELS_PLAIN},  {15, 1, HATCH_TEXELS_PLAIN}, {16, 2, HATCH_TEXELS_PLAIN}, {22, 2, HATCH_TEXELS_PLAIN},
+    {23, 3, HATCH_TEXELS_PLAIN}, {29, 3, HATCH_TEXELS_PLAIN}, {37, 4, HATCH_TEXELS_PLAIN}, {43, 4, HATCH_TEXELS_PLAIN},
+    {98, 1, HATCH_TEXELS_R32UI}, {131, 3, HATCH_TEXELS_BC1},  {132, 3, HATCH_TEXELS_BC1},  {139, 1, HATCH_TEXELS_BC4},
+    {145, 4, HATCH_TEXELS_BC7},  {146, 4, HATCH_TEXELS_BC7},
+};
+
+/* Returns the format of a VkFormat, or NULL. */
+static const struct format *format_of(uint32_t vk_format)
 {
-    *code = HATCH_TEXELS_PLAIN;
-    switch (vk_format) {
-    case 9:
-    case 15:
-        return 1;
-    case 16:
-    case 22:
-        return 2;
-    case 23:
-    case 29:
-        return 3;
-    case 37:
-    case 43:
-        return 4;
-    case 98:
-        *code = HATCH_TEXELS_R32UI;
-        return 1;
-    case 131:
-    case 132:
-        *code = HATCH_TEXELS_BC1;
-        return 3;
-    case 139:
-        *code = HATCH_TEXELS_BC4;
-        return 1;
-    case 145:
-    case 146:
-        *code = HATCH_TEXELS_BC7;
-        return 4;
-    default:
-        return 0;
-    }
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (formats[i].vk_format == vk_format)
+            return &formats[i];
+    return NULL;
 }
 
 static enum hatch_status read_header(struct hatch_reader *reader, struct header *header, struct hatch_err *err)
@@ -75,13 +59,12 @@ static enum hatch_status read_header(struct hatch_reader *reader, struct header 
 
 static enum hatch_status check_header(const struct header *header, struct hatch_texels *texture, struct hatch_err *err)
 {
-    enum hatch_texels_code code;
-    uint32_t channels = channels_of(header->vk_format, &code);
-    uint32_t type_size = code == HATCH_TEXELS_R32UI ? 4 : 1;
-    if (!channels)
+    const struct format *format = format_of(header->vk_format);
+    if (!format)
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "VkFormat %u is not supported; use 8 bits per channel, BC1, BC4, BC7 or R32UI",
                           header->vk_format);
+    uint32_t type_size = format->code == HATCH_TEXELS_R32UI ? 4 : 1;
     if (header->type_size != type_size)
         return hatch_fail(err, HATCH_BAD_INPUT, "typeSize %u, want %u", header->type_size, type_size);
     if (header->faces != 1)
@@ -99,9 +82,9 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
                                      .height = header->height,
                                      .depth = header->depth,
                                      .layers = header->layers,
-                                     .channels = channels,
+                                     .channels = format->channels,
                                      .level_count = header->levels ? header->levels : 1,
-                                     .code = code};
+                                     .code = format->code};
     if (texture->level_count > hatch_texels_chain_length(texture))
         return hatch_fail(err, HATCH_BAD_INPUT, "%u levels, want at most %u", texture->level_count,
                           hatch_texels_chain_length(texture));

@@ -208,6 +208,86 @@ START_TEST(wrong_headers_are_refused)
 }
 END_TEST
 
+static const struct {
+    uint32_t vk_format; /* as in vulkan_core.h: of UNORM or UINT, then the same as SRGB */
+    uint32_t channels;
+    enum hatch_texels_code code;
+} formats[] = {
+    {9, 1, HATCH_TEXELS_PLAIN},  {15, 1, HATCH_TEXELS_PLAIN}, {16, 2, HATCH_TEXELS_PLAIN}, {22, 2, HATCH_TEXELS_PLAIN},
+    {23, 3, HATCH_TEXELS_PLAIN}, {29, 3, HATCH_TEXELS_PLAIN}, {37, 4, HATCH_TEXELS_PLAIN}, {43, 4, HATCH_TEXELS_PLAIN},
+    {98, 1, HATCH_TEXELS_R32UI}, {131, 3, HATCH_TEXELS_BC1},  {132, 3, HATCH_TEXELS_BC1},  {139, 1, HATCH_TEXELS_BC4},
+    {145, 4, HATCH_TEXELS_BC7},  {146, 4, HATCH_TEXELS_BC7},
+};
+
+/* All other numbers near these are refused. */
+START_TEST(formats_are_those_of_vulkan)
+{
+    for (uint32_t vk_format = 0, i = 0; vk_format < 256; vk_format++) {
+        bool known = formats[i].vk_format == vk_format;
+        struct hatch_texels got, want = {.width = 16, .height = 16, .level_count = 1};
+        want.channels = known ? formats[i].channels : 1;
+        want.code = known ? formats[i].code : HATCH_TEXELS_PLAIN;
+        HATCH_TEST_OK(hatch_texels_make(&keep, &want, &err), &err);
+        struct hatch_bytes file = write_ktx2(&want);
+        put((uint8_t *)(uintptr_t)file.data + 12, vk_format, 4);
+        ck_assert_int_eq(hatch_ktx2_read(file, &keep, &got, &err), known ? HATCH_OK : HATCH_BAD_INPUT);
+        if (known)
+            same(&got, &want);
+        i += known && i + 1 < sizeof formats / sizeof *formats;
+    }
+}
+END_TEST
+
+/* The texels may take all memory: a level of 1024 bytes. */
+START_TEST(an_arena_as_large_as_the_texels_is_enough)
+{
+    struct hatch_texels texture = {.width = 16, .height = 16, .channels = 4, .level_count = 1}, got;
+    HATCH_TEST_OK(hatch_texels_make(&keep, &texture, &err), &err);
+    struct hatch_bytes file = write_ktx2(&texture);
+    for (size_t missing = 0; missing < 2; missing++) {
+        struct hatch_arena small;
+        hatch_arena_init(&small, 1024 - missing);
+        ck_assert_int_eq(hatch_ktx2_read(file, &small, &got, &err), missing ? HATCH_LIMIT : HATCH_OK);
+        hatch_arena_free(&small);
+    }
+    ck_assert_ptr_nonnull(strstr(err.text, "1024 bytes of texels, more than the 1023 allowed"));
+}
+END_TEST
+
+/* Entries at the end of the file: each message is that of the check that refuses them. */
+START_TEST(entries_may_end_where_the_file_ends)
+{
+    struct hatch_texels texture = {.width = 256, .height = 256, .channels = 1, .level_count = 1}, got;
+    HATCH_TEST_OK(hatch_texels_make(&keep, &texture, &err), &err);
+    struct hatch_bytes plain = write_ktx2(&texture);
+    uint8_t *bytes = (uint8_t *)(uintptr_t)plain.data;
+    const char *const *keys;
+    put(bytes + 56, plain.size, 4); /* no pairs, at the end */
+    put(bytes + 60, 0, 4);
+    HATCH_TEST_OK(hatch_ktx2_read_keys(plain, &keep, &keys, &err), &err);
+    ck_assert_ptr_null(keys[0]);
+    put(bytes + 56, plain.size - 8, 4); /* a pair of zeros, which has no value */
+    put(bytes + 60, 8, 4);
+    HATCH_TEST_OK(hatch_ktx2_read_keys(plain, &keep, &keys, &err), &err);
+    put(bytes + 60, 9, 4);
+    ck_assert_int_eq(hatch_ktx2_read_keys(plain, &keep, &keys, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "pairs end after"));
+
+    put(bytes + 80, plain.size, 8); /* a level of no bytes, at the end */
+    put(bytes + 88, 0, 8);
+    ck_assert_int_eq(hatch_ktx2_read(plain, &keep, &got, &err), HATCH_BAD_INPUT);
+    ck_assert_ptr_nonnull(strstr(err.text, "level 0 is damaged: 0 bytes stored"));
+    put(bytes + 80, plain.size - 2, 8); /* Zstandard packs up to 32768 bytes into one, but not into the first */
+    for (uint64_t length = 1; length < 3; length++) {
+        put(bytes + 44, 2, 4);
+        put(bytes + 88, length, 8);
+        ck_assert_int_eq(hatch_ktx2_read(plain, &keep, &got, &err), HATCH_BAD_INPUT);
+        ck_assert_ptr_nonnull(strstr(err.text, length < 2 ? "level 0 is damaged: 1 bytes" : "level 0: "));
+        ck_assert(length < 2 || strstr(err.text, "Zstandard"));
+    }
+}
+END_TEST
+
 START_TEST(dds_has_the_published_layout)
 {
     struct hatch_texels texture = make(2);
@@ -276,6 +356,9 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, zstandard_is_decompressed, 0, KINDS);
     tcase_add_loop_test(tests, a_truncated_file_is_refused, 0, KINDS);
     tcase_add_loop_test(tests, wrong_headers_are_refused, 0, sizeof faults / sizeof *faults);
+    tcase_add_test(tests, formats_are_those_of_vulkan);
+    tcase_add_test(tests, an_arena_as_large_as_the_texels_is_enough);
+    tcase_add_test(tests, entries_may_end_where_the_file_ends);
     tcase_add_test(tests, dds_has_the_published_layout);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);
