@@ -1,0 +1,101 @@
+/* Drawings that are refused because clones, dashes or rules would take too long or too much memory. */
+#include <stdio.h>
+#include <string.h>
+
+#include "arenas.h"
+#include "io/svg/svg.h"
+
+static struct hatch_stroke_list list;
+static struct hatch_svg_notes notes;
+
+static enum hatch_status read_text(const char *text)
+{
+    struct hatch_bytes bytes = {(const uint8_t *)text, strlen(text)};
+    return hatch_svg_read(bytes, 200, &keep, &scratch, &list, &notes, &err);
+}
+
+START_TEST(exponential_and_deep_clones_are_refused)
+{
+    static char text[200000];
+    size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><g id='a0'><path d='M0 0 1 1'/></g>");
+    for (int i = 1; i < 12; i++) {
+        at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'>", i);
+        for (int k = 0; k < 10; k++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<use href='#a%d'/>", i - 1);
+        at += (size_t)snprintf(text + at, sizeof text - at, "</g>");
+    }
+    snprintf(text + at, sizeof text - at, "</svg>");
+    ck_assert_int_eq(read_text(text), HATCH_LIMIT);
+    ck_assert_str_eq(err.text, "line 1: <use> elements draw more than 1000000 elements");
+    for (int deeper = 0; deeper < 2; deeper++) { /* 127 groups with a clone each, a group, the path; or one more */
+        at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'>");
+        for (int i = 0; i < 127; i++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<g id='a%d'><use href='#a%d'/></g>", i, i + 1);
+        snprintf(text + at, sizeof text - at, "<g id='a127'>%s</g></svg>", deeper ? "<g><path/></g>" : "<path/>");
+        ck_assert_int_eq(read_text(text), deeper ? HATCH_BAD_INPUT : HATCH_OK);
+    }
+    ck_assert_str_eq(err.text, "line 1: elements nested deeper than 256");
+}
+END_TEST
+
+/* A group of 1000 elements, cloned 1000 times, and one more element. Nothing of it is drawn. */
+START_TEST(a_million_cloned_elements_are_accepted)
+{
+    static char text[50000];
+    for (int more = 0; more < 2; more++) {
+        size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><defs><g id='a'><g id='b'/>");
+        for (int i = 0; i < 998; i++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<g/>");
+        at += (size_t)snprintf(text + at, sizeof text - at, "</g>");
+        for (int i = 0; i < 1000; i++)
+            at += (size_t)snprintf(text + at, sizeof text - at, "<use href='#a'/>");
+        snprintf(text + at, sizeof text - at, "%s</defs></svg>", more ? "<use href='#b'/>" : "");
+        ck_assert_int_eq(read_text(text), more ? HATCH_LIMIT : HATCH_OK);
+    }
+    ck_assert_str_eq(err.text, "line 1: <use> elements draw more than 1000000 elements");
+}
+END_TEST
+
+/* Dashes and gaps of 2^-13 user units along a line of 999,999 and of a million of them: all numbers are exact. */
+START_TEST(dashes_and_gaps_are_fewer_than_a_million)
+{
+    static const char *const ends[] = {"122.0701904296875", "122.0703125"};
+    char text[300];
+    for (int more = 0; more < 2; more++) {
+        snprintf(text, sizeof text,
+                 "<svg viewBox='0 0 128 128'><path stroke='red' stroke-dasharray='0.0001220703125' d='M0 0H%s'/></svg>",
+                 ends[more]);
+        ck_assert_int_eq(read_text(text), more ? HATCH_LIMIT : HATCH_OK);
+    }
+    ck_assert_uint_eq(list.count, 500000);
+    ck_assert_str_eq(err.text, "line 1: more than 1000000 dashes");
+}
+END_TEST
+
+START_TEST(rules_are_limited)
+{
+    static char text[200000];
+    for (int more = 0; more < 2; more++) {
+        size_t at = (size_t)snprintf(text, sizeof text, "<svg viewBox='0 0 9 9'><style>");
+        for (int i = 0; i < 4096 + more; i++)
+            at += (size_t)snprintf(text + at, sizeof text - at, ".a%d{stroke:red}", i);
+        snprintf(text + at, sizeof text - at, "</style></svg>");
+        ck_assert_int_eq(read_text(text), more ? HATCH_LIMIT : HATCH_OK);
+    }
+    ck_assert_str_eq(err.text, "more than 4096 CSS rules");
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io svg limits");
+    TCase *tests = tcase_create("svg_limits");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, exponential_and_deep_clones_are_refused);
+    tcase_add_test(tests, a_million_cloned_elements_are_accepted);
+    tcase_add_test(tests, dashes_and_gaps_are_fewer_than_a_million);
+    tcase_add_test(tests, rules_are_limited);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
