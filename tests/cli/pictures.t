@@ -61,6 +61,20 @@ printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\030\040\0\0\377\0\377\0\377\0\0\377\377
 for format in bmp tga; do
     is "$format is read like ppm" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
 done
+# Pictures of four channels have transparency; more channels have no meaning here. A TIFF of one pixel of 8 bits each.
+printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\040\050\0\0\377\377\0\377\0\377\377\0\0\377\377\377\377\377' >alpha.tga
+is "tga with transparency is read" "$(hatchstat diff alpha.tga alpha.tga | field max)" 0
+for channels in 4 5; do
+    perl -e 'my $n = shift; my $at = 8; my $more = $at + 2 + 12 * 10 + 4;
+        my @entries = ([256, 3, 1, 1], [257, 3, 1, 1], [258, 3, $n, $more], [259, 3, 1, 1], [262, 3, 1, 2],
+            [273, 4, 1, $more + 2 * $n], [277, 3, 1, $n], [278, 3, 1, 1], [279, 4, 1, $n], [338, 3, $n - 3, $n > 4 ? 0 : 2]);
+        print pack("a2 v V v", "II", 42, $at, 10), map({ pack "v v V V", @$_ } @entries), pack("V v*", 0, (8) x $n),
+            "\377" x $n' "$channels" >"channels$channels.tif"
+done
+is "tif of four channels is read" "$(hatchstat diff channels4.tif channels4.tif | field max)" 0
+try hatchstat diff channels5.tif channels5.tif
+refused "a picture of five channels" 3 1
+ok "the message tells how many" grep -q '5 channels, want 1 to 4' .err
 is "formats are recognised by content, not by name" \
     "$(hatchstat diff - colours.ppm <colours.bmp | field max)" 0
 for format in ppm bmp tga; do

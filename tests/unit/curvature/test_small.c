@@ -107,6 +107,35 @@ START_TEST(means_of_fits_have_the_curvature_of_the_shape)
 }
 END_TEST
 
+/* Normals at the corners of tetrahedra turn away from each other, so that each point is covered by a fit of its own
+ * alone, which one point does not determine. */
+START_TEST(each_point_may_have_its_own_fit)
+{
+    enum { POINTS = 16 };
+    static const uint32_t corners[12] = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+    float positions[3 * POINTS];
+    uint32_t indices[3 * POINTS];
+    for (uint32_t i = 0; i < 3 * POINTS; i++) { /* every other corner of cubes, 10 apart */
+        uint32_t point = i / 3, axis = i % 3, bits = point % 4;
+        bool up = axis < 2 ? bits >> axis & 1 : (bits ^ bits >> 1) & 1;
+        positions[i] = (up ? 1 : -1) + (axis == 0 ? 10 * (float)(point / 4) : 0);
+        indices[i] = i / 12 * 4 + corners[i % 12];
+    }
+    struct field_case of = case_of(mesh_of(positions, POINTS, indices, POINTS));
+    struct hatch_curvature_run run;
+    struct hatch_curvature_sample samples[POINTS];
+    double noise[POINTS];
+    begin_run(&of, &run);
+    HATCH_TEST_OK(hatch_curvature_fit_small(&run, &scratch, samples, noise, &err), &err);
+    for (uint32_t p = 0; p < POINTS; p++) {
+        ck_assert(!hatch_support_gather(run.supports, p, &run.graph.normals[3 * (size_t)p], 1.3));
+        ck_assert_uint_eq(run.supports->count, 1);
+        ck_assert(samples[p].variance.mean == INFINITY && samples[p].variance.off_diagonal == INFINITY);
+        ck_assert_double_eq(samples[p].radius, HATCH_CURVATURE_RADIUS_MIN);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("small supports");
@@ -116,6 +145,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_support_of_many_points_is_limited);
     tcase_add_test(tests, rounding_errors_grow_with_the_largest_coordinate);
     tcase_add_test(tests, means_of_fits_have_the_curvature_of_the_shape);
+    tcase_add_test(tests, each_point_may_have_its_own_fit);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -222,26 +222,50 @@ START_TEST(a_file_larger_than_the_arena_is_refused_before_any_allocation)
 }
 END_TEST
 
-/* A window of 40,000 x 40,000 pixels in a file of one pixel. */
-START_TEST(a_wrong_window_is_refused_before_any_allocation)
+/* Reads a file of one pixel whose header claims more. Returns whether memory was allocated for them.
+ *   size  of the file, which ends in zeros
+ *   want  status */
+static bool allocates(uint32_t width, uint32_t height, size_t size, size_t limit_bytes, enum hatch_status want)
 {
     static const char name[] = "dataWindow\0box2i";
-    static const uint8_t corner[] = {0x3f, 0x9c, 0, 0, 0x3f, 0x9c, 0, 0};
+    uint32_t corner[2] = {width - 1, height - 1}, count = 0;
     struct hatch_mipmap part, *got = NULL;
-    struct hatch_arena large;
-    uint32_t count = 0;
+    struct hatch_arena arena;
     make_part(&kinds[1], 0, &part);
     struct hatch_buffer file = write_all(&part, 1, 1);
+    uint8_t *longer = HATCH_NEW(&keep, uint8_t, size, &err);
+    ck_assert_uint_ge(size, file.size);
+    memcpy(longer, file.data, file.size);
     size_t at = 0;
-    while (memcmp(file.data + at, name, sizeof name) != 0)
+    while (memcmp(longer + at, name, sizeof name) != 0)
         at++;
-    memcpy(file.data + at + sizeof name + 4 + 8, corner, sizeof corner);
-    hatch_arena_init(&large, SIZE_MAX);
-    ck_assert_int_eq(
-        hatch_exr_read((struct hatch_bytes){file.data, file.size}, NULL, &large, &scratch, &got, &count, &err),
-        HATCH_BAD_INPUT);
-    ck_assert_uint_eq(large.peak_bytes, 0);
+    memcpy(longer + at + sizeof name + 4 + 8, corner, sizeof corner);
+    hatch_arena_init(&arena, limit_bytes);
+    ck_assert_int_eq(hatch_exr_read((struct hatch_bytes){longer, size}, NULL, &arena, &scratch, &got, &count, &err),
+                     want);
+    bool allocated = arena.peak_bytes > 0;
+    hatch_arena_free(&arena);
+    return allocated;
+}
+
+START_TEST(a_wrong_window_is_refused_before_any_allocation)
+{
+    ck_assert(!allocates(40000, 40000, 1000, SIZE_MAX, HATCH_BAD_INPUT));
     ck_assert(strstr(err.text, "40000x40000"));
+}
+END_TEST
+
+/* Deflate packs 1032 bytes into one at best, and each chunk of 16 rows has an offset of eight bytes: windows of as many
+ * pixels and rows as could fit are read, until that fails. The floats of the pixels may take all memory. */
+START_TEST(windows_reach_the_limits_of_the_file)
+{
+    const uint32_t size = 1000;
+    ck_assert(allocates(1032 / 2, size, size, LIMIT, HATCH_BAD_INPUT));
+    ck_assert(!allocates(1032 / 2, size + 1, size, LIMIT, HATCH_BAD_INPUT));
+    ck_assert(allocates(1, 16 * size / 8, size, LIMIT, HATCH_BAD_INPUT));
+    ck_assert(!allocates(1, 16 * size / 8 + 1, size, LIMIT, HATCH_BAD_INPUT));
+    ck_assert(allocates(100, 100, size, 100 * 100 * sizeof(float), HATCH_LIMIT));
+    ck_assert(!allocates(100, 100, size, 100 * 100 * sizeof(float) - 1, HATCH_LIMIT));
 }
 END_TEST
 
@@ -325,6 +349,38 @@ START_TEST(a_writer_stops_at_its_limit)
 }
 END_TEST
 
+/* Parts in as much memory as all of them take when packed, beside what the writer itself takes, and in one byte less.
+ */
+START_TEST(packed_parts_may_take_all_memory)
+{
+    enum { MANY = 12 };
+    struct hatch_mipmap *parts = HATCH_NEW(&keep, struct hatch_mipmap, MANY, &err);
+    struct hatch_exr_writer *writer = NULL;
+    struct hatch_bytes pieces[MANY];
+    struct hatch_buffer head = {.arena = &keep};
+    size_t packed = 0, taken = 0;
+    for (uint32_t i = 0; i < MANY; i++)
+        make_part(&kinds[5], i, &parts[i]);
+    for (size_t round = 0; round < 3; round++) { /* the first round finds what the parts and the writer take */
+        struct hatch_arena arena;
+        hatch_arena_init(&arena, round ? taken + packed - (round - 1) : LIMIT);
+        HATCH_TEST_OK(hatch_exr_begin(&parts[0], MANY, &arena, &writer, &err), &err);
+        taken = arena.used_bytes;
+        for (uint32_t i = 0; i < MANY; i++)
+            ck_assert_msg(hatch_exr_add_part(writer, i, &parts[i], &err) ==
+                              (round == 2 && i == MANY - 1 ? HATCH_LIMIT : HATCH_OK),
+                          "round %zu, part %u: %s", round, i, err.text);
+        if (round == 0)
+            HATCH_TEST_OK(hatch_exr_pieces(writer, &head, pieces, &err), &err);
+        for (uint32_t i = 0; round == 0 && i < MANY; i++)
+            packed += pieces[i].size;
+        hatch_exr_abandon(writer);
+        hatch_arena_free(&arena);
+    }
+    ck_assert_ptr_nonnull(strstr(err.text, "compressed images exceed the memory limit"));
+}
+END_TEST
+
 /* The pieces are valid until the writer is freed. */
 START_TEST(pieces_joined_are_the_file)
 {
@@ -400,6 +456,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_wrong_window_is_refused_before_any_allocation);
     tcase_add_test(tests, as_many_channels_are_read_as_an_image_may_have);
     tcase_add_test(tests, names_may_be_as_long_as_there_is_room);
+    tcase_add_test(tests, windows_reach_the_limits_of_the_file);
+    tcase_add_test(tests, packed_parts_may_take_all_memory);
     tcase_add_test(tests, a_writer_stops_at_its_limit);
     tcase_add_test(tests, each_allocation_may_fail);
     suite_add_tcase(suite, tests);

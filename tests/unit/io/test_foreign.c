@@ -60,6 +60,18 @@ START_TEST(rows_may_run_from_the_top_down)
 }
 END_TEST
 
+START_TEST(an_image_has_four_bytes_at_least)
+{
+    for (size_t size = 3; size <= 4; size++) {
+        struct hatch_image image;
+        ck_assert_int_eq(hatch_image_read_any((struct hatch_bytes){(const uint8_t *)"none", size}, "a.bmp",
+                                              "/none/plugin.so", &keep, &scratch, &image, &err),
+                         HATCH_BAD_INPUT);
+        ck_assert_int_eq(needs_plugin(), size == 4);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io foreign");
@@ -68,6 +80,7 @@ static Suite *suite(void)
     tcase_add_test(tests, an_image_beyond_the_memory_is_refused);
     tcase_add_test(tests, an_image_with_a_huge_side_is_refused);
     tcase_add_test(tests, rows_may_run_from_the_top_down);
+    tcase_add_test(tests, an_image_has_four_bytes_at_least);
     suite_add_tcase(suite, tests);
     return suite;
 }

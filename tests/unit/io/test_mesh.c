@@ -179,6 +179,10 @@ static void refused(const char *file, const char *place)
     ck_assert_mem_eq(&before, &mesh, sizeof mesh);
 }
 
+#define PLY_POINTS(count)                                                                                              \
+    "ply\nformat ascii 1.0\nelement vertex " count                                                                     \
+    "\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+
 START_TEST(errors_name_their_place)
 {
     refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4: corner 4: vertex 4 does not exist, there are 3");
@@ -214,6 +218,8 @@ START_TEST(errors_name_their_place)
     refused("ply\nformat ascii 1.0\nelement vertex 99999\nproperty float x\nproperty float y\n"
             "property float z\nend_header\n0 0 0\n",
             "element vertex: 99999");
+    refused(PLY_POINTS("1") "0 0 0", "no faces"); /* a point needs six bytes, the last one five */
+    refused(PLY_POINTS("2") "0 0 0", "element vertex: 2 items of at least 6 bytes do not fit into 5 bytes");
     refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
             "property float z\nelement face 999999999999999999\nend_header\n0 0 0\n",
             "element face: no properties");

@@ -117,6 +117,27 @@ START_TEST(an_image_may_take_all_memory)
 }
 END_TEST
 
+/* A flat picture of 344 x 200 in RGB has 1032 bytes per row, as many as deflate can pack into one byte; its file is cut
+ * to one byte per row and to one less. The signature alone is eight bytes. */
+START_TEST(a_file_may_be_as_short_as_deflate_can_make_it)
+{
+    struct hatch_image image, got;
+    HATCH_TEST_OK(hatch_image_make(&keep, 344, 200, "RGB", &image, &err), &err);
+    struct hatch_bytes file = encode(&image, HATCH_PNG_SRGB, 8);
+    ck_assert_uint_gt(file.size, 200);
+    for (size_t missing = 0; missing < 2; missing++) {
+        file.size = 200 - missing;
+        ck_assert_int_eq(hatch_png_read(file, &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
+        ck_assert_ptr_nonnull(strstr(err.text, missing ? "344x200 pixels in a file of 199 bytes" : "is damaged at"));
+    }
+    for (size_t missing = 0; missing < 2; missing++) {
+        file.size = 8 - missing;
+        ck_assert_int_eq(hatch_png_read(file, &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
+        ck_assert_ptr_nonnull(strstr(err.text, missing ? "not a PNG file" : "is damaged at byte 8 of 8"));
+    }
+}
+END_TEST
+
 struct reading {
     struct hatch_bytes file;
     struct hatch_image image;
@@ -158,6 +179,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_wrong_header_is_refused_before_any_allocation);
     tcase_add_test(tests, each_allocation_may_fail);
     tcase_add_test(tests, an_image_may_take_all_memory);
+    tcase_add_test(tests, a_file_may_be_as_short_as_deflate_can_make_it);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -4,6 +4,7 @@
 #include "render_frame.h"
 #include "render_map.h"
 #include "rptam_model.h"
+#include "tam_map.h"
 #include "tam/thresholds.h"
 #include "tam/volume.h"
 
@@ -121,6 +122,24 @@ START_TEST(exact_runs_keep_to_the_largest_texture)
 }
 END_TEST
 
+/* The refusal tells how many rows there are. */
+START_TEST(lists_of_strokes_keep_to_the_largest_texture)
+{
+    struct test_map map;
+    uint32_t rows = 0;
+    map_begin();
+    map_style("ink", NULL, &map);
+    map.options.ids = true;
+    map_fill(&map);
+    asset.map = map.tam;
+    ck_assert_int_eq(upload(&asset_strokes, 0), HATCH_LIMIT);
+    ck_assert_int_eq(sscanf(frame.err.text, "the lists of the map's strokes have %u rows", &rows), 1);
+    HATCH_TEST_OK(upload(&asset_strokes, rows), &frame.err);
+    ck_assert_int_eq(upload(&asset_strokes, rows - 1), HATCH_LIMIT);
+    map_end();
+}
+END_TEST
+
 static enum hatch_status upload_seeds(const struct hatch_rptam *rptam, GLint limit)
 {
     struct seeds seeds = {0};
@@ -153,6 +172,7 @@ static Suite *suite(void)
     tcase_add_test(tests, maps_keep_to_the_largest_texture);
     tcase_add_test(tests, volumes_keep_to_the_largest_texture);
     tcase_add_test(tests, exact_runs_keep_to_the_largest_texture);
+    tcase_add_test(tests, lists_of_strokes_keep_to_the_largest_texture);
     tcase_add_test(tests, seeds_keep_to_the_largest_buffer);
     suite_add_tcase(suite, tests);
     return suite;

@@ -142,6 +142,68 @@ START_TEST(a_bad_line_is_reported)
 }
 END_TEST
 
+static const char *const fields[] = {"0", "0", "0", "0", "0.1", "1", "0", "0", "0", "0", "0", "0", "0", "0", ""};
+#define FIELDS (sizeof fields / sizeof *fields)
+
+/* Parses a stroke whose field has another text. */
+static enum hatch_status parse_field(size_t field, const char *text, const char *path)
+{
+    char row[400] = HEADER "\tbend\tid\tcolumn\tlevel\tgrain\tpath\n";
+    for (size_t i = 0; i < FIELDS; i++) {
+        strcat(row, i == field ? text : i == FIELDS - 1 ? path : fields[i]);
+        strcat(row, i + 1 < FIELDS ? "\t" : "\n");
+    }
+    return parse(row);
+}
+
+/* The limits of script(5), and the nearest numbers beyond them. */
+START_TEST(numbers_reach_their_limits)
+{
+    static const struct {
+        const char *low, *below, *high, *above;
+    } limits[FIELDS - 1] = {
+        {"-1000000", "-1000000.1", "1000000", "1000000.1"},
+        {"-1000000", "-1000000.1", "1000000", "1000000.1"},
+        {"0", "-1e-9", "16", "16.000001"},
+        {"-1000", "-1000.001", "1000", "1000.001"},
+        {"1e-9", "0.9e-9", "4", "4.000001"},
+        {"0", "-1e-9", "1", "1.000001"},
+        {"0", "-1e-9", "1", "1.000001"},
+        {"0", "-1e-9", "1", "1.000001"},
+        {"0", "-1e-9", "1", "1.000001"},
+        {"-6.25", "-6.250001", "6.25", "6.250001"},
+        {"0", "-1", "16777216", "16777217"},
+        {"0", "-1", "255", "256"},
+        {"0", "-1", "31", "32"},
+        {"0", "-1", "4294967295", "4294967296"},
+    };
+    for (size_t i = 0; i < FIELDS - 1; i++) {
+        HATCH_TEST_OK(parse_field(i, limits[i].low, ""), &err);
+        HATCH_TEST_OK(parse_field(i, limits[i].high, ""), &err);
+        ck_assert_msg(parse_field(i, limits[i].below, "") == HATCH_BAD_INPUT, "field %zu: %s", i, limits[i].below);
+        ck_assert_msg(parse_field(i, limits[i].above, "") == HATCH_BAD_INPUT, "field %zu: %s", i, limits[i].above);
+    }
+    HATCH_TEST_OK(parse_field(2, "65536", "0,0 1,1"), &err); /* the length follows from the path */
+    ck_assert_int_eq(parse_field(2, "65536.1", "0,0 1,1"), HATCH_BAD_INPUT);
+}
+END_TEST
+
+START_TEST(a_path_has_two_points_to_a_million)
+{
+    static const char head[] = HEADER "\tpath\n" ROW "\t0,0";
+    for (uint32_t more = 0; more < 2; more++) {
+        struct hatch_buffer text = {.arena = &keep};
+        HATCH_TEST_OK(hatch_buffer_add(&text, head, sizeof head - 1, &err), &err);
+        for (uint32_t i = 1; i < HATCH_PATH_POINTS_MAX + more; i++)
+            HATCH_TEST_OK(hatch_buffer_add(&text, " 0,0", 4, &err), &err);
+        ck_assert_int_eq(hatch_script_parse((struct hatch_bytes){text.data, text.size}, 256, &keep, &list, &err),
+                         more ? HATCH_BAD_INPUT : HATCH_OK);
+    }
+    ck_assert_uint_eq(list.items[0].path->count, HATCH_PATH_POINTS_MAX);
+    ck_assert_str_eq(err.text, "line 2: path: 1048577 points, want 2 to 1048576");
+}
+END_TEST
+
 START_TEST(too_many_columns_are_rejected)
 {
     char text[1000] = "";
@@ -206,6 +268,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_header_alone_is_an_empty_drawing);
     tcase_add_test(tests, centres_are_wrapped_into_the_tile);
     tcase_add_loop_test(tests, a_bad_line_is_reported, 0, sizeof bad / sizeof *bad);
+    tcase_add_test(tests, numbers_reach_their_limits);
+    tcase_add_test(tests, a_path_has_two_points_to_a_million);
     tcase_add_test(tests, too_many_columns_are_rejected);
     tcase_add_test(tests, the_longest_path_is_accepted_and_a_longer_one_is_not);
     tcase_add_test(tests, every_failed_allocation_is_a_status);

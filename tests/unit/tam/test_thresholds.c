@@ -338,6 +338,16 @@ START_TEST(exact_runs_are_read_back_and_damage_is_detected)
     }
     words[4 * 3] = 2;
     HATCH_TEST_OK(hatch_exact_from_texels(&exact.texels, &got, &map_err), &map_err);
+    uint32_t first = words[4 * 5] | (uint32_t)words[4 * 5 + 1] << 8; /* runs fill the rest of the texture, two a word */
+    for (uint32_t more = 0; more < 2; more++) {
+        uint32_t runs = 2 * (HATCH_EXACT_WIDTH * exact.texels.height - first) + more;
+        for (uint32_t i = 0; i < 4; i++)
+            words[4 * 6 + i] = (uint8_t)(runs >> 8 * i);
+        ck_assert_int_eq(hatch_exact_from_texels(&exact.texels, &got, &map_err), more ? HATCH_BAD_INPUT : HATCH_OK);
+    }
+    for (uint32_t i = 0; i < 4; i++)
+        words[4 * 6 + i] = (uint8_t)(exact.run_count >> 8 * i);
+    HATCH_TEST_OK(hatch_exact_from_texels(&exact.texels, &got, &map_err), &map_err);
     exact.texels.height--;
     ck_assert_int_eq(hatch_exact_from_texels(&exact.texels, &got, &map_err), HATCH_BAD_INPUT);
 }

@@ -213,6 +213,16 @@ START_TEST(a_map_with_too_few_columns_is_rejected)
 }
 END_TEST
 
+/* Slices of tones 1/4 and 3/4 lie in the middle between paper and columns of tones 1/2 and 1. */
+START_TEST(a_slice_may_be_a_quarter_from_every_column)
+{
+    struct hatch_tam tam = made_map(64, 2, 1, "Y", made_ramp);
+    make(&tam, 2, HATCH_VOLUME_ARRAY, false);
+    ck_assert_double_eq(figures.distance, 0.25);
+    ck_assert_uint_eq(figures.blended, figures.slices);
+}
+END_TEST
+
 START_TEST(any_number_of_threads_gives_the_same_result)
 {
     struct hatch_pool *pool;
@@ -283,6 +293,7 @@ static Suite *suite(void)
     tcase_add_test(tests, missing_columns_are_blended_and_counted);
     tcase_add_test(tests, a_map_may_have_as_many_columns_as_there_are);
     tcase_add_test(tests, a_map_with_too_few_columns_is_rejected);
+    tcase_add_test(tests, a_slice_may_be_a_quarter_from_every_column);
     tcase_add_test(tests, any_number_of_threads_gives_the_same_result);
     tcase_add_test(tests, metadata_is_read_from_the_file);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
