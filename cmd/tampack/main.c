@@ -1,4 +1,5 @@
 /* tampack: packs a tonal art map into the textures that engines load. */
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -127,14 +128,10 @@ static struct cmd_output *open_file(const struct pack_job *job, const struct pac
     return cmd_open_output(file_name(job->args, job->args->output, input, suffix, how->ending), how->ending + 1, true);
 }
 
-static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how, const char *input)
+static uint32_t count_files(const struct pack_job *job, const struct pack_layout *how)
 {
-    struct hatch_err err;
     uint32_t count = how->count(&job->tam);
-    if (count > CMD_OUTPUTS_MAX)
-        cmd_check(hatch_fail(&err, HATCH_LIMIT, "layout %s makes %u files, the limit is %u", how->name, count,
-                             CMD_OUTPUTS_MAX),
-                  cmd_input_name(input), &err);
+    assert(count <= CMD_OUTPUTS_MAX); /* a map has at most 256 columns of 13 levels */
     if (count > 1 && !job->args->output)
         cmd_usage("--layout %s makes %u files: give a name or a folder with -o", how->name, count);
     return count;
@@ -145,7 +142,7 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
                  struct cmd_output *single)
 {
     struct hatch_err err;
-    uint32_t count = count_files(job, how, input);
+    uint32_t count = count_files(job, how);
     struct file *files;
     cmd_check(HATCH_ALLOC(&job->args->keep, &files, count, &err), NULL, &err);
     for (uint32_t i = 0; i < count; i++) {
