@@ -24,6 +24,12 @@ dirfield torus.glb --direction -60 -o other.glb
 is "the field of a torus is its true field" "$(angle max.glb true.glb | awk '{print ($1 < 3)}')" 1
 is "--direction min is orthogonal to max" "$(angle min.glb max.glb)" 90
 is "--direction 30 is 30 degrees from max" "$(angle turned.glb max.glb)" 30
+for turn in -360 360; do
+    dirfield torus.glb --direction $turn -o whole.glb
+    is "--direction $turn is max" "$(angle whole.glb max.glb)" 0
+done
+try dirfield torus.glb --direction 360.1 -o whole.glb
+refused "--direction 360.1" 2 2
 is "--direction 30 and -60 are at a right angle" "$(angle turned.glb other.glb)" 90
 for how in '--method hz' '--solver cholesky' '--radius 2 --degree 2' '--coarse 500' '--smooth 0'; do
     try dirfield torus.glb $how -o how.glb
@@ -119,6 +125,9 @@ bad_row "line 2: 4 fields, want 5" "$head" '1\t1\t0\t0'
 bad_row "line 2: vertex 99999, want a whole number from 0 to $(($(hatchstat mesh plane.glb | column vertices) - 1))" \
     "$head" '99999\t1\t0\t0\t1'
 bad_row "line 2: weight 0, want over 0 and at most 1e+06" "$head" '1\t1\t0\t0\t0'
+bad_row "line 2: weight 1e+06, want over 0 and at most 1e+06" "$head" '1\t1\t0\t0\t1000000.1'
+given "$head" '7\t1\t1\t0\t1000000'
+is "a weight of a million" "$status $(angle hand.glb towards.glb)" "0 0"
 bad_row "line 2: the direction dx dy dz must not be zero" "$head" '1\t0\t0\t0\t1'
 bad_row "line 2: the direction is perpendicular to the surface" "$head" '1\t0\t0\t5\t1'
 bad_row "header: 'wait' is not a column; want vertex, or x y z, and dx dy dz weight" 'vertex\twait' '1\t1'

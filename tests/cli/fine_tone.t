@@ -92,6 +92,8 @@ for bins in 0 8 1.5 .5,.4 0,.5 .5,1 nan .5,nan .5, , '' x .1,.2,.3,.4,.5,.6,.7; 
     try tamthresh --bins "$bins" map.exr -o x
     refused "--bins '$bins'" 2 2
 done
+tamthresh --bins 1 map.exr -o one.ktx2
+is "--bins may be 1" "$? $(grep -ac 'hatch:bins.0 1' one.ktx2)" "0 1"
 try tamthresh --bins .5,.8 map.exr -o bins.ktx2
 is "--bins sets the tones of the bins" "$status $(grep -ac 'hatch:bins.0 0.5 0.8 1' bins.ktx2)" "0 1"
 try tamthresh --exact --bins 3 map.exr -o x

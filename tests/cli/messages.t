@@ -36,6 +36,22 @@ says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of diff, field
     hatchstat bunny
 says "a shape with a typing error" 2 2 "bump, helicoid, catenoid; perhaps teapot" meshgen teapto
 says "a style with a typing error" 2 2 "speckle, stipple, wash, woodcut, and not a file; perhaps pencil" tamgen --style penci
+# The longest line is cut; one that is just longer is as long.
+hatchstat mesh "$(printf '%020000d' 0)" 2>cut
+most=$(wc -c <cut)
+rest="hatchstat: : cannot open: File name too long"
+for more in -1 0 1; do
+    hatchstat mesh "$(printf "%0$((most - 1 - ${#rest} + more))d" 0)" 2>.err
+    is "a line of the greatest length and $more: bytes, and the last" \
+        "$(wc -c <.err) $(tail -c 3 .err)" "$((more < 0 ? most - 1 : most)) $(printf '%s' long | cut -c $((3 - (more > 0)))-$((4 - (more > 0))))"
+done
+# A path of 4095 bytes is the longest that Linux opens.
+for more in "" a; do
+    path=$(perl -e "print 'abc/' x 1023, 'abc$more'")
+    echo "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"$path\"}]}" >far.gltf
+    try hatchstat mesh far.gltf
+    is "a companion with a path of ${#path} bytes" "$status $(grep -c 'the path is too long' .err)" "3 ${#more}"
+done
 mkdir -p one/bin one/share/hatch/styles
 cp "$BIN/tamgen" one/bin
 says "a style where none is installed" 2 2 "no style 'penci': it is no file, and " one/bin/tamgen --style penci

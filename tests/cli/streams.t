@@ -53,6 +53,35 @@ endless render-gl mesh.glb --technique rptam --seeds
 endless render-gl mesh.glb --technique rptam --layers
 endless dirfield mesh.glb --constraints
 
+# begins NAME WANT PERL: checks whether more bytes than the first 64 KiB, which a line of Perl prints, begin a format
+begins() {
+    perl -e "$3" | hatchstat mesh - >.words 2>&1
+    is "$1: $2" "$(grep -q 'no known format' .words && echo none || echo known)" "$2"
+}
+while read -r map type bits want; do # bytes that are no numbers of a mesh surround those of a TGA file
+    begins "TGA of types $map $type, $bits bits" "$want" \
+        "print pack('C3', 255, $map, $type), qq(\xff) x 13, chr $bits, qq(\xff) x 70000"
+done <<END
+0 1 1 known
+1 3 32 known
+1 9 24 known
+0 11 8 known
+2 1 8 none
+0 0 8 none
+0 4 8 none
+0 12 8 none
+0 1 0 none
+0 1 33 none
+END
+begins "text with tabs and line ends of Windows" known 'print qq(a) x 200, qq(\t\x0b\x0c \r\n) x 20000'
+begins "text with a control character below them" none 'print qq(a) x 65535, qq(\x08) x 9'
+begins "text with a control character above them" none 'print qq(a) x 65535, qq(\x0e) x 9'
+begins "text before a control character" known 'print qq(a) x 65536, qq(\x0e) x 9'
+for triangle in "9.9e14 known" "1e15 none"; do
+    begins "STL with a coordinate of ${triangle% *} in its 100th triangle" "${triangle#* }" \
+        "print qq(\xff) x 80, pack 'L<', 2000; print pack 'f<12 S<', (0) x 11, \$_ == 100 ? ${triangle% *} : -1, 0 for 1 .. 2000"
+done
+
 # through COMMAND ... FILE: the file and its bytes through a pipe give the same output
 through() {
     for file; do :; done

@@ -53,6 +53,11 @@ for wrong in '--size 100' '--size 128 --levels 4' '--tones 0' '--tones 257' '--g
     try tamgen $wrong -o x.exr
     refused "$wrong is wrong usage" 2 2
 done
+for size in "64 2" "128 3"; do
+    tamgen -q --size ${size% *} --levels ${size#* } --tones 1 --candidates 20:20 -o levels.exr
+    is "as many levels as have 32 pixels: ${size#* } of ${size% *}" \
+        "$? $(hatchstat tam levels.exr | cut -f 8 | grep -c tone)" "0 ${size#* }"
+done
 ok "refused commands leave no file" test ! -e x.exr
 
 tamgen $small --strokes strokes.tsv --contact-sheet sheet.png -o map.exr

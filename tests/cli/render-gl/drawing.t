@@ -79,6 +79,13 @@ refuses "margins that leave nothing" "--margin 105mm leaves nothing of a page of
     --page a4 --margin 105mm -o a.svg
 refuses "a margin that is no length" "--margin 5cm: want a length" --page a4 --margin 5cm -o a.svg
 refuses "a margin without a page" "--margin needs --page" --margin 5 -o a.svg
+refuses "a pen that is too narrow" "--pen 0.009: want a length from 0.01 to 100 mm" --pen 0.009 -o a.svg
+refuses "a pen that is too wide" "--pen 100.1mm: want a length from 0.01 to 100 mm" --pen 100.1mm -o a.svg
+for width in 0.01 100; do
+    render-gl -q squares.obj --pen ${width}mm -o pen.svg
+    is "a pen of $width mm" "$(grep -o 'stroke-width="[^"]*"' pen.svg)" "stroke-width=\"$width\""
+done
+ok "margins that leave a little" render-gl -q squares.obj --page a4 --margin 104.9mm -o little.svg
 refuses "a pen without width" "--pen 0: want a length from 0.01 to 100 mm" --pen 0 -o a.svg
 refuses "a page for a picture" "--page needs --output *.svg or *.tsv: it shapes a drawing" -t gouraud --page a4 -o a.png
 refuses "shadows in a drawing" \

@@ -29,6 +29,19 @@ refuses "--show with --technique" 2 2 "--show cannot be combined with --techniqu
     $draw torus.glb --show field --technique tam --tam map.exr
 refuses "a camera that does not exist" 3 1 "camera 2 is not in the scene; its files define 0, numbered from 0" \
     $draw torus.glb --tam map.exr --camera 2
+refuses "the greatest number of a camera" 3 1 "camera 65535 is not in the scene" $draw torus.glb --tam map.exr --camera 65535
+refuses "a greater number of a camera" 2 2 "--camera 65536" $draw torus.glb --tam map.exr --camera 65536
+refuses "highlights that are too strong" 2 2 "--specular 10.1:1: want a strength from 0 to 10" \
+    $draw torus.glb -t gouraud --specular 10.1:1
+ok "the strongest highlights" render-gl --size 32x24 torus.glb -t gouraud --specular 10:1 -o tone.png
+refuses "too many repeats" 2 2 "--uv-scale 65536.1: want auto or a number over 0 and up to 65536" \
+    $draw torus.glb --tam map.exr --uv-scale 65536.1
+refuses "as many repeats as there may be" 3 1 "has no texture coordinates" $draw plain.obj --tam map.exr --uv-scale 65536
+for more in "" 0; do # 127 characters are the most
+    try render-gl torus.glb -t gouraud --size 32x24 --frames 2 --animate "fov=30..$(printf '%0127d' 40)$more" -o long%d.png
+    is "a number of $((127 + ${#more})) characters" "$status $(grep -c 'fov: a number of 128 characters is too long' .err)" \
+        "$((2 * ${#more})) ${#more}"
+done
 refuses "an animation that does not exist" 3 1 "animation 1 does not exist: the scene has 0, numbered from 0" \
     $draw torus.glb --tam map.exr --animation 1
 refuses "an animation of a file without animations" 3 1 "animation 0 does not exist: the scene has 0" \

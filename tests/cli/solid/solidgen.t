@@ -105,6 +105,11 @@ says "a texture beyond the memory" 5 1 \
     solidgen --style perlin --size 512 --max-memory 500M -o x
 [ -z "$SANITIZE" ] && ms=$(milliseconds 50 solidgen --style perlin --size 512 --max-memory 500M -o x) || ms=0
 ok "is refused before any work ($ms ms)" test "$ms" -le 50
+# 128^3 values of 4 bytes and their ranks of one, a seventh more, and a megabyte.
+enough=$((5 * 2097152 + 5 * 2097152 / 7 + 1048576))
+ok "as much memory as a texture takes is enough" solidgen --style perlin --size 128 --max-memory $enough -o exact.ktx2
+says "one byte less is not" 5 1 "solidgen: --size 128 needs 13 MB of memory, --max-memory allows 13 MB" \
+    solidgen --style perlin --size 128 --max-memory $((enough - 1)) -o x
 says "an unknown ending" 2 2 "solidgen: x.png: the ending is that of another format: want .ktx2 or\
  .exr" solidgen -o x.png
 ok "no output is left" test ! -e x

@@ -11,7 +11,7 @@ static const char *const kinds[] = {"soft", "hard", NULL};
 static bool flag, real_given;
 static int64_t whole;
 static double real, pair[2];
-static uint64_t size;
+static uint64_t size, bytes;
 static const char *text;
 static struct cmd_texts texts;
 static int kind;
@@ -21,6 +21,7 @@ static const struct cmd_option options[] = {
     {'w', "whole", CMD_INT, -10, 10, "N", "a whole number (0)", &whole, NULL, NULL},
     {'r', "real", CMD_REAL, -1, 1e30, "X", "a number (0)", &real, NULL, &real_given},
     {0, "size", CMD_SIZE, 1, 0x1p40, "BYTES", "a size", &size, NULL, NULL},
+    {0, "bytes", CMD_SIZE, 0, 0x1p63, "BYTES", "a size without limits", &bytes, NULL, NULL},
     {'t', "text", CMD_TEXT, 0, 0, "TEXT", "a text", &text, NULL, NULL},
     {0, "texts", CMD_TEXTS, 0, 0, "TEXT", "texts", &texts, NULL, NULL},
     {'k', "kind", CMD_CHOICE, 0, 0, "KIND", "soft or hard (soft)", &kind, kinds, NULL},
@@ -117,6 +118,13 @@ START_TEST(bounds_are_inclusive)
     ck_assert_uint_eq(size, (uint64_t)1 << 40);
     PARSE(&args, "-w-10", "-r1e30", "-w", "+3");
     ck_assert_int_eq(whole, 3);
+    PARSE(&args, "--bytes=9223372036854775807", "-w0000000000000000000000000000010"); /* 31 digits */
+    ck_assert_uint_eq(bytes, INT64_MAX);
+    ck_assert_int_eq(whole, 10);
+    PARSE(&args, "--bytes=8589934591G");
+    ck_assert_uint_eq(bytes, 8589934591ull << 30);
+    PARSE(&args, "--bytes=0");
+    ck_assert_uint_eq(bytes, 0);
 }
 END_TEST
 
@@ -147,6 +155,9 @@ static char *const wrong[] = {
     "--size=1.5M",
     "--size=2000G",
     "--size=17179869185G",
+    "--bytes=8589934592G",
+    "--bytes=9223372036854775808",
+    "-w00000000000000000000000000000010",
     "--text=",
     "--kind=har",
     "--kind=",
