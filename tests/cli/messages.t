@@ -58,6 +58,11 @@ says "a style where none is installed" 2 2 "no style 'penci': it is no file, and
 cp "$BUILD/share/hatch/styles/pencil.style" one/share/hatch/styles
 says "a style where one is installed" 2 2 "style: 'penci' is not one of pencil, and not a file; perhaps pencil" \
     one/bin/tamgen --style penci
+for i in $(seq 70); do
+    cp "$BUILD/share/hatch/styles/pencil.style" one/share/hatch/styles/$i.style
+done
+one/bin/tamgen --style penci 2>.err
+is "a message names 64 styles at most" "$(head -n 1 .err | tr ',' '\n' | grep -cE '^ ([0-9]+|pencil)$|of 1')" 64
 says "a palette that does not exist" 2 2 "palette: 'dawn' is not one of dusk, earth, sea, and not a file" \
     tamgen --palette dawn
 says "a colour with a typing error" 2 2 "--ink: 'blak' is not one of black, white, grey, gray, cream, sepia, blue, red, and not #rrggbb; perhaps black" \

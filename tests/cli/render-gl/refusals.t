@@ -145,6 +145,15 @@ cp -r "$TOP/cmd/render-gl/shaders" shaders
 try $draw torus.glb --tam map.exr --shader-dir shaders
 is "--shader-dir draws with the shaders of a folder" "$status $(cat .err)" "0 "
 rm -f picture.png
+for more in "" 0; do # names of 63 bytes are the longest
+    long=$(printf '%063d' 0)$more
+    echo '#define INCLUDED 1' >"shaders/$long"
+    printf '#include "%s"\n#ifndef INCLUDED\n#error\n#endif\n' "$long" | cat - "$TOP/cmd/render-gl/shaders/tam/tam.frag" >shaders/tam/tam.frag
+    try $draw torus.glb --tam map.exr --shader-dir shaders
+    is "a shader that includes a name of ${#long} bytes" $status "$((3 * ${#more}))"
+    rm -f picture.png
+done
+cp "$TOP/cmd/render-gl/shaders/tam/tam.frag" shaders/tam
 sed -i 's/void main()/void main(/' shaders/tam/tam.frag
 refuses "a shader with an error is named" 3 1 tam/tam.frag \
     $draw torus.glb --tam map.exr --shader-dir shaders

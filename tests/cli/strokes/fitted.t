@@ -88,6 +88,24 @@ for tone in .1 .3; do
         awk -v ink="$ink" -v tone=$tone 'BEGIN {exit !(ink > .93 * tone && ink < 1.07 * tone)}'
 done
 ok "each seed set has a layer" grep -q 'id="strokes-1"' plane.svg
+for n in 0 1 2 3 4 5 6 7 8 9; do echo "turn $((10 * n))"; done >ten.layers
+render-gl -q -t strokes --lines none --layers ten.layers --tone-range .9:.9 --size 128x128 -o ten.svg plane.glb
+is "the last of eight layers has the strokes of more" "$(grep -o 'id="strokes-[0-9]*"' ten.svg | tr '\n' ' ')" \
+    'id="strokes-1" id="strokes-2" id="strokes-3" id="strokes-4" id="strokes-5" id="strokes-6" id="strokes-7" id="strokes-8" '
+
+# A drawing may be as large as the GPU's textures, which the refusal tells.
+long() {
+    render-gl -q -t strokes --lines none --stroke 80x4 --tone-range .5:.5 --size "$1" -o long.svg plane.glb 2>long.err
+}
+long 65536x16
+side=$(sed -n 's/.*found in pictures of at most \([0-9]*\) pixels a side/\1/p' long.err)
+for size in "${side}x16" "16x$side"; do
+    ok "a drawing of $size" long "$size"
+done
+for size in "$((side + 1))x16" "16x$((side + 1))"; do
+    long "$size"
+    is "a drawing of $size" "$? $(grep -c "at most $side pixels" long.err)" "5 1"
+done
 for n in 1 2; do
     LP_NUM_THREADS=$n render-gl -q -t strokes --size 320x240 --hatch-turn 30 -o torus$n.svg torus.glb
 done
