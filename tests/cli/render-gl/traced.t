@@ -35,6 +35,12 @@ is "the message names the command to use" "$(cat .err)" \
 try draw plane.glb --stroke-style nothing
 refused "a pen that does not exist" 2 2
 
+# The light at pixels is that at vertices, of a mesh as fine as this.
+draw ball.glb --size 320x240
+by_vertex=$(ink)
+draw ball.glb --size 320x240 --pixel-light
+near "the ink of a sphere with --pixel-light" "$(ink)" "$by_vertex" .005
+
 # The plane fills the picture: its ink is its tone, near, far, slanted, and with any pen.
 for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
     near "a plane seen from $camera" "$(mean_ink --size 200x200 --camera $camera --fov 25 --tone-range .4:.4)" .4 .02

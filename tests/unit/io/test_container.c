@@ -288,6 +288,39 @@ START_TEST(entries_may_end_where_the_file_ends)
 }
 END_TEST
 
+/* The basic data format descriptor: Khronos Data Format Specification 1.3, chapter 5. */
+START_TEST(ktx2_describes_its_texels)
+{
+    static const struct {
+        uint32_t model, side, bytes, bits, upper;
+    } codes[] = {
+        [HATCH_TEXELS_PLAIN] = {1, 1, 1, 8, 255},         [HATCH_TEXELS_BC1] = {128, 4, 8, 64, UINT32_MAX},
+        [HATCH_TEXELS_BC4] = {131, 4, 8, 64, UINT32_MAX}, [HATCH_TEXELS_BC7] = {134, 4, 16, 128, UINT32_MAX},
+        [HATCH_TEXELS_R32UI] = {1, 1, 4, 32, 1},
+    };
+    static const uint32_t ids[] = {0, 1, 2, 15};
+    struct hatch_texels texture = make((size_t)_i);
+    struct hatch_bytes file = write_ktx2(&texture);
+    bool plain = texture.code == HATCH_TEXELS_PLAIN;
+    uint32_t side = codes[texture.code].side - 1, samples = plain ? texture.channels : 1, bytes = 28 + 16 * samples;
+    uint32_t words[7 + 4 * 4] = {bytes,
+                                 0,
+                                 2 | (bytes - 4) << 16,
+                                 codes[texture.code].model | 1 << 8 | 1 << 16,
+                                 side | side << 8,
+                                 codes[texture.code].bytes * samples};
+    for (uint32_t c = 0; c < samples; c++) {
+        words[7 + 4 * c] = 8 * c | (codes[texture.code].bits - 1) << 16 | ids[c] << 24;
+        words[7 + 4 * c + 3] = codes[texture.code].upper;
+    }
+    const uint8_t *at = file.data + (uint32_t)get(file.data + 48);
+    ck_assert_uint_eq((uint32_t)get(file.data + 52), bytes);
+    for (uint32_t i = 0; i < bytes / 4; i++)
+        ck_assert_msg((uint32_t)get(at + 4 * i) == words[i], "word %u: %x, not %x", i, (uint32_t)get(at + 4 * i),
+                      words[i]);
+}
+END_TEST
+
 START_TEST(dds_has_the_published_layout)
 {
     struct hatch_texels texture = make(2);
@@ -356,6 +389,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, zstandard_is_decompressed, 0, KINDS);
     tcase_add_loop_test(tests, a_truncated_file_is_refused, 0, KINDS);
     tcase_add_loop_test(tests, wrong_headers_are_refused, 0, sizeof faults / sizeof *faults);
+    tcase_add_loop_test(tests, ktx2_describes_its_texels, 0, KINDS);
     tcase_add_test(tests, formats_are_those_of_vulkan);
     tcase_add_test(tests, an_arena_as_large_as_the_texels_is_enough);
     tcase_add_test(tests, entries_may_end_where_the_file_ends);
