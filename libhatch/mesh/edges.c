@@ -56,7 +56,6 @@ static void group_by_edge(const uint32_t *point, uint32_t side_count, struct hat
         if (i == 0 || low_point(point, side) != low_point(point, before) ||
             high_point(point, side) != high_point(point, before))
             edges->first[edges->count++] = i;
-        edges->edge_of[side] = edges->count - 1;
     }
     edges->first[edges->count] = side_count;
 }
@@ -69,7 +68,6 @@ enum hatch_status hatch_edges_find(const struct hatch_connectivity *faces, struc
     struct hatch_edges found;
     HATCH_TRY(HATCH_ALLOC(arena, &found.first, all + 1, err));
     HATCH_TRY(HATCH_ALLOC(arena, &found.sides, all, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &found.edge_of, all, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *listed = HATCH_NEW(scratch, uint32_t, all, err);
     uint32_t *starts = listed ? HATCH_NEW(scratch, uint32_t, (size_t)faces->point_count + 1, err) : NULL;
@@ -77,7 +75,6 @@ enum hatch_status hatch_edges_find(const struct hatch_connectivity *faces, struc
         uint32_t count = list_sides(faces, found.sides);
         sort_by(high_point, faces->point, faces->point_count, found.sides, listed, count, starts);
         sort_by(low_point, faces->point, faces->point_count, listed, found.sides, count, starts);
-        memset(found.edge_of, 0xff, all * sizeof *found.edge_of);
         group_by_edge(faces->point, count, &found);
         *edges = found;
     }

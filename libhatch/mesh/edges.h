@@ -14,9 +14,8 @@ struct hatch_connectivity {
 /* Edges between points. Side 3 * f + c of face f runs from its corner c to corner (c + 1) % 3. */
 struct hatch_edges {
     uint32_t count;
-    uint32_t *first;   /* count + 1 entries: edge e has sides[first[e]] .. sides[first[e + 1] - 1] */
-    uint32_t *sides;   /* grouped by edge; ascending within an edge */
-    uint32_t *edge_of; /* per side: its edge; HATCH_NO_EDGE for a side without length or of a face that is left out */
+    uint32_t *first; /* count + 1 entries: edge e has sides[first[e]] .. sides[first[e + 1] - 1] */
+    uint32_t *sides; /* grouped by edge; ascending within an edge */
 };
 
 #define HATCH_NO_EDGE UINT32_MAX
