@@ -116,6 +116,32 @@ START_TEST(tiles_join_without_a_seam)
 }
 END_TEST
 
+static uint32_t live_textures(void)
+{
+    uint32_t live = 0;
+    for (GLuint name = 1; name < 1000; name++)
+        live += glIsTexture(name);
+    return live;
+}
+
+/* The first picture also makes what later ones of its size share. */
+START_TEST(pictures_give_their_textures_back)
+{
+    uint32_t live = 0;
+    begin();
+    struct hatch_view view = view_from(1);
+    frame.shown.style.halo_px = 3;
+    for (int i = 0; i < 3; i++) {
+        struct hatch_image image;
+        frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &image);
+        ck_assert(i == 0 || live_textures() == live);
+        live = live_textures();
+    }
+    ck_assert_uint_gt(live, 0);
+    end();
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render tone");
@@ -123,6 +149,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_reproduce_the_tone_of_the_light);
     tcase_add_test(tests, thresholded_strokes_have_smooth_edges);
     tcase_add_test(tests, tiles_join_without_a_seam);
+    tcase_add_test(tests, pictures_give_their_textures_back);
     suite_add_tcase(made, tests);
     return made;
 }
