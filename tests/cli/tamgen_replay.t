@@ -30,6 +30,13 @@ try tamgen --replay "$drawing" --size 64 --tones 10 --set 'darkest .9' -o light.
 ok "a drawing too light for its targets is warned of" grep -qE \
     'warning: the whole drawing has a tone of 0\.6[0-9]+: 3 of 10 columns are meant to be darker, and hold all its strokes$' .err
 
+# The first stroke is the longest and the widest, and both are far beyond the style's.
+big="0.5\t0.5\t6\t0.5\t0.6\t1\t0\t0\t0" tiny="0.2\t0.2\t0.1\t0\t0.01\t1\t0\t0\t0"
+for order in "$big\n$tiny" "$tiny\n$big"; do
+    printf "x\ty\tlength\tangle\twidth\ttone\tr\tg\tb\n$order\n" >big.tsv
+    ok "a stroke over six tiles among a tiny one" tamgen -q --size 64 --replay big.tsv --tones 2 -o big.exr
+done
+
 tamgen --size 64 --strokes ink.tsv -o ink.exr
 tamgen --size 64 --replay ink.tsv --palette sea --fit --quiet --strokes sea.tsv -o sea.exr
 hatchstat tam sea.exr --strokes sea.tsv -o figures.tsv

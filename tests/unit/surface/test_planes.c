@@ -197,6 +197,29 @@ START_TEST(directions_follow_straight_borders_however_they_lie)
 }
 END_TEST
 
+/* An ellipse of 2 by 1 turned by 0.6 radians, of which less than a tenth of the border runs in any direction. */
+START_TEST(round_borders_leave_the_axis_of_coordinates)
+{
+    enum { CORNERS = 120 };
+    float positions[3 * CORNERS];
+    uint32_t indices[3 * (CORNERS - 2)];
+    for (uint32_t v = 0; v < CORNERS; v++) {
+        double t = 2 * 3.14159265358979 * v / CORNERS, x = 2 * cos(t), y = sin(t);
+        positions[3 * v] = (float)(cos(0.6) * x - sin(0.6) * y);
+        positions[3 * v + 1] = (float)(sin(0.6) * x + cos(0.6) * y);
+        positions[3 * v + 2] = 0;
+    }
+    for (uint32_t f = 0; f < CORNERS - 2; f++) {
+        const uint32_t corners[3] = {0, f + 1, f + 2};
+        memcpy(&indices[3 * f], corners, sizeof corners);
+    }
+    struct hatch_mesh mesh = mesh_of(positions, CORNERS, indices, CORNERS - 2);
+    struct hatch_surface s = cut(&mesh);
+    ck_assert_uint_eq(s.plane_count, 1);
+    ck_assert_double_eq_tol(fabs(s.plane_direction[0]), 1, 1e-9);
+}
+END_TEST
+
 static enum hatch_status cut_with(void *context, struct hatch_arena *arena, struct hatch_arena *work,
                                   struct hatch_err *error)
 {
@@ -224,6 +247,7 @@ static Suite *suite(void)
     tcase_add_test(tests, creases_are_counted_by_their_length);
     tcase_add_test(tests, a_crease_at_the_limit_counts);
     tcase_add_test(tests, directions_follow_straight_borders_however_they_lie);
+    tcase_add_test(tests, round_borders_leave_the_axis_of_coordinates);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(all, tests);
     return all;

@@ -1,6 +1,7 @@
 /* The parts of synthesis: exemplars, principal components, features, grids. */
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 
 #include "arenas.h"
 #include "base/random.h"
@@ -139,6 +140,35 @@ START_TEST(similar_neighbourhoods_of_a_periodic_exemplar_are_equal_ones)
 }
 END_TEST
 
+/* Against all neighbourhoods that are not next to it: the nearest three, in order. */
+START_TEST(similar_neighbourhoods_are_the_nearest)
+{
+    enum { SIDE = 5, APART = SIDE / 4 + 1 };
+    struct hatch_image image = noise(20, 17, "Y", 5);
+    struct hatch_exemplar exemplar;
+    struct hatch_features features;
+    HATCH_TEST_OK(hatch_exemplar_make(&image, SIDE, &keep, &exemplar, &err), &err);
+    HATCH_TEST_OK(hatch_features_make(&exemplar, true, NULL, &keep, &scratch, &features, &err), &err);
+    const int count = (int)(exemplar.across * exemplar.down), across = (int)exemplar.across;
+    for (int at = 0; at < count; at++) {
+        uint32_t before = 0;
+        for (uint32_t k = 0; k < HATCH_FEATURES_SIMILAR; k++) {
+            uint32_t name = features.similar[(uint32_t)at * HATCH_FEATURES_SIMILAR + k], nearer = 0;
+            int found = (int)(name / HATCH_EXEMPLAR_PITCH) * across + (int)(name % HATCH_EXEMPLAR_PITCH);
+            const int16_t *vector = features.vectors + at * (int)HATCH_FEATURES;
+            uint32_t distance = hatch_features_distance(vector, features.vectors + found * (int)HATCH_FEATURES);
+            for (int other = 0; other < count; other++)
+                if (abs(other % across - at % across) >= APART || abs(other / across - at / across) >= APART)
+                    nearer +=
+                        hatch_features_distance(vector, features.vectors + other * (int)HATCH_FEATURES) < distance;
+            ck_assert_uint_eq(nearer, k);
+            ck_assert_uint_gt(distance, before);
+            before = distance;
+        }
+    }
+}
+END_TEST
+
 START_TEST(a_pyramid_of_bands_adds_up_again)
 {
     static const uint32_t sizes[][3] = {{16, 16, 16}, {13, 6, 1}, {1, 1, 1}, {2, 2, 2}};
@@ -201,6 +231,7 @@ static Suite *suite(void)
     tcase_add_test(tests, large_pictures_are_halved_and_long_ones_are_cropped);
     tcase_add_test(tests, the_middle_of_a_long_picture_is_used_without_alpha);
     tcase_add_test(tests, features_keep_distances);
+    tcase_add_test(tests, similar_neighbourhoods_are_the_nearest);
     tcase_add_test(tests, similar_neighbourhoods_of_a_periodic_exemplar_are_equal_ones);
     tcase_add_test(tests, a_pyramid_of_bands_adds_up_again);
     tcase_add_test(tests, matched_values_are_distributed_as_the_others);
