@@ -92,4 +92,14 @@ static inline void solid_use(struct test_frame *frame, const struct hatch_solid 
     frame->shown.style.curve.low = frame->shown.style.curve.high = 0;
 }
 
+/* Draws in a look from here on, in all tones. */
+static inline void solid_use_look(struct test_frame *frame, const struct hatch_solid *solid, double period_px,
+                                  enum solid_look look)
+{
+    solid_use(frame, solid, HATCH_ZOOM_LINEAR, period_px);
+    ((struct solid_state *)frame->instances[0].state)->shading = solid_look_shading(look, false);
+    solid_options.look = (int)look;
+    frame->shown.style.curve.high = 1;
+}
+
 #endif

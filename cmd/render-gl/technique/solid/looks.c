@@ -35,11 +35,13 @@ struct pass {
     bool pixels;       /* the target has texels for pixels; false: for samples */
 };
 
-enum { WASH, BLUR, WATERCOLOR, SPREAD, STRIPS, PASTE };
+enum { WASH, BLUR, WATERCOLOR, SPREAD, WIDTHS, MEND, STRIPS, PASTE };
 static const struct pass passes[] = {[WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F, GL_RGBA16F}, true},
                                      [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}, true},
                                      [WATERCOLOR] = {"paint", "solid/watercolor.frag", {GL_RGBA16F}, true},
                                      [SPREAD] = {"spread", "solid/spread.frag", {0}, false},
+                                     [WIDTHS] = {"widths", "solid/widths.frag", {GL_RGBA16F}, false},
+                                     [MEND] = {"mend", "solid/mend.frag", {GL_RGBA16F, GL_RGBA16F}, false},
                                      [STRIPS] = {"borders", "solid/strips.frag", {GL_RGBA16F}, false},
                                      [PASTE] = {"paste", "solid/paste.frag", {0}, false}};
 
@@ -52,7 +54,7 @@ static enum hatch_status program_of(struct frame *frame, const struct pass *pass
 
 enum hatch_status solid_look_prepare(struct frame *frame, enum solid_look look, struct hatch_err *err)
 {
-    static const int first[] = {[SOLID_WATERCOLOR] = WASH, [SOLID_COLLAGE] = STRIPS};
+    static const int first[] = {[SOLID_WATERCOLOR] = WASH, [SOLID_COLLAGE] = WIDTHS};
     static const int last[] = {[SOLID_WATERCOLOR] = SPREAD, [SOLID_COLLAGE] = PASTE};
     const struct gpu_program *program;
     for (int i = first[look]; (look == SOLID_WATERCOLOR || look == SOLID_COLLAGE) && i <= last[look]; i++)
@@ -61,8 +63,8 @@ enum hatch_status solid_look_prepare(struct frame *frame, enum solid_look look, 
 }
 
 /* Runs a pass over the image.
- *   along   direction, for passes that have one
- *   radius  samples, likewise
+ *   along   direction; NULL for passes that have none
+ *   radius  samples; 0 for passes that have none
  *   target  out: its transient target, or the canvas */
 static enum hatch_status run(struct frame *frame, int which, const GLint along[2], double radius,
                              const struct gpu_target **target, struct hatch_err *err)
@@ -79,10 +81,10 @@ static enum hatch_status run(struct frame *frame, int which, const GLint along[2
         HATCH_TRY(frame_target(&frame->targets, &form, target, err));
     const struct frame_pass screen = {
         .name = pass->name, .target = *target, .depth = pass->outputs[0] ? FRAME_DEPTH_NONE : FRAME_DEPTH_NEARER};
-    if (along) {
+    if (along)
         glProgramUniform2iv(program->name, UNIFORM_A, 1, along);
+    if (radius > 0)
         glProgramUniform1f(program->name, UNIFORM_B, (float)radius);
-    }
     frame_pass_begin(&screen);
     frame_pass_screen(program);
     frame_pass_end(&screen, frame->timer);
@@ -144,10 +146,15 @@ static enum hatch_status draw_watercolor(struct frame *frame, struct shaded_stat
 static enum hatch_status draw_collage(struct frame *frame, struct shaded_state *shaded,
                                       const struct frame_shading *shading, struct hatch_err *err)
 {
-    const struct gpu_target *strips, *ranges, *canvas;
+    const struct gpu_target *strips, *widths, *mended, *ranges, *canvas;
+    double border = solid_options.border_px * frame->request.canvas->side;
     HATCH_TRY(draw_items(frame, shaded, shading, &strips, err));
-    HATCH_TRY(run_both(frame, STRIPS, strips->outputs[1], solid_options.border_px * frame->request.canvas->side,
-                       &ranges, err));
+    gpu_texture_bind(UNIT_SOURCE, strips->outputs[1], 0);
+    HATCH_TRY(run(frame, WIDTHS, NULL, border, &widths, err));
+    gpu_texture_bind(UNIT_SOURCE, widths->outputs[0], 0);
+    HATCH_TRY(run(frame, MEND, NULL, border, &mended, err));
+    gpu_texture_bind(UNIT_TECHNIQUE + 3, mended->outputs[1], 0);
+    HATCH_TRY(run_both(frame, STRIPS, mended->outputs[0], 0, &ranges, err));
     gpu_texture_bind(UNIT_TECHNIQUE + 2, ranges->outputs[0], 0);
     return run(frame, PASTE, NULL, 0, &canvas, err);
 }
@@ -166,5 +173,5 @@ uint32_t solid_look_reach_px(enum solid_look look)
 {
     if (look == SOLID_WATERCOLOR)
         return (uint32_t)ceil(solid_options.wobble_px + EDGE_PX) + 1;
-    return look == SOLID_COLLAGE ? (uint32_t)ceil(1.5 * solid_options.border_px) + 1 : 0;
+    return look == SOLID_COLLAGE ? (uint32_t)ceil(10 * solid_options.border_px) + 2 : 0;
 }
