@@ -40,28 +40,18 @@ static const char *file_of(const struct job *job, uint32_t *index)
     return cmd_input_name(job->args.operands[file]);
 }
 
-/* Fails if a mesh has no texture coordinates, which strokes follow. */
-static enum hatch_status check_texcoords(const struct job *job, const char **file, struct hatch_err *err)
+/* Fails if a mesh has no texture coordinates.
+ *   why  ends the message: who needs them, and what to do */
+static enum hatch_status check_texcoords(const struct job *job, const char *why, const char **file,
+                                         struct hatch_err *err)
 {
     const struct hatch_scene *scene = &job->values;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (scene->meshes[i].mesh.face_count && !hatch_mesh_find(&scene->meshes[i].mesh, "TEXCOORD_0", 2)) {
             *file = file_of(job, &i);
-            return hatch_fail(err, HATCH_BAD_INPUT,
-                              "primitive %u has no texture coordinates, which strokes follow; "
-                              "add them with dirfield FILE | lapped-param -o NEW.glb",
-                              i);
+            return hatch_fail(err, HATCH_BAD_INPUT, "primitive %u has no texture coordinates, %s", i, why);
         }
     return HATCH_OK;
-}
-
-enum hatch_status job_check(const struct job *job, const struct technique *technique, const char **file,
-                            struct hatch_err *err)
-{
-    *file = job->name;
-    if (technique->check)
-        HATCH_TRY(technique->check(&job->values, job->patches, err));
-    return technique->features & TECHNIQUE_STROKES ? check_texcoords(job, file, err) : HATCH_OK;
 }
 
 static void check_animation(const struct job *job)
@@ -132,6 +122,18 @@ struct technique_instance *job_open(struct job *job, const struct technique *tec
     if (technique->read)
         technique->read(&job->context, instance);
     return instance;
+}
+
+enum hatch_status job_check(struct job *job, const struct technique *technique, const char **file,
+                            struct hatch_err *err)
+{
+    const struct technique_instance *instance = job_open(job, technique, err);
+    *file = job->name;
+    if (!instance)
+        return HATCH_LIMIT;
+    if (technique->check)
+        HATCH_TRY(technique->check(&job->values, job->patches, err));
+    return instance->texcoords_for ? check_texcoords(job, instance->texcoords_for, file, err) : HATCH_OK;
 }
 
 struct technique_instance *job_use(struct job *job, const struct technique *technique)

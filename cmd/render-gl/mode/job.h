@@ -58,9 +58,9 @@ struct picture job_picture(struct job *job, struct technique_instance *instance)
  *   kinds  bits of enum hatch_line_kind */
 enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fails with HATCH_BAD_INPUT if the scene lacks something that the technique draws.
+/* Opens a technique as job_open does; fails with HATCH_BAD_INPUT if the scene lacks something that it draws.
  *   file  out: on failure, the name of the file that lacks it */
-enum hatch_status job_check(const struct job *job, const struct technique *technique, const char **file,
+enum hatch_status job_check(struct job *job, const struct technique *technique, const char **file,
                             struct hatch_err *err) HATCH_MUST_USE;
 
 /* Recomputes everything that depends on changed parameters.

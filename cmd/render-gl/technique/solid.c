@@ -46,6 +46,8 @@ static void read_files(struct technique_context *context, struct technique_insta
     read_inks(&state->block);
     state->shading = solid_look_shading(look(), state->files.flat);
     instance->places = state->files.flat ? HATCH_NEAR_TEXCOORDS : HATCH_NEAR_REST;
+    if (state->files.flat)
+        instance->texcoords_for = "which 2D textures need; 3D textures, which solidgen makes, need none";
 }
 
 /* Turns the textures against the meshes: by --solid-turn or, if they have no direction, so that surfaces along the axes
@@ -98,12 +100,6 @@ static enum hatch_status prepare_flat(struct technique_context *context, const s
     struct hatch_arena *scratch = &context->args->scratch;
     const struct hatch_uv_repeat how = {
         .view = context->view, .height_px = context->height_px, .size_px = state->files.solids[0].size, .levels = 1};
-    for (uint32_t i = 0; i < scene->unit.item_count; i++)
-        if (!hatch_mesh_find(scene->unit.meshes[scene->unit.items[i].mesh].mesh, "TEXCOORD_0", 2))
-            return hatch_fail(err, HATCH_BAD_INPUT,
-                              "primitive %u has no texture coordinates, which 2D textures need; 3D textures, which "
-                              "solidgen makes, need none",
-                              scene->unit.items[i].mesh);
     HATCH_TRY(scene_set_repeats(scene, &how, &context->args->keep, scratch, err));
     return scene_set_uv_tangents(scene, scratch, err);
 }

@@ -26,6 +26,8 @@ enum hatch_status technique_open(struct technique_instance *instance, const stru
     if (!state)
         return HATCH_LIMIT;
     *instance = (struct technique_instance){.technique = technique, .state = state, .places = technique->places};
+    if (technique->features & TECHNIQUE_STROKES)
+        instance->texcoords_for = "which strokes follow; add them with dirfield FILE | lapped-param -o NEW.glb";
     return HATCH_OK;
 }
 

@@ -72,7 +72,7 @@ refuses "a flat texture and a solid one" 2 2 "--solid: waves.ktx2 is a solid tex
     --solid flat.ktx2,waves.ktx2
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >bare.obj
 refuses "a 2D texture on a mesh without texture coordinates" 3 1 \
-    "primitive 1 has no texture coordinates, which 2D textures need; 3D textures, which solidgen makes, need none" \
+    "bare.obj: primitive 0 has no texture coordinates, which 2D textures need; 3D textures, which solidgen makes, need none" \
     --solid flat.ktx2 bare.obj
 ok "a 2D texture" $draw --solid flat.ktx2
 rm -f picture.png
