@@ -34,8 +34,8 @@ static void begin_surface(int i)
     frame_open(&mesh, surfaces[i].bounds, NULL, &frame);
     solid = solid_of_value(&frame.args.keep, 8, 128);
     solid_use(&frame, &solid, HATCH_ZOOM_LINEAR, PERIOD_PX);
-    ((struct solid_state *)frame.instances[0].state)->shading.stages.fragment = "solid/places.frag";
-    solid_options.turn = surfaces[i].turn;
+    ((struct look *)frame.instances[0].state)->shading.stages.fragment = "solid/places.frag";
+    look_options.turn = surfaces[i].turn;
 }
 
 /* Sets the places of vertices as struct hatch_item_rest defines them: x, and the sum of y and z. */

@@ -16,6 +16,16 @@ static void clear(const struct frame *frame)
     frame_pass_end(&pass, frame->timer);
 }
 
+enum hatch_status frame_cut_near(struct frame *frame, enum hatch_near_places places, struct hatch_err *err)
+{
+    const struct hatch_near_options options = {.places = frame->floats_alone ? HATCH_NEAR_NONE : places,
+                                               .turn = {(double)frame->block.hatch[0], (double)frame->block.hatch[1]},
+                                               .tile = frame->request.tile,
+                                               .max_memory = frame->programs.scratch->limit_bytes};
+    frame->view = *frame->request.view;
+    return near_begin(&frame->near, frame->scene, &options, &frame->view, err);
+}
+
 enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, enum hatch_near_places places,
                               struct hatch_err *err)
 {
@@ -23,17 +33,12 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
     struct frame_block *block = &frame->block;
     struct hatch_unit_scene *unit = &frame->scene->unit;
     frame->request = *request;
-    frame->view = *request->view;
     gpu_timer_begin(frame->timer);
     frame_targets_begin(&frame->targets);
     frame_block_set_inks(block, &style->inks);
     frame_block_set_curve(block, &style->curve);
     frame_block_set_hatch(block, style->hatch_turn_rad, style->hatch_scale);
-    const struct hatch_near_options options = {.places = frame->floats_alone ? HATCH_NEAR_NONE : places,
-                                               .turn = {(double)block->hatch[0], (double)block->hatch[1]},
-                                               .tile = request->tile,
-                                               .max_memory = frame->programs.scratch->limit_bytes};
-    HATCH_TRY(near_begin(&frame->near, frame->scene, &options, &frame->view, err));
+    HATCH_TRY(frame_cut_near(frame, places, err));
     frame_block_set_view(block, &frame->view, request->tile, request->canvas->side);
     block->counts[0] = (int32_t)hatch_lights_fill(&unit->pose, &unit->bounds, &frame->view, &style->light,
                                                   style->curve.exposure, block->lights);

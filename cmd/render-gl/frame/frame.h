@@ -25,6 +25,7 @@ struct frame_style {
     double hatch_turn_rad; /* turn of the strokes on their surface, counter-clockwise seen from outside */
     double hatch_scale;    /* scale of the strokes' pattern, over 0 */
     bool base_tone;        /* the materials' colours and textures count as tone */
+    bool base_color;       /* shadings with colours draw them, and base_tone is not set */
     bool pixel_light;      /* techniques that can compute light per pixel do so */
     bool shadows;          /* lights cast shadows; implies pixel_light */
     double shadow_edge;    /* width of the soft edges of shadows, in the unit scene; over 0 */
@@ -65,6 +66,10 @@ struct frame {
  * HATCH_LIMIT when main memory or the GPU's memory does not suffice. */
 enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, enum hatch_near_places places,
                               struct hatch_err *err) HATCH_MUST_USE;
+
+/* Cuts the near faces of a frame into pieces again, for passes that need other places than frame_begin was told. */
+enum hatch_status frame_cut_near(struct frame *frame, enum hatch_near_places places,
+                                 struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws haloes and averages the samples.
  *   haloes  false: no haloes are drawn, because the technique's output is not a colour */

@@ -17,6 +17,11 @@ struct drawing {
     uint32_t variant;                   /* bits of enum frame_variant */
 };
 
+static bool draws_colors(const struct frame *frame, const struct frame_shading *shading)
+{
+    return frame->style.base_color && shading->colors;
+}
+
 static uint32_t variant_of(const struct frame *frame, const struct frame_shading *shading, uint32_t index)
 {
     const struct hatch_item *unit = &frame->scene->unit.items[index];
@@ -25,7 +30,8 @@ static uint32_t variant_of(const struct frame *frame, const struct frame_shading
     if (frame->scene->unit.meshes[unit->mesh].patches)
         variant = shading->patches == FRAME_PATCHES_UNSEEN ? 0 : FRAME_OUTLINE;
     else if (item->base_texture)
-        variant = (frame->style.base_tone ? FRAME_TONE : 0u) | (unit->alpha_cutoff > 0 ? FRAME_HOLES : 0u);
+        variant = (frame->style.base_tone || draws_colors(frame, shading) ? FRAME_TONE : 0u) |
+                  (unit->alpha_cutoff > 0 ? FRAME_HOLES : 0u);
     if (item->normals && shading->pixel_light && !shading->pieces)
         variant |= FRAME_NORMALS;
     return variant;
@@ -74,7 +80,10 @@ static enum hatch_status compile(struct frame *frame, const struct frame_shading
              variant & FRAME_PIECES ? "#define PIECES 1\n" : "",
              variant & (FRAME_TONE | FRAME_HOLES | FRAME_OUTLINE) ? "#define BASE_TEXTURE 1\n" : "",
              variant & FRAME_NORMALS ? "#define NORMAL_MAP 1\n" : "",
-             variant & FRAME_TONE ? "#define BASE_TONE 1\n" : "", variant & FRAME_HOLES ? "#define BASE_HOLES 1\n" : "",
+             !(variant & FRAME_TONE)        ? ""
+             : draws_colors(frame, shading) ? "#define BASE_COLOR 1\n"
+                                            : "#define BASE_TONE 1\n",
+             variant & FRAME_HOLES ? "#define BASE_HOLES 1\n" : "",
              variant & FRAME_OUTLINE ? "#define OUTLINE 1\n" : "");
     return gpu_program_get(&frame->programs, &shading->stages, all, program, err);
 }
@@ -115,8 +124,12 @@ enum hatch_status frame_shader_prepare(struct frame *frame, const struct frame_s
 
 static void use(const struct drawing *drawing, const struct gpu_program *program)
 {
+    static const float white[3] = {1, 1, 1};
     frame_use_item(drawing->frame->scene, drawing->index,
                    drawing->frame->style.base_tone ? drawing->item->base_lightness : 1.0f, program);
+    if (drawing->shading->colors)
+        glUniform3fv(UNIFORM_TINT, 1,
+                     draws_colors(drawing->frame, drawing->shading) ? drawing->item->base_color : white);
 }
 
 /* Draws a part. Double-sided faces are drawn once for each side, because light is computed at vertices, which do not

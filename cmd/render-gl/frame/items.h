@@ -27,12 +27,13 @@ struct frame_item_pass {
 
 /* A shading: the programs and passes that draw items. Shaders are compiled with `defines` and with the macros that the
  * style, the lights and the item require: PIXEL_LIGHT, SHADOWS, SUN, HIGHLIGHTS, TWO_INKS, NORMAL_MAP, PIECES, and
- * BASE_TEXTURE (together with BASE_TONE, BASE_HOLES or OUTLINE). */
+ * BASE_TEXTURE (together with BASE_TONE, BASE_COLOR, BASE_HOLES or OUTLINE). */
 struct frame_shading {
     struct gpu_stages stages;
     const char *defines; /* #define lines put before each stage; NULL: none */
     bool pixel_light;    /* the shaders support PIXEL_LIGHT */
     bool pieces;         /* the shaders support PIECES; they do not read normal maps */
+    bool colors;         /* the shaders draw the materials' colours and textures, if the style says so */
     enum frame_patches patches;
     struct frame_item_pass passes[FRAME_PASSES_MAX]; /* up to the first one without a name */
 };
@@ -40,7 +41,7 @@ struct frame_shading {
 /* Features of an item for which shaders are compiled separately; bits. FRAME_OUTLINE excludes FRAME_TONE and
  * FRAME_HOLES; all other combinations are possible. */
 enum frame_variant {
-    FRAME_TONE = 1,    /* the base texture counts as tone */
+    FRAME_TONE = 1,    /* the base texture counts as tone, or is drawn in its colours */
     FRAME_HOLES = 2,   /* the base texture has holes */
     FRAME_OUTLINE = 4, /* the base texture is the outline of patches */
     FRAME_PIECES = 8,  /* pieces of near faces are drawn */

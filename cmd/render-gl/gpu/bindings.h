@@ -67,6 +67,7 @@
 #define BRUSH_PROFILE 17
 #define UNIFORM_CLIP_FROM_CAMERA 20
 #define UNIFORM_PIECES 21
+#define UNIFORM_TINT 22 /* colour of the item's material; white where colours are not drawn */
 
 /* Uniforms of a pass that draws no items */
 #define UNIFORM_A 0

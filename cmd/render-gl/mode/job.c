@@ -129,8 +129,7 @@ enum hatch_status job_check(struct job *job, const struct technique *technique, 
 {
     const struct technique_instance *instance = job_open(job, technique, err);
     *file = job->name;
-    if (!instance)
-        return HATCH_LIMIT;
+    HATCH_TRY(instance ? HATCH_OK : HATCH_LIMIT);
     if (technique->check)
         HATCH_TRY(technique->check(&job->values, job->patches, err));
     return instance->texcoords_for ? check_texcoords(job, instance->texcoords_for, file, err) : HATCH_OK;
@@ -251,6 +250,8 @@ void job_read(struct job *job)
     name_scene(job);
     load_scene(job, &notes);
     open_techniques(job);
+    if (options_paint(options))
+        job->context.look = look_read(&job->args, LOOK_WATERCOLOR, true, &job->look);
     if (options->map_path)
         read_asset(job);
     if (!options->vectors || options->technique->curves) {
@@ -337,7 +338,7 @@ static void upload_scene(struct job *job)
                  HATCH_LIGHTS_MAX);
     open_context(job);
     cmd_check(scene_upload(&job->values, job->patches, &bounds, keep, scratch, &job->scene, &err), name, &err);
-    material_upload(&job->args, name, options->base_tone && !options->modulate_path, job->gpu.size_max_px, &job->scene);
+    material_upload(&job->args, name, options->textures, job->gpu.size_max_px, &job->scene);
     if (options->pixel_light)
         normals_upload(&job->args, name, job->gpu.size_max_px, &job->scene);
     if (options->modulate_path)
@@ -491,6 +492,7 @@ void job_end(struct job *job)
 {
     for (size_t i = 0; i < sizeof job->instances / sizeof *job->instances; i++)
         technique_close(&job->instances[i]);
+    look_free(&job->look);
     line_overlay_free(&job->lines);
     assets_free(&job->assets);
     frame_free(&job->frame);

@@ -20,6 +20,7 @@ struct job {
     struct scene scene;                                      /* the scene on the GPU */
     struct assets assets;
     struct frame frame;
+    struct look look; /* that paints pictures, if context.look is set */
     struct technique_context context;
     struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those opened; 2 more, for --show and for --probe */
     struct line_overlay lines;

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "image/color.h"
 #include "render-gl/mode/parse_args.h"
+#include "render-gl/mode/rules.h"
 #include "render-gl/mode/show.h"
 
 #define ROWS_MAX 80 /* rows of the option table, with one that ends it */
@@ -154,101 +155,12 @@ static const char *const examples[] = {
     NULL,
 };
 
-static bool draws_strokes(const struct technique *drawn)
-{
-    return drawn->features & TECHNIQUE_STROKES;
-}
-
-static bool has_curves(const struct technique *drawn)
-{
-    return drawn->curves != NULL;
-}
-
-static bool has_pattern(const struct technique *drawn)
-{
-    return draws_strokes(drawn) && has_curves(drawn);
-}
-
-static bool has_lines(const struct technique *drawn)
-{
-    return drawn->features & (TECHNIQUE_STROKES | TECHNIQUE_LINES);
-}
-
-static bool reads_asset(const struct technique *drawn)
-{
-    return technique_asset(drawn) != NULL;
-}
-
-/* Whether textures are filtered. */
-static bool filters_asset(const struct technique *drawn)
-{
-    return drawn->asset != NULL;
-}
-
-static bool reads_six_columns(const struct technique *drawn)
-{
-    return drawn->asset == &asset_six_columns;
-}
-
-#define PICTURE_OPTIONS "tam samples show haloes uv-scale anisotropy window"
-#define PATTERN_OPTIONS "hatch-turn hatch-scale"
-#define TONE_OPTIONS                                                                                                   \
-    "tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir"
-
-#define SEED_OPTIONS "seeds layers stroke stroke-ink stroke-turn seed-tile seed-layers fade fade-by overlap seed-loop"
-
-/* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
- * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
-static char strokes[256], assets[256], filtered[256], six_columns[256], lined[320], timed[320], inked[320],
-    scripted[320], patterned[320], patterned_script[320];
-
-static const struct cmd_rule rules[] = {
-    {"show", "!technique", NULL},
-    {"tam uv-scale", assets, NULL},
-    {"anisotropy", filtered, NULL},
-    {"uv-scale", "tam|window", NULL},
-    {SEED_OPTIONS, "!tam|window", "whose strokes are drawn instead"},
-    {"tam hatch-turn hatch-scale anisotropy uv-scale", "!show|window", "that draws no strokes"},
-    {"hatch-turn hatch-scale", strokes, NULL},
-    {"bands wobble", "look=watercolor,collage", NULL},
-    {"dry edge-darkening paper-grain", "look=watercolor", NULL},
-    {"border", "look=collage", NULL},
-    {"blend", "look=plain,collage", "the other looks draw ranks"},
-    {"grain", "look=plain,watercolor,collage", NULL},
-    {"probe", "!show tam", NULL},
-    {"probe", six_columns, NULL},
-    {"paper lines line-width line-color crease haloes pixel-light", "!probe", "which counts tones, and draws nothing"},
-    {"line-width line-color crease", "lines!=none", NULL},
-    {"line-width line-color crease", "lines|!show|window", "whose pictures have no lines"},
-    {"line-width line-color crease", lined, NULL},
-    {"line-width line-color crease", timed, NULL},
-    {"exposure", "!light", "which replaces the scene's lights"},
-    {"modulate", "!texture-tone", "give one of them"},
-    {"turntable", "frames", NULL},
-    {"animate", "!time !probe", NULL},
-    {"rate", "frames|window !turntable|animation|time-s", NULL},
-    {"json", "time|probe", NULL},
-    {"time", "!probe !window", NULL},
-    {"probe", "!window", NULL},
-    {"page margin pen hidden sort", "output=*.svg,*.tsv !time !probe", "it shapes a drawing"},
-    {"time probe " PICTURE_OPTIONS, "output!=*.svg", "a drawing consists of lines"},
-    {PICTURE_OPTIONS, "output!=*.tsv|time|probe", "a drawing consists of lines"},
-    {PATTERN_OPTIONS, patterned, "a drawing consists of lines"},
-    {PATTERN_OPTIONS, patterned_script, "a drawing consists of lines"},
-    {TONE_OPTIONS, inked, "a drawing without strokes has no tone"},
-    {"paper " TONE_OPTIONS, scripted, "a stroke script of lines alone has neither paper nor tone"},
-    {"margin", "page", "the page without it is as large as the picture"},
-    {"pen", "!line-width", "give one of them"},
-    {NULL, NULL, NULL},
-};
-
-static const struct cmd_program program = {
+static struct cmd_program program = {
     .name = "render-gl",
     .operands = "[SCENE ...]",
     .summary = "draw a 3D scene with strokes",
     .examples = examples,
     .options = table,
-    .rules = rules,
     .operands_max = -1,
     .reports = true,
     .binary = true,
@@ -280,35 +192,6 @@ static size_t add_rows(const struct cmd_option *rows, size_t count)
     return count;
 }
 
-/* Writes the condition that the technique is one of a kind.
- *   others  other conditions that suffice, each after a '|' */
-static void make_condition(bool (*is_kind)(const struct technique *), const char *others, char *text, size_t bytes)
-{
-    size_t used = (size_t)snprintf(text, bytes, "technique=");
-    const char *comma = "";
-    for (size_t i = 0; techniques[i]; i++)
-        if (is_kind(techniques[i]) && used < bytes) {
-            used += (size_t)snprintf(text + used, bytes - used, "%s%s", comma, techniques[i]->name);
-            comma = ",";
-        }
-    assert(used < bytes);
-    snprintf(text + used, bytes - used, "%s", others);
-}
-
-static void make_rules(void)
-{
-    make_condition(draws_strokes, "|window", strokes, sizeof strokes);
-    make_condition(reads_asset, "|window", assets, sizeof assets);
-    make_condition(filters_asset, "|window", filtered, sizeof filtered);
-    make_condition(reads_six_columns, "", six_columns, sizeof six_columns);
-    make_condition(has_lines, "|lines|window|output=*.svg,*.tsv", lined, sizeof lined);
-    make_condition(has_lines, "|lines|window|!time", timed, sizeof timed);
-    make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
-    make_condition(has_curves, "|output!=*.tsv|time|probe", scripted, sizeof scripted);
-    make_condition(has_pattern, "|output!=*.svg", patterned, sizeof patterned);
-    make_condition(has_pattern, "|output!=*.tsv|time|probe", patterned_script, sizeof patterned_script);
-}
-
 /* Joins the rows of the command and of all techniques into one table. */
 static void make_table(void)
 {
@@ -318,6 +201,7 @@ static void make_table(void)
         names[i] = techniques[i]->name;
         count = add_rows(techniques[i]->options, count);
     }
+    count = add_rows(look_option_table, count);
     add_rows(rest, count);
     for (size_t i = 0; show_techniques[i]; i++)
         shown[i] = show_techniques[i]->name;
@@ -372,9 +256,15 @@ static double read_uv_scale(void)
     return value;
 }
 
+bool options_paint(const struct options *options)
+{
+    return look_options.kind == LOOK_WATERCOLOR && (options->window || technique_is_painted(options->technique));
+}
+
 bool options_draw_lines(const struct options *options, const struct technique *drawn)
 {
-    return options->line_kinds != HATCH_LINES_NONE && (has_lines(drawn) || options->lines_given || options->vectors);
+    return options->line_kinds != HATCH_LINES_NONE &&
+           (rules_have_lines(drawn) || options->lines_given || options->vectors);
 }
 
 /* Refuses options of techniques other than the chosen one, except with a window, which may switch to them; and those
@@ -416,6 +306,12 @@ static void check_technique(void)
     if (chosen.pixel_light && !(chosen.technique->features & TECHNIQUE_PIXEL_LIGHT)) {
         list_features(TECHNIQUE_PIXEL_LIGHT, able, sizeof able);
         cmd_usage("--pixel-light goes with %s, not with %s", able, name);
+    }
+    if (!(chosen.technique->features & TECHNIQUE_LOOKS) && !chosen.window && look_options.kind != LOOK_PLAIN &&
+        look_options.kind != LOOK_WATERCOLOR) {
+        list_features(TECHNIQUE_LOOKS, able, sizeof able);
+        cmd_usage("--look %s goes with %s; with %s, the look is plain or watercolor",
+                  options_find("look")->choices[look_options.kind], able, name);
     }
     check_owners();
 }
@@ -464,7 +360,7 @@ static void read_page(void)
 struct options *options_read(int argc, char **argv, struct cmd_args *args)
 {
     make_table();
-    make_rules();
+    program.rules = rules_make();
     cmd_begin(&program, argc, argv, args);
     chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();
@@ -481,6 +377,7 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     chosen.animation = (uint32_t)animation;
     chosen.animated = chosen.animation_given || time_given || (frames_given && !chosen.turntable) || chosen.window;
     read_colors();
+    chosen.textures = (chosen.base_tone && !chosen.modulate_path) || look_options.colors;
     chosen.base_tone = chosen.base_tone || chosen.modulate_path;
     read_view(&chosen.view);
     return &chosen;

@@ -13,6 +13,7 @@ enum param_subject {
     PARAM_STYLE,    /* shading, with any technique */
     PARAM_CAMERA,   /* the view, which the keys for parameters do not change */
     PARAM_LINES,    /* feature lines */
+    PARAM_LOOK,     /* looks */
     PARAM_STROKES,  /* strokes, with any technique that has TECHNIQUE_STROKES */
     PARAM_TECHNIQUE /* one technique only, whose `changed` applies the value */
 };
@@ -64,6 +65,7 @@ struct options {
     enum hatch_up up;
     double ground; /* half the side of the ground plane, in the scene's radii; 0: none */
     bool base_tone, pixel_light, shadows;
+    bool textures;                 /* the materials' textures are seen, as tone or as colours */
     uint32_t line_kinds;           /* bits of enum hatch_line_kind */
     bool lines_given;              /* --lines was given; false: only techniques with TECHNIQUE_STROKES have lines */
     struct hatch_view_choice view; /* kind and camera; options_view adds from_deg and fov_deg */
@@ -101,6 +103,9 @@ const struct cmd_option *options_find(const char *name);
 
 /* Returns whether an option has been given, on the command line or by params_set. */
 bool options_is_given(const char *name);
+
+/* Returns whether a look paints the pictures of techniques. */
+bool options_paint(const struct options *options);
 
 /* Returns whether feature lines are drawn over the pictures of a technique. */
 bool options_draw_lines(const struct options *options, const struct technique *technique);

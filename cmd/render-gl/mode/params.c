@@ -12,12 +12,27 @@ static const struct {
     struct technique_param param;
     enum param_subject subject;
 } common[] = {
-    {{"hatch-turn", false, 5}, PARAM_STROKES},  {{"hatch-scale", true, 1.1}, PARAM_STROKES},
-    {{"tone-range", false, 0.05}, PARAM_STYLE}, {{"tone-gamma", true, 1.1}, PARAM_STYLE},
-    {{"light", false, 5}, PARAM_STYLE},         {{"shadows", true, 1.1}, PARAM_STYLE},
-    {{"exposure", true, 1.1}, PARAM_STYLE},     {{"haloes", true, 1.1}, PARAM_STYLE},
-    {{"line-width", true, 1.1}, PARAM_LINES},   {{"from", false, 5}, PARAM_CAMERA},
-    {{"fov", false, 5}, PARAM_CAMERA},          {{"zoom", true, 1.1}, PARAM_CAMERA},
+    {{"hatch-turn", false, 5}, PARAM_STROKES},
+    {{"hatch-scale", true, 1.1}, PARAM_STROKES},
+    {{"tone-range", false, 0.05}, PARAM_STYLE},
+    {{"tone-gamma", true, 1.1}, PARAM_STYLE},
+    {{"light", false, 5}, PARAM_STYLE},
+    {{"shadows", true, 1.1}, PARAM_STYLE},
+    {{"exposure", true, 1.1}, PARAM_STYLE},
+    {{"haloes", true, 1.1}, PARAM_STYLE},
+    {{"solid-size", true, 1.1}, PARAM_LOOK},
+    {{"grain", false, 0.05}, PARAM_LOOK},
+    {{"bands", false, 1}, PARAM_LOOK},
+    {{"wobble", false, 0.5}, PARAM_LOOK},
+    {{"dry", false, 0.05}, PARAM_LOOK},
+    {{"wet", false, 0.05}, PARAM_LOOK},
+    {{"edge-darkening", false, 0.05}, PARAM_LOOK},
+    {{"paper-grain", false, 0.05}, PARAM_LOOK},
+    {{"border", false, 0.5}, PARAM_LOOK},
+    {{"line-width", true, 1.1}, PARAM_LINES},
+    {{"from", false, 5}, PARAM_CAMERA},
+    {{"fov", false, 5}, PARAM_CAMERA},
+    {{"zoom", true, 1.1}, PARAM_CAMERA},
 };
 
 bool params_at(uint32_t index, struct param *param)
@@ -46,6 +61,9 @@ bool params_are_used(const struct param *param, const struct technique *techniqu
     switch (param->subject) {
     case PARAM_LINES:
         return lines;
+    case PARAM_LOOK:
+        return technique->features & TECHNIQUE_LOOKS ||
+               (look_options.kind == LOOK_WATERCOLOR && technique_is_painted(technique));
     case PARAM_STROKES:
         return technique->features & TECHNIQUE_STROKES;
     case PARAM_TECHNIQUE:

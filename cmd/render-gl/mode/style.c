@@ -21,6 +21,7 @@ void options_style(const struct options *options, struct frame_style *style)
                                   .hatch_turn_rad = options->hatch_turn_deg * HATCH_RADIANS,
                                   .hatch_scale = options->hatch_scale,
                                   .base_tone = options->base_tone,
+                                  .base_color = look_options.colors,
                                   .pixel_light = options->pixel_light,
                                   .shadows = options->shadows,
                                   .shadow_edge = options->shadow_edge,

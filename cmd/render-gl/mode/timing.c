@@ -31,17 +31,17 @@ static double quantile(const double *sorted, uint32_t count, double share)
 }
 
 /* Draws frames and records their times. Three kinds of frame alternate, so that the load of the machine affects all of
- * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique. Passes are not
- * timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the number of
- * series.
- *   turns   one picture for each kind of frame
- *   counts  out: the strokes of the very first frame, if the technique counts them */
+ * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique, without a look.
+ * Passes are not timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the
+ * number of series. turns   one picture for each kind of frame counts  out: the strokes of the very first frame, if the
+ * technique counts them */
 static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
                         struct series *series, struct technique_counts *counts)
 {
     const struct options *options = job->options;
     const struct hatch_tile tile = {0, 0, canvas->width, canvas->height, options->width, options->height};
     struct gpu_timer *timer = job->frame.timer;
+    struct look *look = job->context.look;
     struct hatch_view view;
     struct hatch_err err;
     job_set_frame(job, 0, &view);
@@ -49,6 +49,7 @@ static uint32_t measure(struct job *job, const struct picture turns[3], const st
     for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)
         for (uint32_t turn = 0; turn < 3; turn++) {
             timer->every_pass = turn == 1;
+            job->context.look = turn < 2 ? look : NULL;
             cmd_check(picture_draw_tile(&turns[turn], &view, &tile, canvas, &err), NULL, &err);
             if (run == 0 && turn == 0 && turns->instance->technique->count) {
                 *counts = turns->instance->technique->count(turns->instance);

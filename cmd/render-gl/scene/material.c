@@ -1,6 +1,7 @@
 #include "render-gl/scene/material.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "shared/picture.h"
 #include "filter/pyramid.h"
@@ -161,7 +162,7 @@ static void set_lod(struct scene_item *item, const struct hatch_mesh *mesh)
     item->base_lod = fmaxf(0.0f, log2f(item->base_side_px / fmaxf(vertices_side, 1.0f)));
 }
 
-static void upload_item(const struct decoding *decoding, uint32_t index, bool as_tone)
+static void upload_item(const struct decoding *decoding, uint32_t index, bool visible)
 {
     const struct scene *scene = decoding->scene;
     struct hatch_item *unit = &scene->unit.items[index];
@@ -172,7 +173,8 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool as
     const struct hatch_material *material = &scene->unit.scene->materials[mesh->material];
     bool outline = scene->unit.meshes[unit->mesh].patches != NULL;
     item->base_lightness = hatch_color_luminance(material->base_color);
-    if (material->base.texture == HATCH_NONE || !(as_tone || material->alpha_cutoff > 0 || outline))
+    memcpy(item->base_color, material->base_color, sizeof item->base_color);
+    if (material->base.texture == HATCH_NONE || !(visible || material->alpha_cutoff > 0 || outline))
         return;
     const struct scene_item *other = find_same_texture(scene, index, material, outline);
     if (other) {
@@ -204,11 +206,11 @@ void material_find_holes(struct cmd_args *args, const char *file, struct hatch_u
     }
 }
 
-void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct scene *scene)
+void material_upload(struct cmd_args *args, const char *file, bool visible, uint32_t size_max_px, struct scene *scene)
 {
     const struct decoding decoding = {args, file, size_max_px, scene};
     for (uint32_t i = 0; i < scene->unit.item_count; i++)
-        upload_item(&decoding, i, as_tone);
+        upload_item(&decoding, i, visible);
 }
 
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct scene *scene)

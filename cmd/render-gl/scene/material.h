@@ -1,5 +1,5 @@
-/* Base colours and base-colour textures of materials. They are used in three ways: as tone, as holes (where alpha is
- * below the material's cutoff), and as the outline of lapped patches. */
+/* Base colours and base-colour textures of materials. They are used in four ways: as tone, as colour, as holes (where
+ * alpha is below the material's cutoff), and as the outline of lapped patches. */
 #ifndef RENDER_SCENE_MATERIAL_H
 #define RENDER_SCENE_MATERIAL_H
 
@@ -10,9 +10,9 @@
 /* Decodes and uploads the base-colour textures that items need, each once, and sets the base_... members of the items.
  * Exits with a message on an image that cannot be read.
  *   file         the scene's name, for messages
- *   as_tone      true: textures are also uploaded for use as tone; false: only for holes and outlines
+ *   visible      true: textures are also uploaded for use as tone or as colour; false: only for holes and outlines
  *   size_max_px  larger images are halved until they fit */
-void material_upload(struct cmd_args *args, const char *file, bool as_tone, uint32_t size_max_px, struct scene *scene);
+void material_upload(struct cmd_args *args, const char *file, bool visible, uint32_t size_max_px, struct scene *scene);
 
 /* Sets cut_out of the items whose texture has holes. Needs no context. Exits with a message on an image that cannot be
  * read. */

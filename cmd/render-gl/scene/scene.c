@@ -100,7 +100,7 @@ static void make_item(const struct scene *scene, uint32_t index, struct scene_it
 {
     const struct hatch_item *unit = &scene->unit.items[index];
     const struct scene_mesh *mesh = &scene->meshes[unit->mesh];
-    *item = (struct scene_item){.base_lightness = 1.0f};
+    *item = (struct scene_item){.base_color = {1, 1, 1}, .base_lightness = 1.0f};
     if (unit->deformed)
         item->posed =
             gpu_buffer_make(NULL, sizeof(struct scene_vertex) * scene->unit.meshes[unit->mesh].mesh->vertex_count);

@@ -49,6 +49,7 @@ struct scene_item {
     float base_side_px;               /* longer side of base_texture */
     float base_alpha;                 /* smallest alpha in base_texture */
     float base_lod;                   /* mip level of base_texture that is about as coarse as the mesh's vertices */
+    float base_color[3];              /* the material's colour, linear; white without a material */
     float base_lightness;             /* luminance of the material's colour, 0 .. 1; 1 without a material */
     GLuint normals;                   /* normal map; 0: none */
     float normals_strength;           /* factor for x and y of the normal map */

@@ -13,6 +13,17 @@ bool technique_has_option(const struct technique *technique, const char *name)
     return false;
 }
 
+bool technique_is_painted(const struct technique *technique)
+{
+    return !(technique->features & (TECHNIQUE_LOOKS | TECHNIQUE_NO_COLOR));
+}
+
+/* Returns the look that paints the pictures of a technique, or NULL. */
+static struct look *look_of(const struct technique_context *context, const struct technique_instance *instance)
+{
+    return technique_is_painted(instance->technique) ? context->look : NULL;
+}
+
 const struct asset_kind *technique_asset(const struct technique *technique)
 {
     return technique->asset ? technique->asset : technique->extra;
@@ -38,7 +49,11 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
     const struct asset_kind *kind = technique_asset(technique);
     if (kind && (technique->asset || assets_have(context->assets, kind)))
         HATCH_TRY(assets_upload(context->assets, kind, &context->args->scratch, &instance->tones, err));
-    return (technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err);
+    HATCH_TRY((technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err));
+    struct look *look = look_of(context, instance);
+    return look ? look_prepare(look, context->frame, context->view, context->height_px, context->side, context->args,
+                               err)
+                : HATCH_OK;
 }
 
 /* Begins a frame with the technique's tones. */
@@ -63,8 +78,11 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
                                  const struct frame_request *request, struct hatch_err *err)
 {
     const struct technique *technique = instance->technique;
+    struct look *look = look_of(context, instance);
     HATCH_TRY(begin(context, instance, request, err));
     HATCH_TRY((technique->draw ? technique->draw : shaded_draw)(context, instance, err));
+    if (look)
+        HATCH_TRY(look_paint(look, context->frame, err));
     return frame_end(context->frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
 }
 
@@ -96,6 +114,9 @@ uint32_t technique_reach_px(const struct technique_context *context, const struc
     uint32_t frame = frame_reach_px(context->frame, line_px), own = 0;
     if (instance->technique->reach_px)
         own = instance->technique->reach_px(instance);
+    const struct look *look = look_of(context, instance);
+    if (look)
+        own += look_reach_px(look->kind);
     return frame > own ? frame : own;
 }
 

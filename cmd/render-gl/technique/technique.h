@@ -7,7 +7,7 @@
 
 #include "curve/line_brush.h"
 #include "render-gl/assets/asset.h"
-#include "render-gl/frame/items.h"
+#include "render-gl/look/look.h"
 #include "vector/curves.h"
 #include "vector/paths.h"
 
@@ -20,7 +20,8 @@ enum technique_feature {
     TECHNIQUE_NO_COLOR = 4,     /* writes numbers instead of colours: no haloes are drawn over them */
     TECHNIQUE_REFERENCE = 8,    /* draws the tone without strokes: --time compares with it */
     TECHNIQUE_ALL_COLUMNS = 16, /* blends all columns of a map, coloured ones too */
-    TECHNIQUE_LINES = 32        /* feature lines are drawn by default, though its strokes need no texture coordinates */
+    TECHNIQUE_LINES = 32,       /* feature lines are drawn by default, though its strokes need no texture coordinates */
+    TECHNIQUE_LOOKS = 64        /* draws every look itself; --look watercolor paints the pictures of others */
 };
 
 /* An option that --animate and the window's keys can change. */
@@ -38,6 +39,7 @@ struct technique_context {
     const struct hatch_view *view; /* view of the first picture */
     double height_px;              /* height of the first picture */
     uint32_t side;                 /* samples along a side of its pixels */
+    struct look *look;             /* that paints the pictures of techniques without looks of their own; NULL: none */
 };
 
 /* A technique in use. */
@@ -116,6 +118,9 @@ struct technique {
 
 /* Returns whether an option is one of a technique. */
 bool technique_has_option(const struct technique *technique, const char *name);
+
+/* Returns whether a look may paint its pictures: they are ink on paper, and no look draws them. */
+bool technique_is_painted(const struct technique *technique);
 
 /* Returns the kind of asset that a technique reads, whether it requires it or not; NULL: none. */
 const struct asset_kind *technique_asset(const struct technique *technique);

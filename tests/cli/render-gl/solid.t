@@ -125,8 +125,42 @@ for turn in 1,2 10,20,361 1:2:3 nan,0,0; do
         --solid waves.ktx2 --solid-turn $turn
 done
 refuses "--bands out of range" 2 2 "--bands: '16' is not a whole number from 1 to 15" --bands 16
-refuses "--solid with another technique" 2 2 "--solid goes with --technique solid, not with gouraud" \
-    --solid waves.ktx2 -t gouraud
+# Looks of other techniques: watercolor paints their pictures; the others and their options go with this one.
+draw="render-gl --size 32x24 -o picture.png torus.glb -t gouraud"
+for option in solid:waves.ktx2 inks:red solid-size:80 grain:.5; do
+    refuses "--${option%:*} without a look" 2 2 "--${option%:*} needs --technique solid or --look watercolor or --window" \
+        --${option%:*} ${option#*:}
+done
+refuses "--texture-color without a look" 2 2 \
+    "--texture-color needs --technique solid or --look watercolor or --window" --texture-color
+for look in binary collage; do
+    refuses "the look $look of another technique" 2 2 \
+        "--look $look goes with solid; with gouraud, the look is plain or watercolor" --look $look
+done
+refuses "--blend of another technique" 2 2 "--blend needs --technique solid or --window" --blend linear
+refuses "--wet without a look" 2 2 "--wet needs --look watercolor" --wet .2
+refuses "two kinds of colours" 2 2 "--texture-color cannot be combined with --inks: give one of them" \
+    --look watercolor --texture-color --inks red
+refuses "colours and tones of materials" 2 2 \
+    "--texture-color cannot be combined with --texture-tone: which would darken the colours twice" \
+    --look watercolor --texture-color --texture-tone
+refuses "a 2D texture on another technique" 2 2 \
+    "--solid flat.ktx2: a 2D texture paints no pictures of a technique; want a 3D one, which solidgen makes" \
+    --look watercolor --solid flat.ktx2
+for other in "--show patches" "--probe --tam map.exr"; do
+    try render-gl torus.glb --look watercolor $other -o picture.png
+    is "--look with $other" "$status $(grep -c '^render-gl: --[a-z]* cannot be combined with --' .err)" "2 1"
+done
+for ending in svg tsv; do
+    try render-gl torus.glb --look watercolor -o picture.$ending
+    is "--look with a drawing, $ending" "$status $(grep -c ": --look .* --output \*.$ending.*: a drawing consists of lines" .err)" \
+        "2 1"
+done
+ok "a technique in plain" $draw --look plain
+rm -f picture.png
+draw="render-gl --size 32x24 -o picture.png torus.glb -t solid"
+
+refuses "colours in ink alone" 2 2 "--texture-color needs --look plain, watercolor or collage" --look binary --texture-color
 
 refuses "--blend with ranks" 2 2 "--blend needs --look plain or collage: the other looks draw ranks" \
     --solid waves.ktx2 --look binary --blend linear
@@ -135,7 +169,7 @@ refuses "--blend with ranks" 2 2 "--blend needs --look plain or collage: the oth
 draw="render-gl --size 96x72 torus.glb -t solid --tone-range .2:.6"
 for look in plain binary watercolor collage; do
     $draw --solid waves.ktx2 --look $look -o usual.png
-    for option in blend:linear grain:.5 bands:3 wobble:1 dry:.8 edge-darkening:.1 paper-grain:.1 border:1 \
+    for option in blend:linear grain:.5 bands:3 wobble:1 dry:.8 wet:.1 edge-darkening:.1 paper-grain:.1 border:1 \
         solid-size:80; do
         try $draw --solid waves.ktx2 --look $look --${option%:*} ${option#*:} -o picture.png
         if [ $status -ne 0 ]; then
@@ -151,7 +185,7 @@ done >taken
 is "looks and their options" "$(tr '\n' ';' <taken)" "$(tr -d '\n' <<'END'
 plain blend;plain grain;plain solid-size;
 binary solid-size;
-watercolor grain;watercolor bands;watercolor wobble;watercolor dry;watercolor edge-darkening;watercolor paper-grain;
+watercolor grain;watercolor bands;watercolor wobble;watercolor dry;watercolor wet;watercolor edge-darkening;watercolor paper-grain;
 watercolor solid-size;
 collage blend;collage grain;collage bands;collage wobble;collage border;collage solid-size;
 END

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "base/random.h"
-#include "render-gl/technique/solid/solid.h"
+#include "render-gl/look/look.h"
 #include "render_frame.h"
 #include "solid/zoom.h"
 
@@ -82,23 +82,22 @@ static inline void solid_use(struct test_frame *frame, const struct hatch_solid 
         technique_close(&frame->instances[i]);
     HATCH_TEST_OK(technique_open(&frame->instances[0], &technique_solid, &frame->technique_args, &frame->err),
                   &frame->err);
-    struct solid_state *state = frame->instances[0].state;
-    state->shading = solid_look_shading(SOLID_PLAIN, false);
+    struct look *look = frame->instances[0].state;
+    look_choose(look, LOOK_PLAIN);
     frame->instances[0].places = HATCH_NEAR_REST;
-    state->files.count = 1;
-    state->files.solids[0] = *solid;
-    solid_options.blend = (int)blend;
-    solid_options.period_px = period_px;
+    look->files.count = 1;
+    look->files.solids[0] = *solid;
+    look_options.blend = (int)blend;
+    look_options.period_px = period_px;
     frame->shown.style.curve.low = frame->shown.style.curve.high = 0;
 }
 
 /* Draws in a look from here on, in all tones. */
 static inline void solid_use_look(struct test_frame *frame, const struct hatch_solid *solid, double period_px,
-                                  enum solid_look look)
+                                  enum look_kind kind)
 {
     solid_use(frame, solid, HATCH_ZOOM_LINEAR, period_px);
-    ((struct solid_state *)frame->instances[0].state)->shading = solid_look_shading(look, false);
-    solid_options.look = (int)look;
+    look_choose(frame->instances[0].state, kind);
     frame->shown.style.curve.high = 1;
 }
 

@@ -11,7 +11,7 @@ void main()
     vec2 asked = amounts();
     Cycle cycle = cycle_here();
     float tone = asked.y > 0.0 ? 0.5 - 0.5 * asked.y : counts.z == 2 ? 0.5 + 0.5 * asked.x : asked.x;
-    float wobble = variation(0, cycle, vec3(0.5, 0.25, 0.75), 1.0);
+    float wobble = variation(0, cycle, vec3(0.5, 0.25, 0.75), 1.0, 0.0);
     tone += marks.y * wobble * length(vec2(dFdx(tone), dFdy(tone)));
     float band = clamp(floor(tone * edges.x), 0.0, edges.x - 1.0);
     int solid = min(int(band * float(SOLIDS) / edges.x), SOLIDS - 1);
@@ -25,6 +25,6 @@ void main()
     vec3 dark = amount.x + marks.x * (0.1 + min(amount.x, 1.0 - amount.x)) * (1.0 - texture);
 #endif
     vec3 light = amount.y + marks.x * min(amount.y, 1.0 - amount.y) * (texture - 1.0);
-    o_paper = vec4(own_ink_on_paper(clamp(dark, 0.0, 1.0), clamp(light, 0.0, 1.0)), 1.0);
+    o_paper = vec4(base_color(0.0) * own_ink_on_paper(clamp(dark, 0.0, 1.0), clamp(light, 0.0, 1.0)), 1.0);
     o_strip = vec4(float(item % 32u) * 16.0 + band + 1.0, 1.0 + 0.4 * wobble, 0.0, 0.0);
 }

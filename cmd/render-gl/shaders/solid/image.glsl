@@ -2,7 +2,7 @@
 #include "frame/frame.glsl"
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
-    vec4 zoom; // y: pixels along a period of the paper
+    vec4 zoom; // y: pixels along a period of the paper; w: how far ink runs
     vec4 marks;
     vec4 edges;
 };
@@ -25,9 +25,9 @@ int side_samples()
     return int(sqrt(curve.w) + 0.5);
 }
 
-// Returns the height of the paper behind the scene, -1 .. 1. at: in pixels of the tile
-float paper_height(vec2 at, float depth)
+// Returns the height of the paper behind the scene, -1 .. 1. at: in pixels of the tile; level: of a mip chain
+float paper_height(vec2 at, float depth, float level)
 {
     vec3 place = vec3((at + viewport.zw) / zoom.y, depth);
-    return clamp(4.0 * (textureLod(paper_octaves, place, 0.0).r - 0.5), -1.0, 1.0);
+    return clamp(4.0 * (textureLod(paper_octaves, place, level).r - 0.5), -1.0, 1.0);
 }

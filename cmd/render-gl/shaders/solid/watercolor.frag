@@ -23,18 +23,33 @@ vec3 glaze(vec3 ink, float amount)
     return base * exp(clamp(thickness, 0.0, 1.0) * rate);
 }
 
+#ifdef COLORS
+// Returns the colour of a surface under ink: a thin layer of its own colour in the light, a thicker one in the shade,
+// and a glaze of ink that lets some of it through.
+vec3 painted(vec3 surface, float amount)
+{
+    return pow(max(surface, vec3(0.004)), vec3(0.6 + 0.4 * amount)) * glaze(ink.rgb, 0.85 * amount);
+}
+#else
+vec3 painted(vec3 ink, float amount)
+{
+    return glaze(ink, amount);
+}
+#endif
+
 void main()
 {
     ivec2 here = ivec2(gl_FragCoord.xy);
     vec4 wet = texelFetch(wash, here, 0), texel = texelFetch(grain, here, 0);
     float rank = texel.x, height = 2.0 * rank - 1.0;
-    vec3 color = glaze(texelFetch(colors, here, 0).rgb, wet.x);
+    float edge = wet.w - texelFetch(blurred, here, 0).x;
+    wet.x += 3.0 * zoom.w * max(-edge, 0.0) * (1.0 + texel.y) * (1.0 - wet.x) * wet.z; // ink of wetter washes
+    vec3 color = painted(texelFetch(colors, here, 0).rgb, wet.x);
     color += wet.y * (light_ink.rgb - color);
-    float edge = max(wet.w - texelFetch(blurred, here, 0).x, 0.0);
-    float density = 1.0 + marks.x * (0.6 * height + 0.5 * texel.y) + 5.0 * marks.w * edge;
+    float density = 1.0 + marks.x * (0.4 * height + 0.6 * texel.y) + 5.0 * marks.w * max(edge, 0.0);
     vec3 base = clamp(color, 0.004, 0.97);
     color = clamp(color - (base - base * base) * (density - 1.0), 0.0, 1.0);
-    float bare = smoothstep(0.0, 0.12, rank - 1.0 + marks.z * (1.0 - wet.x) * wet.z);
+    float bare = smoothstep(0.0, 0.12, rank - 1.0 + marks.z * (1.0 - max(wet.x, 0.25)) * wet.z);
     color = mix(paper.rgb, color, wet.z * (1.0 - bare));
     o_color = vec4(color * (1.0 - 0.25 * edges.z * max(-height, 0.0)), 1.0);
 }

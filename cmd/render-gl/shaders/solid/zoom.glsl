@@ -19,7 +19,7 @@ struct Color {
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
-    vec4 zoom;  // struct solid_block of technique/solid/solid.h
+    vec4 zoom;  // struct look_block of look/look.h
     vec4 marks;
     vec4 edges;
     vec4 inks[16];
@@ -98,9 +98,11 @@ vec3 raw_values(int solid, Cycle cycle, vec3 shift, float coarser)
     return mix(octaves_at(solid, place, level), octaves_at(solid, 0.5 * place, level - 1.0), cycle.s);
 }
 
-// Returns the texture's first value as a variation around its mean, -1 .. 1. Arguments as for raw_values().
-float variation(int solid, Cycle cycle, vec3 shift, float coarser)
+// Returns the texture's first value as a variation around its mean, -1 .. 1. smoother: mip levels above that of a
+// sample. The other arguments are those of raw_values().
+float variation(int solid, Cycle cycle, vec3 shift, float coarser, float smoother)
 {
+    cycle.level += smoother;
     float away = raw_values(solid, cycle, shift, coarser).r - colors[solid].axes[2].w;
     return clamp(away / (2.5 * colors[solid].axes[1].w), -1.0, 1.0);
 }
