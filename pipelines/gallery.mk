@@ -20,7 +20,8 @@ map     = $(WORK)/$(1).exr
 pictures := engraving teapot torus ellipsoid stipple scratchboard grey threshold arcs speckle chalk
 all: $(pictures:%=$(OUT)/%.png) $(if $(wildcard $(DRAWING)),$(OUT)/replay.png) $(OUT)/sheet.png \
     $(OUT)/zoom-0.png $(OUT)/fine-volume.png $(OUT)/scene.png $(OUT)/fitted-texture.png $(OUT)/fitted.png \
-    $(OUT)/solid-watercolor.png $(OUT)/solid-binary.png $(OUT)/solid-collage.png $(OUT)/solid-hatched.png
+    $(OUT)/solid-watercolor.png $(OUT)/solid-binary.png $(OUT)/solid-collage.png $(OUT)/solid-hatched.png \
+    $(OUT)/painted-traced.png $(OUT)/painted-rptam.png
 
 comma := ,
 draw = meshgen $(1) --faces 20000 | render-gl - --tam $(call map,$(2)) $(3) --size $(SIZE) -o $@
@@ -84,6 +85,15 @@ $(WORK)/%.exr:
 $(OUT)/sheet.png:
 	mkdir -p $(OUT)
 	tamgen --style ink --size 128 --contact-sheet $@ -o /dev/null
+
+# Pictures of techniques, painted as watercolours.
+$(OUT)/painted-traced.png:
+	mkdir -p $(OUT)
+	meshgen teapot --faces 20000 | dirfield --smooth 1 | strokegen | render-gl - --technique traced --look watercolor \
+	    --ink '#4a2410' --size 640x400 -o $@
+$(OUT)/painted-rptam.png:
+	mkdir -p $(OUT)
+	meshgen teapot | render-gl - --technique rptam --look watercolor --stroke 60x3 --ink '#8a2a10' --size 640x400 -o $@
 
 # Shapes carved from solid textures, and a teapot from one whose slices look like hatching.
 shape = $(WORK)/$(1).shape.glb
