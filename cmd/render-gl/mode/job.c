@@ -56,13 +56,11 @@ static enum hatch_status check_texcoords(const struct job *job, const char *why,
 
 static void check_animation(const struct job *job)
 {
-    const struct options *options = job->options;
     struct hatch_err err;
-    if (options->animation_given && options->animation >= job->values.animation_count) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "animation %u does not exist: the scene has %u, numbered from 0",
-                   options->animation, job->values.animation_count);
-        cmd_die(job->name, &err);
-    }
+    if (job->options->animation_given && job->options->animation >= job->values.animation_count)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "animation %u does not exist: the scene has %u, numbered from 0",
+                             job->options->animation, job->values.animation_count),
+                  job->name, &err);
 }
 
 static void warn_if_still(const struct job *job)
@@ -77,12 +75,14 @@ static void warn_of_map(struct cmd_args *args, const struct options *options, co
 {
     const char *name = cmd_input_name(options->map_path);
     cmd_warn_nesting(args, name, map);
+    if (map->color && options_paint(options))
+        cmd_warn(name, "--look watercolor paints the map's colours in those of the inks");
     if (options->technique->asset != &asset_six_columns)
         return;
     if (map->tones > ASSET_SIX_COLUMNS_MAX)
         cmd_warn(name, "only %u of the map's %u columns are drawn; --technique %s draws all", ASSET_SIX_COLUMNS_MAX,
                  map->tones, technique_find(TECHNIQUE_ALL_COLUMNS)->name);
-    if (map->color)
+    if (map->color && !options_paint(options))
         cmd_warn(name, "the map's colours are drawn in grey; --technique %s draws them",
                  technique_find(TECHNIQUE_ALL_COLUMNS)->name);
 }

@@ -169,6 +169,11 @@ try $draw torus.glb --tam colours.exr
 is "drawing a coloured map in grey gives one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
 try $draw torus.glb --tam colours.exr --technique tam-triple
 is "tam-triple draws a coloured map" "$status $(cat .err)" "0 "
+for drawn in tam tam-triple; do
+    try $draw torus.glb --tam colours.exr --technique $drawn --look watercolor
+    is "painting what $drawn draws of a coloured map gives one warning" \
+        "$status $(wc -l <.err) $(grep -c "paints the map's colours" .err)" "0 1 1"
+done
 
 ok "60 frames fit in 4 MB of memory" render-gl torus.glb --tam map.exr --size 320x240 --frames 60 --turntable \
     --max-memory 4M -o 'film%d.png'

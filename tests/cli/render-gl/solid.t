@@ -158,6 +158,15 @@ for ending in svg tsv; do
 done
 ok "a technique in plain" $draw --look plain
 rm -f picture.png
+for drawn in gouraud rptam strokes "tam --tam map.exr"; do
+    ok "a painted picture from very near, $drawn" render-gl torus.glb --size 32x24 -t $drawn --look watercolor \
+        --solid waves.ktx2 --zoom 1e9 -o near.png
+done
+ok "a painted film" $draw --look watercolor --solid waves.ktx2 --frames 2 --animate wobble=0..8 -o 'film%d.png'
+is "its pictures differ" "$(cmp -s film0.png film1.png; echo $?)" 1
+try $draw --frames 2 --animate wobble=0..8 -o 'film%d.png'
+is "a film without a look" "$status $(wc -l <.err)" "2 2"
+rm -f picture.png
 draw="render-gl --size 32x24 -o picture.png torus.glb -t solid"
 
 refuses "colours in ink alone" 2 2 "--texture-color needs --look plain, watercolor or collage" --look binary --texture-color
