@@ -10,7 +10,7 @@
 layout(location = 0) out vec4 o_wash;  // amounts of dark and light ink; 1
 #endif
 layout(location = 2) out vec4 o_ink;   // colour of the ink or, with COLORS, of the surface; 1
-layout(location = 1) out vec4 o_grain; // rank of the texture; its large variation, wobble along x and y, -1 .. 1
+layout(location = 1) out vec4 o_grain; // rank of the texture; two large variations, -1 .. 1
 
 void main()
 {
@@ -26,7 +26,6 @@ void main()
     o_wash = vec4(amounts(), 1.0, 1.0);
 #endif
     o_grain.x = values_here(solid, cycle).r;
-    o_grain.y = variation(solid, cycle, vec3(0.37, 0.11, 0.73), 2.0, 0.0);
-    o_grain.z = variation(solid, cycle, vec3(0.5, 0.25, 0.75), 2.0, SMOOTH);
-    o_grain.w = variation(solid, cycle, vec3(0.15, 0.6, 0.35), 2.0, SMOOTH);
+    o_grain.y = variation(solid, cycle, vec3(0.5, 0.25, 0.75), 2.0, SMOOTH);
+    o_grain.z = variation(solid, cycle, vec3(0.15, 0.6, 0.35), 2.0, SMOOTH);
 }

@@ -87,7 +87,7 @@ void main()
             ivec2 here = first + ivec2(x, y);
             vec4 texel = texelFetch(grain, here, 0);
             float surface = surface_at(here);
-            ivec2 there = inside(vec2(here) + 0.5 + marks.y * (surface > 0.0 ? texel.zw : paper_wobble));
+            ivec2 there = inside(vec2(here) + 0.5 + marks.y * (surface > 0.0 ? texel.yz : paper_wobble));
             vec3 at = drawn_at(there);
             washes += at.z * vec3(at.xy, 1.0);
             inks += at.z * color_at(there);
