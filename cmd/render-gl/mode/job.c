@@ -11,7 +11,6 @@
 #include "shared/map.h"
 #include "shared/scene.h"
 
-#define TWO_PI 6.28318530717958648
 #define SPAN_MOMENTS 9 /* times at which the bounds of an animation are measured */
 
 /* Names the scene after its file; a row of several is named after the first. */
@@ -478,7 +477,7 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
     cmd_check(pose_scene(job, time_of(job, frame), &err), job->name, &err);
     job_view(job, time_of(job, frame), view);
     if (options->turntable)
-        hatch_view_turn(view, -TWO_PI * frame / options->frames);
+        hatch_view_turn(view, -360 * HATCH_RADIANS * frame / options->frames);
 }
 
 void job_make_canvas(struct job *job, struct canvas *canvas)
