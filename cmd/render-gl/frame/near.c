@@ -16,7 +16,7 @@ static void make_array(struct near *near)
         {ATTRIBUTE_ORIGIN_V, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[1])},
         {ATTRIBUTE_ORIGIN_W, 4, GL_UNSIGNED_INT, offsetof(struct hatch_near_vertex, origin[2])}};
     glCreateBuffers(1, &near->buffer);
-    glCreateTextures(GL_TEXTURE_BUFFER, 3, near->views);
+    glCreateTextures(GL_TEXTURE_BUFFER, NEAR_VIEWS, near->views);
     glCreateVertexArrays(1, &near->array);
     gpu_array_attach(near->array, 0, near->buffer, sizeof(struct hatch_near_vertex), attributes,
                      sizeof attributes / sizeof *attributes);
@@ -46,6 +46,10 @@ void near_use(const struct near *near, const struct scene *scene, uint32_t index
         glTextureBuffer(near->views[i], GL_R32F, buffers[i] ? buffers[i] : vertices);
         glBindTextureUnit(UNIT_PIECES + i, near->views[i]);
     }
+    if (scene->meshes[unit->mesh].charts) {
+        glTextureBuffer(near->views[NEAR_VIEW_CHARTS], GL_R32UI, scene->meshes[unit->mesh].charts);
+        glBindTextureUnit(UNIT_CHARTS, near->views[NEAR_VIEW_CHARTS]);
+    }
     glUniformMatrix4fv(UNIFORM_CLIP_FROM_CAMERA, 1, GL_FALSE, near->clip_from_camera);
     glUniform4f(UNIFORM_PIECES, item->uv_tangents ? 1.0f : 0.0f, item->repeats ? 1.0f : 0.0f, unit->repeat[0],
                 unit->repeat[1]);
@@ -55,7 +59,7 @@ void near_free(struct near *near)
 {
     hatch_near_free(&near->found);
     glDeleteBuffers(1, &near->buffer);
-    glDeleteTextures(3, near->views);
+    glDeleteTextures(NEAR_VIEWS, near->views);
     glDeleteVertexArrays(1, &near->array);
     *near = (struct near){.array = 0};
 }

@@ -8,11 +8,14 @@
 #include "near/near.h"
 #include "render-gl/scene/scene.h"
 
+/* Buffer textures: an item's vertices, uv_tangents and repeats, as single floats, and the charts of its mesh. */
+enum { NEAR_VIEW_CHARTS = 3, NEAR_VIEWS };
+
 /* Zeroed before the first call. */
 struct near {
     struct hatch_near found;
-    GLuint array, buffer;       /* vertex array and buffer of the pieces; 0: not made */
-    GLuint views[3];            /* buffer textures: an item's vertices, uv_tangents and repeats, as single floats */
+    GLuint array, buffer; /* vertex array and buffer of the pieces; 0: not made */
+    GLuint views[NEAR_VIEWS];
     float clip_from_camera[16]; /* column-major */
 };
 

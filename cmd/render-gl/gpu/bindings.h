@@ -22,6 +22,7 @@
 #define UNIT_HALO_CELLS 15
 #define UNIT_HALO_BLOCKS 16
 #define UNIT_SOLIDS 17 /* eight units, 17 .. 24 */
+#define UNIT_CHARTS 25 /* of pieces: numbers of charts */
 
 /* Storage buffers of compute stages */
 #define STORAGE_VERTICES 0 /* struct scene_vertex, as single floats */

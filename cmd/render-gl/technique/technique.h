@@ -47,7 +47,7 @@ struct technique_instance {
     const struct technique *technique;
     void *state;                     /* state_size bytes, zeroed before `read` */
     const struct asset_tones *tones; /* its uploaded asset; NULL: it has none, or is not prepared */
-    enum hatch_near_places places;   /* that of the technique, unless its function `read` changes it */
+    enum hatch_near_places places;   /* that of the technique, unless its functions `read` or `prepare` change it */
     const char *texcoords_for;       /* who needs texture coordinates, and what to do without them, for a message; NULL:
                                         surfaces need none; strokes need them, and `read` may change it */
 };

@@ -78,6 +78,36 @@ START_TEST(a_close_up_of_patches_shows_the_top_patch)
 }
 END_TEST
 
+/* Which patch lies on top, and whose strokes are drawn, is found in pieces as in faces, at a distance at which floats
+ * place both. */
+START_TEST(a_close_up_of_patches_has_the_strokes_of_the_top_patch)
+{
+    struct hatch_image pictures[2];
+    uint32_t strokes[2];
+    begin();
+    for (uint32_t i = 0; i < SIZE * SIZE; i++)
+        mask.pixels[2 * i + 1] = 1;
+    struct hatch_mesh torus = frame_shape(&frame, HATCH_SHAPE_TORUS, 1000);
+    begin_lapped(&torus, &whole);
+    make_model();
+    rptam_options.stroke_px[0] = 14;
+    rptam_options.stroke_px[1] = 2;
+    rptam_options.ink = 1;
+    const struct hatch_view view = view_near(&torus, 0x1p-10, nowhere);
+    for (int alone = 0; alone < 2; alone++) {
+        frame.shown.floats_alone = alone;
+        frame_draw(&frame, "strokes", &view, WIDE, HIGH, 1, &pictures[alone]);
+        ck_assert_int_eq(hatch_near_item_at(&frame.shown.near.found, 0) == NULL, alone);
+        strokes[alone] = frame.instances[0].technique->count(&frame.instances[0]).strokes;
+    }
+    ck_assert_uint_gt(strokes[0], 20);
+    ck_assert_uint_eq(strokes[0], strokes[1]);
+    ck_assert_double_gt(frame_ink(&pictures[0]), 0.05);
+    ck_assert_double_eq_tol(frame_ink(&pictures[0]), frame_ink(&pictures[1]), 0.002);
+    frame_finish(&frame);
+}
+END_TEST
+
 /* Surface and eye move together, and back. */
 START_TEST(a_close_up_moves_with_the_surface)
 {
@@ -163,6 +193,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("render near");
     TCase *tests = tcase_create("near");
     tcase_add_loop_test(tests, a_close_up_of_patches_shows_the_top_patch, 0, 4);
+    tcase_add_test(tests, a_close_up_of_patches_has_the_strokes_of_the_top_patch);
     tcase_add_test(tests, a_close_up_moves_with_the_surface);
     tcase_add_loop_test(tests, a_close_up_of_a_skinned_plane_equals_an_unskinned_one, 0, 4);
     tcase_add_test(tests, too_little_memory_is_a_limit);

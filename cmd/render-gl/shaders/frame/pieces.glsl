@@ -14,6 +14,10 @@ layout(location = UNIFORM_PIECES) uniform vec4 has; // 1: spans; 1: repeats; zw:
 layout(binding = UNIT_PIECES) uniform samplerBuffer corner_vertices; // 10 floats each: struct scene_vertex
 layout(binding = UNIT_PIECES + 1) uniform samplerBuffer corner_spans; // 6 floats each: derivatives along u and v
 layout(binding = UNIT_PIECES + 2) uniform samplerBuffer corner_repeats; // 2 floats each
+#ifdef CHARTS
+layout(binding = UNIT_CHARTS) uniform usamplerBuffer corner_charts;
+uint a_chart;
+#endif
 
 vec3 a_position, a_normal, a_along_u, a_along_v;
 vec2 a_texcoord, a_base_texcoord, a_repeat;
@@ -48,5 +52,19 @@ void take_corner(int k)
     a_repeat = has.zw;
     if (has.y > 0.0)
         a_repeat = corner_pair(corner_repeats, 2 * vertex);
+#ifdef CHARTS
+    a_chart = texelFetch(corner_charts, vertex).r;
+#endif
+}
+
+// Takes each corner in turn; returns the place in the base texture.
+vec2 corner_base()
+{
+    vec2 base = vec2(0.0);
+    for (int k = 0; k < 3; k++) {
+        take_corner(k);
+        base += a_weight[k] * a_base_texcoord;
+    }
+    return base;
 }
 #endif

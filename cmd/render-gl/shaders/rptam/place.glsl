@@ -15,10 +15,21 @@ vec2 place_at(float depth)
     vec2 origin = vec2(bits_at(v_origin_u, int(depth)), bits_at(v_origin_v, int(depth)));
     return origin + v_texcoord * exp2(-depth);
 }
+
+// Returns the tiles that place_at() leaves out, modulo 2^32.
+ivec2 fours_at(int depth)
+{
+    return ivec2(fours_at(v_origin_u, depth), fours_at(v_origin_v, depth));
+}
 #else
 vec2 place_at(float depth)
 {
     return v_texcoord * exp2(-depth);
+}
+
+ivec2 fours_at(int depth)
+{
+    return ivec2(0);
 }
 #endif
 

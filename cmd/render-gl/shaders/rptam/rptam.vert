@@ -1,5 +1,8 @@
 // Passes on the tone, the texture coordinates, and the derivatives of the surface along u and v; with GATHERS, the
 // number of the chart, too.
+#ifdef GATHERS
+#define CHARTS 1
+#endif
 #include "frame/lit.glsl"
 
 #ifdef PIECES
@@ -7,10 +10,12 @@ flat out uvec4 v_origin_u, v_origin_v;
 #else
 layout(location = ATTRIBUTE_ALONG_U) in vec3 a_along_u;
 layout(location = ATTRIBUTE_ALONG_V) in vec3 a_along_v;
+#ifdef GATHERS
+layout(location = ATTRIBUTE_CHART) in uint a_chart;
+#endif
 #endif
 
 #ifdef GATHERS
-layout(location = ATTRIBUTE_CHART) in uint a_chart;
 flat out uint v_chart;
 #endif
 out vec2 v_texcoord;

@@ -6,15 +6,19 @@
 
 const float COVERED_LEAST = 0.04; // strokes that cover less of a pixel are not seen there
 
+const uint CLIMBS = 8u; // levels that seed_numbers of libhatch/seed/pack.h tells about
+
 layout(early_fragment_tests) in; // hidden fragments are not gathered
 
 uint layer_index;
 
 // Returns an id of the stroke that it keeps at all distances: it is made from the coarsest level that has the stroke.
+// Tiles are known modulo 2^32, and modulo 2^(32 - CLIMBS) at that level.
 uvec2 id_of(SeedLayer layer, int seed, ivec2 tile, int level)
 {
     uint seed_numbers = texelFetch(numbers, seed).r, number = seed_numbers & 0xffffu;
-    for (uint k = 0u; k < 8u; k++) {
+    tile += fours_at(level);
+    for (uint k = 0u; k < CLIMBS; k++) {
         uint crumb = seed_numbers >> (16u + 2u * k) & 3u;
         if (uint((tile.x & 1) + 2 * (tile.y & 1)) != crumb)
             break;
@@ -22,7 +26,7 @@ uvec2 id_of(SeedLayer layer, int seed, ivec2 tile, int level)
         level++;
         number = (number > 0u ? number : uint(layer.thin.z)) - 1u;
     }
-    return id_in(tile, number + 0x10001u * uint(level), layer_index);
+    return id_in(tile & int(0xffffffffu >> CLIMBS), number + 0x10001u * uint(level), layer_index);
 }
 
 void gather(SeedLayer layer, int seed, ivec2 tile, float place, float covered, int level)

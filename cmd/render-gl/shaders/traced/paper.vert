@@ -8,10 +8,12 @@ out vec2 v_base_texcoord;
 void main()
 {
 #ifdef PIECES
-    take_corner(0);
+    vec2 base = corner_base();
+#else
+    vec2 base = a_base_texcoord;
 #endif
 #ifdef BASE_TEXTURE
-    v_base_texcoord = a_base_texcoord;
+    v_base_texcoord = base;
 #endif
     place_point();
 }

@@ -54,6 +54,7 @@ enum hatch_status strokes_prepare_source(struct technique_context *context, stru
         HATCH_TRY(frame_shader_prepare(context->frame, &owner_shading, "", &state->owners, err));
     if (!instance->tones)
         return rptam_prepare(context, instance, err);
+    instance->places = HATCH_NEAR_NONE; /* near the eye a map shows its texels */
     return frame_shader_prepare(context->frame, &map_shading, "", &state->map, err);
 }
 
