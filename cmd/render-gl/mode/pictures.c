@@ -1,4 +1,5 @@
 /* Draws frames and writes them as PNG or EXR files. */
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
@@ -42,9 +43,25 @@ static void warn_of_blank(const struct job *job, uint32_t blank)
                  reason);
 }
 
-static void note_counts(struct technique_counts counts)
+/* Notes how many strokes a picture has, and adds them up.
+ *   instance  of a technique that counts strokes, or of another */
+static void note_counts(struct technique_instance *instance, struct technique_counts *all)
 {
-    cmd_note("%u strokes, %u fragments, %u waited", counts.strokes, counts.fragments, counts.waited);
+    if (!instance->technique->count)
+        return;
+    const struct technique_counts counts = instance->technique->count(instance);
+    cmd_note("%" PRIu64 " strokes, %" PRIu64 " fragments, %" PRIu64 " waited", counts.strokes, counts.fragments,
+             counts.waited);
+    all->strokes += counts.strokes;
+    all->fragments += counts.fragments;
+    all->waited += counts.waited;
+}
+
+static void note_film(const struct options *options, const struct technique_counts *all)
+{
+    if (options->technique->count && options->frames > 1)
+        cmd_note("%" PRIu64 " strokes, %" PRIu64 " fragments, %" PRIu64 " waited in all %u pictures", all->strokes,
+                 all->fragments, all->waited, options->frames);
 }
 
 void pictures_write(struct job *job)
@@ -59,14 +76,14 @@ void pictures_write(struct job *job)
     cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
     job_make_canvas(job, &canvas);
     const struct picture picture = job_picture(job, job_open(job, options->technique, &err));
+    struct technique_counts all = {.strokes = 0};
     uint32_t blank = 0;
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
         job_set_frame(job, frame, &view);
         cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
-        if (options->technique->count)
-            note_counts(options->technique->count(picture.instance));
+        note_counts(picture.instance, &all);
         blank += !job->empty && is_blank(&image, job->frame.style.inks.paper);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
@@ -80,6 +97,7 @@ void pictures_write(struct job *job)
     if (job->changes)
         cmd_note("the technique's options were changed and applied %u times, %.2f ms each", job->changes,
                  job->changes_ms / job->changes);
+    note_film(options, &all);
     warn_of_blank(job, blank);
     cmd_write_all(files, options->frames);
     canvas_free(&canvas);

@@ -1,4 +1,5 @@
 /* --time: reports how long frames and their passes take, as TSV or JSON. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,11 +12,12 @@
 struct series {
     const struct technique *technique;
     const char *name;
-    double *gpu_ms, *wall_ms;              /* one entry per frame */
-    const struct technique_counts *counts; /* NULL: none */
+    uint32_t frames;
+    double *gpu_ms, *wall_ms; /* one entry per frame */
+    double counts[3];         /* strokes, fragments, and strokes that waited, if the technique counts them; else NAN */
 };
 
-#define SERIES_MAX (GPU_TIMER_PASSES_MAX + 2u)
+#define SERIES_MAX (GPU_TIMER_PASSES_MAX + 3u) /* the last is that of the film */
 
 static int compare(const void *a, const void *b)
 {
@@ -30,31 +32,68 @@ static double quantile(const double *sorted, uint32_t count, double share)
     return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
 }
 
-/* Draws frames and records their times. Three kinds of frame alternate, so that the load of the machine affects all of
- * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique, without a look.
- * Passes are not timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the
- * number of series. turns   one picture for each kind of frame counts  out: the strokes of the very first frame, if the
- * technique counts them */
-static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
-                        struct series *series, struct technique_counts *counts)
+/* Adds the strokes of the frames that have been drawn since the last call. */
+static void add_counts(const struct picture *picture, struct series *series)
+{
+    struct technique_instance *instance = picture->instance;
+    if (!instance->technique->count)
+        return;
+    const struct technique_counts counts = instance->technique->count(instance);
+    const double numbers[3] = {(double)counts.strokes, (double)counts.fragments, (double)counts.waited};
+    for (int k = 0; k < 3; k++)
+        series->counts[k] = numbers[k] + (isnan(series->counts[k]) ? 0 : series->counts[k]);
+}
+
+/* Draws a frame, and records the time of the whole. */
+static void draw_frame(const struct job *job, const struct picture *picture, const struct hatch_view *view,
+                       const struct canvas *canvas)
 {
     const struct options *options = job->options;
     const struct hatch_tile tile = {0, 0, canvas->width, canvas->height, options->width, options->height};
+    struct hatch_err err;
+    cmd_check(picture_draw_tile(picture, view, &tile, canvas, &err), NULL, &err);
+}
+
+/* Draws the frames of the film once each, in their order, and records their times and all of their strokes.
+ *   first  out: has the strokes of the first of them */
+static void measure_film(struct job *job, const struct picture *picture, const struct canvas *canvas,
+                         struct series *film, struct series *first)
+{
+    struct gpu_timer *timer = job->frame.timer;
+    struct hatch_view view;
+    timer->every_pass = false;
+    for (uint32_t frame = 0; frame < film->frames; frame++) {
+        job_set_frame(job, frame, &view);
+        draw_frame(job, picture, &view, canvas);
+        film->gpu_ms[frame] = timer->gpu_ms[0];
+        film->wall_ms[frame] = timer->wall_ms[0];
+        add_counts(picture, film);
+        if (frame == 0)
+            memcpy(first->counts, film->counts, sizeof film->counts);
+    }
+}
+
+/* Draws frames and records their times. Three kinds of frame alternate, so that the load of the machine affects all of
+ * them alike: one is timed as a whole, one pass by pass, and one is drawn by the reference technique, without a look.
+ * Passes are not timed in the first kind, because waiting for the GPU after each pass makes a frame slower. Returns the
+ * number of series.
+ *   turns  one picture for each kind of frame */
+static uint32_t measure(struct job *job, const struct picture turns[3], const struct canvas *canvas,
+                        struct series *series)
+{
+    const struct options *options = job->options;
     struct gpu_timer *timer = job->frame.timer;
     struct look *look = job->context.look;
     struct hatch_view view;
-    struct hatch_err err;
     job_set_frame(job, 0, &view);
     uint32_t last = 0;
     for (uint32_t run = 0; run < WARM_UP + options->timed_frames; run++)
         for (uint32_t turn = 0; turn < 3; turn++) {
             timer->every_pass = turn == 1;
             job->context.look = turn < 2 ? look : NULL;
-            cmd_check(picture_draw_tile(&turns[turn], &view, &tile, canvas, &err), NULL, &err);
-            if (run == 0 && turn == 0 && turns->instance->technique->count) {
-                *counts = turns->instance->technique->count(turns->instance);
-                series[0].counts = counts;
-            }
+            draw_frame(job, &turns[turn], &view, canvas);
+            if (run == 0 && turn == 0 && isnan(series[0].counts[0]))
+                add_counts(&turns[0], &series[0]);
             uint32_t first = turn == 0 ? 0 : turn == 1 ? 1 : last;
             for (uint32_t i = 0; i < timer->count; i++) {
                 struct series *span = &series[first + i];
@@ -81,25 +120,28 @@ static void report_times(struct cmd_report *report, double *ms, uint32_t frames)
 
 static void report_span(struct cmd_report *report, const struct job *job, const struct series *span)
 {
-    uint32_t frames = job->options->timed_frames;
     cmd_report_text(report, span->technique->name);
     cmd_report_text(report, span->name);
-    cmd_report_integer(report, frames);
-    report_times(report, span->gpu_ms, frames);
-    report_times(report, span->wall_ms, frames);
+    cmd_report_integer(report, span->frames);
+    report_times(report, span->gpu_ms, span->frames);
+    report_times(report, span->wall_ms, span->frames);
     cmd_report_text(report, job->gpu.device);
-    const struct technique_counts counts = span->counts ? *span->counts : (struct technique_counts){.strokes = 0};
-    const double numbers[] = {counts.strokes, counts.fragments, counts.waited};
-    cmd_report_numbers(report, span->counts ? numbers : NULL, 3);
+    cmd_report_numbers(report, span->counts, 3);
 }
 
 static void make_series(struct job *job, struct series series[SERIES_MAX])
 {
     struct hatch_err err;
     for (uint32_t i = 0; i < SERIES_MAX; i++) {
-        double *ms = HATCH_NEW(&job->args.keep, double, 2 * (size_t)job->options->timed_frames, &err);
+        uint32_t frames = i + 1 < SERIES_MAX ? job->options->timed_frames : job->options->frames;
+        double *ms = HATCH_NEW(&job->args.keep, double, 2 * (size_t)frames, &err);
         cmd_check(ms ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-        series[i] = (struct series){.name = "", .gpu_ms = ms, .wall_ms = ms + job->options->timed_frames};
+        series[i] = (struct series){.name = "film",
+                                    .technique = job->options->technique,
+                                    .frames = frames,
+                                    .gpu_ms = ms,
+                                    .wall_ms = ms + frames,
+                                    .counts = {NAN, NAN, NAN}};
     }
 }
 
@@ -112,7 +154,6 @@ void timing_report(struct job *job)
     struct cmd_report report;
     struct gpu_timer timer;
     struct canvas canvas;
-    struct technique_counts counts;
     const struct picture picture = job_picture(job, job_use(job, job->options->technique));
     const struct picture reference = job_picture(job, job_use(job, technique_find(TECHNIQUE_REFERENCE)));
     struct picture turns[3] = {picture, picture, reference};
@@ -124,10 +165,15 @@ void timing_report(struct job *job)
         cmd_warn(NULL, "only the first tile of %u by %u pixels is timed", canvas.width, canvas.height);
     gpu_timer_make(&timer);
     job->frame.timer = &timer;
-    uint32_t count = measure(job, turns, &canvas, series, &counts);
+    struct series *film = &series[SERIES_MAX - 1];
+    if (film->frames > 1)
+        measure_film(job, &picture, &canvas, film, &series[0]);
+    uint32_t count = measure(job, turns, &canvas, series);
     cmd_report_begin(&report, &job->args, columns);
     for (uint32_t i = 0; i < count; i++)
         report_span(&report, job, &series[i]);
+    if (film->frames > 1)
+        report_span(&report, job, film);
     gpu_timer_free(&timer);
     canvas_free(&canvas);
     cmd_report_write(&report, job->outputs[0]);

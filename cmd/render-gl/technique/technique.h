@@ -61,13 +61,13 @@ struct technique_curves {
     struct hatch_vector_paths paths;   /* or what a pen draws of them in the picture; then curves.count is 0 */
 };
 
-/* A description of a technique. Any function may be NULL. */
 /* Strokes that a technique has found in its frames. */
 struct technique_counts {
-    uint32_t strokes, fragments; /* fragments: pixels of the strokes */
-    uint32_t waited;             /* strokes that found no slot of their own at first */
+    uint64_t strokes, fragments; /* fragments: pixels of the strokes */
+    uint64_t waited;             /* strokes that found no slot of their own at first */
 };
 
+/* A description of a technique. Any function may be NULL. */
 struct technique {
     const char *name;
     const char *summary;                  /* one line, for the window's list of techniques */

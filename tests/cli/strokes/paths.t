@@ -33,6 +33,24 @@ for how in sort blend; do
 $(sed 's/ [a-z][a-z]*//g' $how.note) gouraud frame nan nan nan "
 done
 
+# A film: the totals are the sums of its pictures, in notes and in the report. With blending, which strokes wait depends on
+# the order of the fragments, but not how many they are with those that are drawn.
+for how in sort blend; do
+    draw $how torus.glb --frames 3 --turntable -o film%d.exr
+    sums=$(awk '{s += $1; f += $3; w += $5} END {print s, f, w}' $how.note)
+    is "$how: a film tells its totals" "$(sed -n 's/.*: \(.*\) in all 3 pictures$/\1/p' $how.err)" \
+        "$(echo "$sums" | sed 's/ / strokes, /; s/ \([0-9]*\)$/ fragments, \1 waited/')"
+    render-gl -q -t strokes --aggregate $how --lines none --size 480x360 torus.glb --time 1 --frames 3 --turntable \
+        -o times.tsv
+    is "$how: --time has them in a line of the film" \
+        "$(tail -n 1 times.tsv | awk '{print $1, $2, $3, $(NF - 2) + $NF, $(NF - 1), ($NF > 0)}')" \
+        "strokes film 3 $(echo "$sums" | awk '{print $1 + $3, $2, ($3 > 0)}')"
+    is "$how: and the first picture's in that of the frame" "$(sed -n 2p times.tsv | cut -f2,11- | tr '\t' ' ')" \
+        "frame $(sed -n '1s/ [a-z][a-z]*//gp' $how.note)"
+done
+render-gl -q -t gouraud --lines none --size 48x36 torus.glb --time 1 --frames 2 --turntable --json -o times.json
+ok "the film of a technique without strokes" grep -q '"span": *"film", *"frames": *2,.*"waited": *null' times.json
+
 # The table grows with the strokes, and none is lost.
 draw sort plane.glb --stroke 5x1 -o sort.exr
 draw blend plane.glb --stroke 5x1 -o blend.exr
