@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "curve/hash.h"
+
 #define BITS 3           /* of a place within its cell; the last one counts by the share of the way to the next level */
 #define ANCESTORS 4      /* levels over which a place keeps its number */
 #define SOFT 0.2         /* share of the marks that are growing at any time, between two levels */
@@ -18,18 +20,9 @@ struct place {
     uint32_t number; /* random */
 };
 
-static uint32_t mix(uint32_t x)
-{
-    x ^= x >> 16;
-    x *= 0x7feb352du;
-    x ^= x >> 15;
-    x *= 0x846ca68bu;
-    return x ^ x >> 16;
-}
-
 static uint32_t hash_cell(uint32_t stroke, int level, uint32_t cell)
 {
-    return mix(stroke + (uint32_t)level * 0x9e3779b9u + cell * 0x85ebca6bu);
+    return hatch_mix_bits(stroke + (uint32_t)level * 0x9e3779b9u + cell * 0x85ebca6bu);
 }
 
 /* Returns one of the three random numbers, 0 .. 1, of a place. */

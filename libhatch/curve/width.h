@@ -9,7 +9,7 @@
 #ifndef HATCH_CURVE_WIDTH_H
 #define HATCH_CURVE_WIDTH_H
 
-#include <stdint.h>
+#include "curve/stroke_look.h"
 
 #define HATCH_STROKE_FADE 1.8      /* ratio of thresholds from the middle of the fading to its ends */
 #define HATCH_STROKE_GAIN 1.174385 /* ink of the strokes around a limit, if those under it would have 1 */
@@ -34,6 +34,7 @@ struct hatch_stroke_pen {
     float mark_px, gap_px; /* length of the marks that a stroke is drawn in, and of the gaps between them; a gap below
                               0: marks overlap; a length of 0: strokes are drawn whole (curve/marks.h) */
     float scatter;         /* greatest distance of marks from the stroke's own line, as a share of mark_px + gap_px */
+    struct hatch_stroke_look look;
 };
 
 /* Returns the darkest ink that strokes of so many families make together. */

@@ -3,9 +3,14 @@
 #include <string.h>
 
 #include "base/settings.h"
+#include "image/color.h"
 
 #define RADIANS_PER_DEGREE 0.017453292519943295
 #define MARK_MIN 0.5 /* least length of a mark, in pixels */
+#define ZIGZAG_MAX 20.0
+#define WAVE_MIN 0.5 /* of a zigzag, in widths */
+#define WAVE_MAX 1000.0
+#define PROFILE_LEAST 0.1
 
 void hatch_style_default(struct hatch_style *style)
 {
@@ -198,6 +203,80 @@ static enum hatch_status read_marks(struct hatch_text *rest, struct reading *r, 
     return HATCH_OK;
 }
 
+static enum hatch_status read_zigzag(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    double amplitude, length;
+    HATCH_TRY(hatch_settings_next(rest, "zigzag", 0, ZIGZAG_MAX, &amplitude, err));
+    HATCH_TRY(hatch_settings_next(rest, "zigzag", 0, WAVE_MAX, &length, err));
+    if (amplitude > 0 && length < WAVE_MIN)
+        return hatch_fail(err, HATCH_BAD_INPUT, "zigzag: a wave of %g widths, want %g to %g", length, WAVE_MIN,
+                          WAVE_MAX);
+    r->style.pen.look.zigzag = (float)amplitude;
+    r->style.pen.look.zigzag_length = (float)length;
+    return HATCH_OK;
+}
+
+static bool has_words(struct hatch_text line)
+{
+    struct hatch_text word;
+    return hatch_text_word(&line, &word);
+}
+
+/* Reads a profile.
+ *   least  of its largest value */
+static enum hatch_status read_profile(struct hatch_text *rest, const char *key, double least,
+                                      struct hatch_profile *profile, struct hatch_err *err)
+{
+    struct hatch_profile read = {.count = 0};
+    double value, most = 0;
+    do {
+        HATCH_TRY(hatch_settings_next(rest, key, 0, 1, &value, err));
+        read.values[read.count++] = (float)value;
+        most = fmax(most, value);
+    } while (read.count < HATCH_PROFILE_MAX && has_words(*rest));
+    if (read.count < 2)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: one value, want 2 to %u along the stroke", key, HATCH_PROFILE_MAX);
+    if (most < least)
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: no value of %g or more", key, least);
+    *profile = read;
+    return HATCH_OK;
+}
+
+static enum hatch_status read_width_profile(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    return read_profile(rest, "width-profile", PROFILE_LEAST, &r->style.pen.look.width, err);
+}
+
+static enum hatch_status read_pressure_profile(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    return read_profile(rest, "pressure-profile", PROFILE_LEAST, &r->style.pen.look.pressure, err);
+}
+
+static enum hatch_status read_stroke_colors(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
+{
+    static const char *const kinds[] = {"list", "range"};
+    struct hatch_stroke_look *look = &r->style.pen.look;
+    struct hatch_text word;
+    uint32_t count = 0, kind = 0;
+    bool any = hatch_text_word(rest, &word);
+    while (any && kind < 2 && !hatch_text_is(word, kinds[kind]))
+        kind++;
+    if (!any || kind == 2)
+        return hatch_fail(err, HATCH_BAD_INPUT, "stroke-colors: want list or range, and colours");
+    for (; hatch_text_word(rest, &word); count++) {
+        if (count == HATCH_STROKE_COLORS_MAX)
+            return hatch_fail(err, HATCH_BAD_INPUT, "stroke-colors: more than %u colours", HATCH_STROKE_COLORS_MAX);
+        if (!hatch_color_from_hex(word, look->colors[count]))
+            return hatch_fail(err, HATCH_BAD_INPUT, "stroke-colors: '%.*s', want three or six hexadecimal digits",
+                              hatch_settings_shown(word), word.at);
+    }
+    if (count < 1 + kind)
+        return hatch_fail(err, HATCH_BAD_INPUT, "stroke-colors: %u colours, want at least %u", count, 1 + kind);
+    look->color_count = count;
+    look->mixes = kind == 1;
+    return HATCH_OK;
+}
+
 static enum hatch_status read_name(struct hatch_text *rest, struct reading *r, struct hatch_err *err)
 {
     struct hatch_text word;
@@ -223,9 +302,18 @@ static enum hatch_status read_numbers(const struct number_key *key, struct hatch
 static const struct {
     const char *name;
     enum hatch_status (*read)(struct hatch_text *, struct reading *, struct hatch_err *);
-} keys[] = {{"name", read_name},         {"brush", read_brush}, {"direction", read_direction},
-            {"overlap", read_overlap},   {"color", read_color}, {"candidates", read_candidates},
-            {"response", read_response}, {"marks", read_marks}};
+} keys[] = {{"name", read_name},
+            {"brush", read_brush},
+            {"direction", read_direction},
+            {"overlap", read_overlap},
+            {"color", read_color},
+            {"candidates", read_candidates},
+            {"response", read_response},
+            {"marks", read_marks},
+            {"zigzag", read_zigzag},
+            {"width-profile", read_width_profile},
+            {"pressure-profile", read_pressure_profile},
+            {"stroke-colors", read_stroke_colors}};
 
 static enum hatch_status fail_unknown(struct hatch_text key, struct hatch_err *err)
 {
@@ -274,12 +362,6 @@ static enum hatch_status check_ranges(const struct hatch_style *style, struct ha
                           (double)style->bend_min_rad / RADIANS_PER_DEGREE,
                           (double)style->bend_max_rad / RADIANS_PER_DEGREE);
     return HATCH_OK;
-}
-
-static bool has_words(struct hatch_text line)
-{
-    struct hatch_text word;
-    return hatch_text_word(&line, &word);
 }
 
 enum hatch_status hatch_style_parse(struct hatch_bytes text, struct hatch_style *style, struct hatch_err *err)

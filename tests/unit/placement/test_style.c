@@ -165,6 +165,23 @@ static const struct {
     {"marks 0.4 1", "line 1: marks: 0.4, want 0 or 0.5 to 1000"},
     {"marks 8 -5", "line 1: marks: -5, want -4 to 1000"},
     {"marks 8", "line 1: marks: a value is missing"},
+    {"zigzag 21 8", "line 1: zigzag: 21, want 0 to 20"},
+    {"zigzag 2", "line 1: zigzag: a value is missing"},
+    {"zigzag 2 0", "line 1: zigzag: a wave of 0 widths, want 0.5 to 1000"},
+    {"zigzag 2 8 1", "line 1: zigzag: too many values"},
+    {"width-profile 1", "line 1: width-profile: one value, want 2 to 8 along the stroke"},
+    {"width-profile", "line 1: width-profile: a value is missing"},
+    {"width-profile 0 .05", "line 1: width-profile: no value of 0.1 or more"},
+    {"pressure-profile 1 1.5", "line 1: pressure-profile: 1.5, want 0 to 1"},
+    {"pressure-profile 1 1 1 1 1 1 1 1 1", "line 1: pressure-profile: too many values"},
+    {"stroke-colors", "line 1: stroke-colors: want list or range, and colours"},
+    {"stroke-colors f00 0f0", "line 1: stroke-colors: want list or range, and colours"},
+    {"stroke-colors list", "line 1: stroke-colors: 0 colours, want at least 1"},
+    {"stroke-colors range f00", "line 1: stroke-colors: 1 colours, want at least 2"},
+    {"stroke-colors list red", "line 1: stroke-colors: 'red', want three or six hexadecimal digits"},
+    {"stroke-colors list 0 1 2 3 4 5 6 7 8 9 a b c d e f 0", "line 1: stroke-colors: '0', want three or six"},
+    {"stroke-colors list 000 111 222 333 444 555 666 777 888 999 aaa bbb ccc ddd eee fff 000",
+     "line 1: stroke-colors: more than 16 colours"},
     {"response 0", "line 1: response: 0 does not exceed 0"},
     {"response 0.2 0.2", "line 1: response: 0.2 does not exceed 0.2"},
     {"scatter 2", "line 1: scatter: 2, want 0 to 1"},
@@ -212,6 +229,30 @@ static const struct {
     {"name two words", "line 1: name: too many values"},
     {"name aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", "line 1: name: want one word"},
 };
+
+START_TEST(strokes_have_a_look)
+{
+    HATCH_TEST_OK(parse("zigzag 2.5 12\nwidth-profile 0.25 1 0.5\npressure-profile 1 0\n"
+                        "stroke-colors list f00 0000ff 00ff00\nstroke-colors range 000 fff"),
+                  &err);
+    const struct hatch_stroke_look *look = &style.pen.look;
+    ck_assert_float_eq(look->zigzag, 2.5f);
+    ck_assert_float_eq(look->zigzag_length, 12);
+    ck_assert_uint_eq(look->width.count, 3);
+    ck_assert_float_eq(look->width.values[0], 0.25f);
+    ck_assert_float_eq(look->width.values[2], 0.5f);
+    ck_assert_uint_eq(look->pressure.count, 2);
+    ck_assert_float_eq(look->pressure.values[1], 0);
+    ck_assert_uint_eq(look->color_count, 2);
+    ck_assert(look->mixes);
+    ck_assert_float_eq(look->colors[1][2], 1);
+    HATCH_TEST_OK(parse("zigzag 0 0\nstroke-colors list f00"), &err);
+    ck_assert_float_eq(look->zigzag, 0);
+    ck_assert_uint_eq(look->color_count, 1);
+    ck_assert(!look->mixes);
+    ck_assert_float_eq(look->colors[0][1], 0);
+}
+END_TEST
 
 START_TEST(a_bad_line_is_reported_and_changes_nothing)
 {
@@ -274,6 +315,7 @@ static Suite *suite(void)
     tcase_add_test(tests, every_brush_has_a_name);
     tcase_add_test(tests, the_limits_themselves_are_allowed);
     tcase_add_test(tests, a_brush_file_may_contain_spaces);
+    tcase_add_test(tests, strokes_have_a_look);
     tcase_add_loop_test(tests, a_bad_line_is_reported_and_changes_nothing, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tests, colors_are_interpolated);
     tcase_add_test(tests, targets_rise_to_the_darkest);
