@@ -2,13 +2,21 @@
 #ifndef HATCH_VECTOR_DRAWING_H
 #define HATCH_VECTOR_DRAWING_H
 
+#include "curve/stroke_look.h"
 #include "vector/paths.h"
 
 struct hatch_drawing_layer {
     const char *name; /* lower-case letters, digits and '-'; unique in the drawing; owned by the caller */
     float color[3];   /* linear light */
     double pen_mm;    /* width of its strokes */
+    const struct hatch_stroke_look *look; /* its paths have colours of their own, by their ids; NULL: none has */
 };
+
+/* Returns whether the paths of a layer have colours of their own. */
+static inline bool hatch_drawing_has_colors(const struct hatch_drawing_layer *layer)
+{
+    return layer->look && layer->look->color_count > 0;
+}
 
 struct hatch_drawing {
     double width_mm, height_mm; /* of the page */

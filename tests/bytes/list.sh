@@ -153,6 +153,8 @@ map-ids draw teapot.glb --tam ids.exr
 strokes draw teapot.glb -t strokes
 strokes-map draw teapot.glb -t strokes --tam ids.exr
 strokes-lapped draw lapped.glb -t strokes
+strokes-scribble draw teapot.glb -t strokes --style scribble
+traced-scribble draw teapot.strokes.glb -t traced --stroke-style scribble
 map-atlas draw atlas.glb --tam map.exr --uv-scale 9
 hatch-turn draw teapot.glb --tam map.exr --hatch-turn 33 --hatch-scale 1.7
 hatch-lapped draw lapped.glb -t threshold --tam exact.ktx2 --hatch-turn -70 --hatch-scale 0.6
@@ -236,6 +238,8 @@ zoom-camera draw ball.glb -t rptam --camera 0.0001,0.0002,1.0000001:0,0,0
 zoom-shadows draw teapot.glb -t rptam --zoom 4096 --shadows 0.05 --pixel-light --haloes 3
 zoom-holes draw masked.gltf -t rptam --zoom 3000 --texture-tone --from 0:0
 zoom-modulate draw ball.glb -t rptam --zoom 100000 --modulate texture.png --from 0:0
+zoom-strokes draw teapot.glb -t strokes --zoom 1048576 --size 240x180
+zoom-strokes-lapped draw lapped.glb -t strokes --zoom 1024 --from -60:10
 zoom-edge draw plane.glb -t rptam --camera 1.000003,0,0.00001:1,0,0 --haloes 3
 zoom-nodes draw nodes.gltf -t rptam --camera 0.5,0.3,8:0,0.2,0 --zoom 30000 --samples 1
 zoom-nodes-lapped draw nodes.lapped.glb -t rptam --camera 0.5,0.3,8:0,0.2,0 --zoom 30000 --seed-loop brute --size 64x48

@@ -42,7 +42,7 @@ static void draw(const struct hatch_view *view, struct drawn *drawn)
     frame_draw(&frame, "strokes", view, WIDTH, HEIGHT, 1, &picture);
     struct strokes_state *state = frame.instances[0].state;
     drawn->count = state->found_count;
-    drawn->fragments = state->counts.fragments;
+    drawn->fragments = (uint32_t)state->counts.fragments;
     memset(&state->counts, 0, sizeof state->counts);
     ck_assert_uint_gt(drawn->count, 50);
     ck_assert_uint_le(drawn->count, STROKES_MAX);

@@ -28,9 +28,10 @@ static const struct hatch_vector_care care = {.gap_px = 1, .speck_px = 1};
 struct drawing {
     struct job *job;
     struct hatch_lines lines;
-    struct hatch_arena *arena; /* of one frame */
-    struct canvas canvas;      /* zeroed: the technique has no curves */
-    uint32_t stroke_layers;    /* of the frame */
+    struct hatch_arena *arena;            /* of one frame */
+    struct canvas canvas;                 /* zeroed: the technique has no curves */
+    uint32_t stroke_layers;               /* of the frame */
+    const struct hatch_stroke_look *look; /* of its strokes */
     struct hatch_page page;
     double pixel_mm, pen_mm;           /* on the page */
     struct hatch_vector_builder paths; /* of one frame, on the page */
@@ -93,6 +94,7 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
     for (uint32_t i = 0; i < visible.count; i++)
         visible.paths[i].layer += LAYER_STROKES;
     drawing->stroke_layers = strokes.layer_count;
+    drawing->look = strokes.look;
     return hatch_vector_append(&drawing->paths, &visible, err);
 }
 
@@ -149,6 +151,8 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
     made.width_mm = page->width_mm;
     made.height_mm = page->height_mm;
     HATCH_TRY(find_paths(drawing, view, &made.paths, err));
+    for (int i = LAYER_STROKES; i < LAYER_COUNT; i++)
+        layers[i].look = drawing->look;
     made.layer_count = options->technique->curves              ? LAYER_STROKES + drawing->stroke_layers
                        : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
                                                                : LAYER_HIDDEN;

@@ -56,7 +56,8 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &waiting, "", &state->blend.waiting, err));
     HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, "", &state->fit, err));
     strokes_take_brush(state);
-    HATCH_TRY(gpu_program_get(programs, &ribbon, state->has_brush ? "#define BRUSH 1\n" : "", &state->ribbon, err));
+    const char *defines = state->has_brush ? "#define FITTED 1\n#define BRUSH 1\n" : "#define FITTED 1\n";
+    HATCH_TRY(gpu_program_get(programs, &ribbon, defines, &state->ribbon, err));
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
     if (!state->array)
         glCreateVertexArrays(1, &state->array);
@@ -64,10 +65,11 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
 }
 
 /* Writes the block of the style.
- *   even  all strokes are alike, as a pen draws them */
-static void set_style(const struct frame *frame, bool even, const struct technique_instance *instance)
+ *   pen_px  as in strokes_find */
+static void set_style(const struct frame *frame, double pen_px, const struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
+    const bool even = pen_px > 0;
     const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
     struct strokes_look look = strokes_look(instance);
     struct traced_block block = {
@@ -75,6 +77,9 @@ static void set_style(const struct frame *frame, bool even, const struct techniq
         .hand = {even ? 0 : pen->vary, even ? 0 : pen->pressure, pen->wobble_px,
                  fmaxf(pen->taper_px * look.width_px / state->seeds.source.drawing.width_px, 1e-3f)},
         .ink = {look.ink, state->has_brush ? 0 : pen->grain}};
+    traced_set_look(&pen->look, even ? pen_px : (double)look.width_px, even, &block);
+    block.zigzag[2] = look.length_px / fmaxf(block.zigzag[1], 1e-6f);
+    memcpy(state->zigzag, block.zigzag, sizeof state->zigzag);
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }
 
@@ -129,9 +134,11 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
 static enum hatch_status take_pen(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                   struct hatch_err *err)
 {
-    const struct rptam_stroke *stroke = &((struct strokes_state *)instance->state)->seeds.source.stroke;
+    const struct rptam_source *source = &((struct strokes_state *)instance->state)->seeds.source;
+    const struct rptam_stroke *stroke = &source->stroke;
     double *width_px = &rptam_options.stroke_px[1];
-    double wanted_px = pen_px / fmax(rptam_mean_ink(&stroke->alpha, &stroke->grain), 1e-3);
+    double wanted_px = pen_px * hatch_zigzag_stretch(&source->drawing.pen.look) /
+                       fmax(rptam_mean_ink(&stroke->alpha, &stroke->grain), 1e-3);
     if (!(fabs(wanted_px - *width_px) > 1e-9 * wanted_px) && !(rptam_options.overlap > 0))
         return HATCH_OK;
     *width_px = wanted_px;
@@ -153,7 +160,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     state->found_count = 0;
     if (!list->count)
         return HATCH_OK;
-    set_style(context->frame, pen_px > 0, instance);
+    set_style(context->frame, pen_px, instance);
     double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);

@@ -54,11 +54,12 @@ struct technique_instance {
 
 /* The strokes of a frame as curves, for drawings by a pen. */
 struct technique_curves {
-    uint32_t layer_count;              /* layers of the curves, from 0: one for each direction of strokes */
-    double shortest_px;                /* shorter visible parts are left out */
-    struct hatch_vector_curves curves; /* with widths and faces */
-    struct hatch_vector_pen pen;       /* that draws them; its width is in pixels */
-    struct hatch_vector_paths paths;   /* or what a pen draws of them in the picture; then curves.count is 0 */
+    uint32_t layer_count;                 /* layers of the curves, from 0: one for each direction of strokes */
+    double shortest_px;                   /* shorter visible parts are left out */
+    struct hatch_vector_curves curves;    /* with widths and faces */
+    struct hatch_vector_pen pen;          /* that draws them; its width is in pixels */
+    struct hatch_vector_paths paths;      /* or what a pen draws of them in the picture; then curves.count is 0 */
+    const struct hatch_stroke_look *look; /* for the colours of strokes, by HATCH_STROKE_NUMBER_BITS of their ids */
 };
 
 /* Strokes that a technique has found in its frames. */

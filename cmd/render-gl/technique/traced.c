@@ -19,6 +19,7 @@
 #define SMOOTH 8.0     /* greatest threshold in sight, in finest gaps, from which on lines are drawn as curves */
 #define PARTS_MAX 4u   /* straight parts of a line between two points in near views */
 #define LINE_PRESSURE 0.3f /* share of the strokes' changes of ink that feature lines have: they must hold together */
+#define MOST_INK 0.95f     /* that strokes of one direction make */
 #define OFF_AXIS 1.5       /* factor of scale towards the corners of a picture */
 
 static const char *style_name = "engraving";
@@ -44,6 +45,7 @@ static struct hatch_stroke_pen even_pen(const struct hatch_stroke_pen *style)
                                    .mark_px = style->mark_px,
                                    .gap_px = style->gap_px,
                                    .scatter = style->scatter,
+                                   .look = style->look,
                                    .taper_px = hatch_pen_has_dots(style) ? style->taper_px : 0,
                                    .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.85f, 0.9f}};
     for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++)
@@ -51,6 +53,8 @@ static struct hatch_stroke_pen even_pen(const struct hatch_stroke_pen *style)
             pen.response[i] = style->response[i];
         else if (style->mark_px > 0 && style->gap_px > 0)
             pen.response[i] *= style->mark_px / (style->mark_px + style->gap_px);
+    for (uint32_t i = 0; i < HATCH_STROKE_RESPONSES; i++)
+        pen.response[i] = fminf((float)hatch_zigzag_stretch(&style->look) * pen.response[i], MOST_INK);
     return pen;
 }
 
@@ -145,6 +149,7 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
         .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(state->pen.taper_px, 1e-3f)},
         .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain},
         .marks = {state->pen.mark_px, state->pen.gap_px, pen->scatter, hatch_pen_has_dots(&state->pen) ? 1 : 0}};
+    traced_set_look(&pen->look, (double)state->pen.width_px, pen_px > 0, &block);
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
     state->block = block;

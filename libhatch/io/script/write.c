@@ -38,6 +38,8 @@ static enum hatch_status add_layer(const struct hatch_drawing *drawing, uint32_t
         *stroke = (struct hatch_stroke){
             .width_px = (float)width, .tone = 1, .id = ++*count, .texture_seed = path->id}; /* of a tile of one pixel */
         memcpy(stroke->rgb, from->color, sizeof stroke->rgb);
+        if (hatch_drawing_has_colors(from))
+            hatch_stroke_color(from->look, path->id, stroke->rgb);
         HATCH_TRY(trace(drawing, path, line, stroke, err));
     }
     return HATCH_OK;

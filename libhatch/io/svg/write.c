@@ -65,12 +65,20 @@ static void put_color(const float linear[3], char text[8])
 static enum hatch_status put_path(const struct hatch_drawing *drawing, const struct hatch_vector_path *path,
                                   uint32_t part, struct hatch_buffer *file, struct hatch_err *err)
 {
-    const char *name = drawing->layers[path->layer].name;
+    const struct hatch_drawing_layer *layer = &drawing->layers[path->layer];
+    const char *name = layer->name;
     if (part > 1)
         HATCH_TRY(hatch_buffer_print(file, err, "<path id=\"%s-%u-%u\" d=\"", name, path->id, part));
     else
         HATCH_TRY(hatch_buffer_print(file, err, "<path id=\"%s-%u\" d=\"", name, path->id));
     HATCH_TRY(put_points(&drawing->paths, path, file, err));
+    if (hatch_drawing_has_colors(layer)) {
+        float rgb[3];
+        char color[8];
+        hatch_stroke_color(layer->look, path->id, rgb);
+        put_color(rgb, color);
+        HATCH_TRY(hatch_buffer_print(file, err, "\" stroke=\"%s", color));
+    }
     return hatch_buffer_add(file, "\"/>\n", 4, err);
 }
 

@@ -98,7 +98,7 @@ START_TEST(a_close_up_of_patches_has_the_strokes_of_the_top_patch)
         frame.shown.floats_alone = alone;
         frame_draw(&frame, "strokes", &view, WIDE, HIGH, 1, &pictures[alone]);
         ck_assert_int_eq(hatch_near_item_at(&frame.shown.near.found, 0) == NULL, alone);
-        strokes[alone] = frame.instances[0].technique->count(&frame.instances[0]).strokes;
+        strokes[alone] = (uint32_t)frame.instances[0].technique->count(&frame.instances[0]).strokes;
     }
     ck_assert_uint_gt(strokes[0], 20);
     ck_assert_uint_eq(strokes[0], strokes[1]);

@@ -64,8 +64,8 @@ static void draw(bool blends, double azimuth_rad, struct drawn *drawn)
     frame_draw(&frame, "strokes", &view, WIDTH, HEIGHT, 1, &picture);
     struct strokes_state *state = frame.instances[0].state;
     drawn->count = state->found_count;
-    drawn->strokes = state->counts.strokes;
-    drawn->fragments = state->counts.fragments;
+    drawn->strokes = (uint32_t)state->counts.strokes;
+    drawn->fragments = (uint32_t)state->counts.fragments;
     drawn->waited = state->waited;
     memset(&state->counts, 0, sizeof state->counts);
     ck_assert_uint_gt(drawn->count, 0);

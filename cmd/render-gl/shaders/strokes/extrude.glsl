@@ -3,6 +3,7 @@
 #include "traced/style.glsl"
 #include "traced/noise.glsl"
 #include "strokes/curve.glsl"
+#include "strokes/hash.glsl"
 
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
 layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
@@ -26,6 +27,7 @@ struct Path {
 struct Drawn {
     Cubic cubic;
     uint high;   // upper word of its id
+    uint number; // that of the stroke of which it is a part; 20 bits
     uint joined; // bits JOINED_...
     uint own;    // the same bits: the end is the stroke's own, and tapers as that of the texture does
     vec2 ends;   // u of both ends, without overdraw
@@ -103,6 +105,13 @@ float gain_of(float seen, float whole, vec2 free, vec2 thick)
     return clamp(seen / max(whole - lost, SHORTEST_PX), 0.5, 2.0);
 }
 
+// Returns the level of a zigzag whose waves have their own length (look.glsl).
+float wave_level(Drawn drawn)
+{
+    float whole = drawn.length_px / max(drawn.cubic.range.y - drawn.cubic.range.x, 1e-3);
+    return zigzag.x > 0.0 && zigzag.z == 0.0 ? log2(max(whole, 1.0) / zigzag.y) : 0.0;
+}
+
 // Writes point k of a ribbon.
 // factor: of the widths; blunt: bits 4, 8: ends that the pen does not taper
 void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, uint blunt)
@@ -112,13 +121,14 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
     vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
     float t = mix(drawn.cubic.range.x, drawn.cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
     float thickness = min(factor * width_at(drawn.widths, u) / profile_at(t), thickest);
-    thickness *= 1.0 + hand.x * wave_noise(drawn.high, at);
+    thickness *= (1.0 + hand.x * wave_noise(drawn.high, at)) * look_profile(0, t) / zigzag.w;
     float aside = hand.z * wave_noise(drawn.high ^ 0x5bd1e995u, at);
     float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(drawn.high ^ 0x27d4eb2fu, at)));
-    uint bits = (drawn.high & 0xfffffu) * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + blunt;
+    pressure *= look_profile(1, t);
+    uint bits = drawn.number * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + blunt;
     ribbon[to] = vec4(path.places[k] + aside * across, 0.5, 0.5 * thickness);
     ribbon[to + 1u] = vec4(pressure, float(bits), path.lengths[k], whole - path.lengths[k]);
-    ribbon[to + 2u] = vec4(1.0, t, 1.0, 0.0);
+    ribbon[to + 2u] = vec4(1.0, t, wave_level(drawn), 0.0);
 }
 
 // Writes the ribbon of stroke i.

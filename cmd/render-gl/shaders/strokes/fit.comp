@@ -82,5 +82,6 @@ void main()
     uint whole = (cubic.range.x < CUT ? JOINED_START : 0u) | (cubic.range.y > 1.0 - CUT ? JOINED_END : 0u);
     if (is_dot)
         whole = JOINED_START | JOINED_END;
-    extrude(i, Drawn(cubic, slot.high, slot.joined, whole, ends, path.lengths[LAST], widths, mean));
+    extrude(i, Drawn(cubic, slot.high, stroke_number(slot.low), slot.joined, whole, ends, path.lengths[LAST], widths,
+                     mean));
 }

@@ -70,5 +70,5 @@ void main()
     float length_px = path.lengths[LAST], width_px = cubic.weight / max(length_px, SHORTEST_PX);
     for (int k = 0; k <= LAST; k++)
         widths[k] = length_px < SPARSEST * cubic.weight ? width_px : 0.0;
-    extrude(i, Drawn(cubic, slot.high, 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px));
+    extrude(i, Drawn(cubic, slot.high, stroke_number(slot.low), 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px));
 }

@@ -1,8 +1,8 @@
-// Fragments: a pixel that a stroke covers, with the stroke's id. x, y: the id; bit 0 of x is the index of the ink, and
-// the six bits above it are the layer. z: column and row of the pixel, 16 bits each. w: t in the lower 16 bits, and
-// above them the share of the pixel that is covered; but bits 16 and 17 say that the surface is a patch, and that
-// another patch lies over it.
-const uint ID_LAYER_SHIFT = 1u, ID_HASH_SHIFT = 7u;
+// Fragments: a pixel that a stroke covers, with the stroke's id. x, y: the id. z: column and row of the pixel, 16 bits
+// each. w: t in the lower 16 bits, and above them the share of the pixel that is covered; but bits 16 and 17 say that
+// the surface is a patch, and that another patch lies over it.
+#include "strokes/hash.glsl"
+
 const uint FRAGMENT_LAPPED = 0x10000u, FRAGMENT_BELOW = 0x20000u;
 
 layout(std430, binding = STORAGE_FRAGMENTS) buffer Fragments {

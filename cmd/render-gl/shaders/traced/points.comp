@@ -133,6 +133,8 @@ void main()
     period /= sparser;
     vec2 ends = point.stroke.zw * length_px;
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
+    float along = point.stroke.z / max(point.stroke.z + point.stroke.w, 1e-20); // as a share of the stroke
+    width *= look_profile(0, along) / zigzag.w;
     width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) + 0.3 * point.rest.w);
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
@@ -154,7 +156,7 @@ void main()
     float slant = behind ? 1.0 : length(vec2(1.0, min(steep, STEEPEST))); // lines pass under the surface along its normal
     place.z += wobble * rise + reach + lift.z * toward_eye * slant;
     float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
-    float pressure = matter.x * (1.0 - hand.y * lightening);
+    float pressure = matter.x * (1.0 - hand.y * lightening) * look_profile(1, along);
     ribbon[3u * i] = vec4(place, 0.5 * width);
     ribbon[3u * i + 1u].x = pressure;
     ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period), law.y, scatter);

@@ -5,7 +5,22 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform Style {
     vec4 matter; // darkness of a stroke, grain
     vec4 marks; // length and gap in pixels, scatter; 1: they are dots
     vec4 tones[8][9]; // per family: tone at ink 0, 1/32 .. 1
+    vec4 zigzag; // amplitude and wave in pixels; waves along a whole stroke, 0: as many as its length has; stretch
+    uvec4 look; // numbers of values of both profiles; of colours; 1: they are mixed
+    vec4 profiles[2][2]; // of width, of pressure
+    vec4 colors[16]; // of strokes
 };
+
+// Returns a profile at a place along the stroke, 0 .. 1. which: 0: width, 1: pressure
+float look_profile(int which, float at)
+{
+    int count = int(look[which]);
+    if (count == 0)
+        return 1.0;
+    float place = clamp(at, 0.0, 1.0) * float(count - 1);
+    int low = min(int(place), count - 2), high = low + 1;
+    return mix(profiles[which][low >> 2][low & 3], profiles[which][high >> 2][high & 3], place - float(low));
+}
 
 float tone_of(int family, float ink)
 {

@@ -49,7 +49,8 @@ void strokes_take_brush(struct strokes_state *state)
 double strokes_use_brush(const struct strokes_state *state, bool even)
 {
     const struct hatch_stroke_pen *pen = &state->seeds.source.drawing.pen;
-    double pressure = 1 - 0.5 * (double)pen->pressure, grain = state->has_brush ? 1 : 1 - 0.5 * (double)pen->grain;
+    double pressure = (1 - 0.5 * (double)pen->pressure) * hatch_profile_mean(&pen->look.pressure),
+           grain = state->has_brush ? 1 : 1 - 0.5 * (double)pen->grain;
     float profile[BRUSH_PROFILE];
     double mean = 0;
     for (uint32_t k = 0; k < BRUSH_PROFILE; k++)

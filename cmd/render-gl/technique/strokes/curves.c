@@ -8,9 +8,9 @@
 #define SHORTEST_PX 2.0 /* shorter parts of strokes are left out */
 #define DRAWN 0.5       /* mean width, in those of the texture's strokes, from which on the pen draws a stroke */
 
-/* A point of a ribbon: places in pixels, and half the width. */
+/* A point of a ribbon: place in pixels, and half the width; place along the whole stroke, and level of its zigzag. */
 struct point {
-    float x, y, depth, half_width, rest[8];
+    float x, y, depth, half_width, rest[5], t, level, unused;
 };
 
 /* Paths of a pen along the segments of ribbons. */
@@ -19,8 +19,65 @@ struct drawing {
     double thin_px;   /* mean width from which on a stroke is drawn */
     double limits[2]; /* width and height of the picture */
     struct hatch_vector_builder paths;
-    bool drawing; /* a path has begun */
+    bool drawing;              /* a path has begun */
+    const float *zigzag;       /* of struct traced_block */
+    struct hatch_buffer turns; /* struct point: those of a stroke with its zigzag */
 };
+
+/* Returns the place along a stroke in waves of level 0. */
+static double wave_of(const struct drawing *drawing, const struct point *point)
+{
+    return (double)point->t * (drawing->zigzag[2] > 0 ? (double)drawing->zigzag[2] : 1);
+}
+
+/* Finds the direction across a ribbon, to the left, at one of its points. */
+static void find_across(const struct point *points, uint32_t k, double across[2])
+{
+    const struct point *before = &points[k > 0 ? k - 1 : 0], *after = &points[k + 1 < RIBBON_POINTS ? k + 1 : k];
+    double x = (double)(after->x - before->x), y = (double)(after->y - before->y), length = fmax(hypot(x, y), 1e-12);
+    across[0] = -y / length;
+    across[1] = x / length;
+}
+
+/* Adds the point of a zigzag at a share of the way between two points of a ribbon. */
+static enum hatch_status add_turn(struct drawing *drawing, const struct point *points, uint32_t k, double share,
+                                  double wave, struct hatch_err *err)
+{
+    const struct point *a = &points[k], *b = &points[k + 1];
+    struct point at = *a;
+    double from[2], to[2], beside = (double)drawing->zigzag[0] * hatch_zigzag_beside(wave, (double)a->level);
+    find_across(points, k, from);
+    find_across(points, k + 1, to);
+    at.x += (float)(share * (double)(b->x - a->x) + beside * (from[0] + share * (to[0] - from[0])));
+    at.y += (float)(share * (double)(b->y - a->y) + beside * (from[1] + share * (to[1] - from[1])));
+    at.half_width += (float)(share * (double)(b->half_width - a->half_width));
+    return hatch_buffer_add(&drawing->turns, &at, sizeof at, err);
+}
+
+/* Finds the points between which a stroke is straight.
+ *   points  RIBBON_POINTS of them; out: those of its zigzag if it has one
+ *   count   out: their number */
+static enum hatch_status follow_zigzag(struct drawing *drawing, const struct point **points, uint32_t *count,
+                                       struct hatch_err *err)
+{
+    const struct point *ribbon = *points;
+    *count = RIBBON_POINTS;
+    if (!(drawing->zigzag[0] > 0))
+        return HATCH_OK;
+    drawing->turns.size = 0;
+    for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++) {
+        const double from = wave_of(drawing, &ribbon[k]), to = wave_of(drawing, &ribbon[k + 1]);
+        double wave = from;
+        do {
+            HATCH_TRY(add_turn(drawing, ribbon, k, (wave - from) / fmax(to - from, 1e-12), wave, err));
+            wave = hatch_zigzag_turn(wave, (double)ribbon->level);
+        } while (wave < to);
+    }
+    HATCH_TRY(add_turn(drawing, ribbon, RIBBON_POINTS - 2, 1, wave_of(drawing, &ribbon[RIBBON_POINTS - 1]), err));
+    *points = (const struct point *)(const void *)drawing->turns.data;
+    *count = (uint32_t)(drawing->turns.size / sizeof **points);
+    return HATCH_OK;
+}
 
 /* Narrows the range of a segment to that in which a quantity, linear along it, is not negative. */
 static void narrow(double from, double to, double range[2])
@@ -87,16 +144,19 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct strok
         uint32_t layer = list->strokes[i].id[0] >> 1 & 63;
         if (layer >= HATCH_CURVE_FAMILIES_MAX)
             layer = HATCH_CURVE_FAMILIES_MAX - 1;
-        const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[1]};
+        const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[0] >> STROKES_ID_HASH_SHIFT};
         const double mean = mean_half_width(points);
+        const struct point *line = points;
+        uint32_t count;
         if (list->strokes[i].id[0] & 1)
             continue;
         *layer_count = layer >= *layer_count ? layer + 1 : *layer_count;
         if (2 * mean < drawing->thin_px)
             continue;
         drawing->half_px = STROKES_THIN * mean;
-        for (uint32_t k = 0; k + 1 < RIBBON_POINTS; k++)
-            HATCH_TRY(add_segment(drawing, &like, &points[k], &points[k + 1], err));
+        HATCH_TRY(follow_zigzag(drawing, &line, &count, err));
+        for (uint32_t k = 0; k + 1 < count; k++)
+            HATCH_TRY(add_segment(drawing, &like, &line[k], &line[k + 1], err));
         HATCH_TRY(end_path(drawing, err));
     }
     return HATCH_OK;
@@ -107,10 +167,13 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
 {
     const struct hatch_tile *tile = context->frame->request.tile;
     const struct strokes_state *state = instance->state;
-    struct drawing drawing = {.limits = {tile->full_width, tile->full_height}, .paths = hatch_vector_builder_of(arena)};
+    struct drawing drawing = {.limits = {tile->full_width, tile->full_height},
+                              .paths = hatch_vector_builder_of(arena),
+                              .zigzag = state->zigzag,
+                              .turns = {.arena = arena}};
     struct strokes_list list;
     struct point *points;
-    *curves = (struct technique_curves){.shortest_px = SHORTEST_PX};
+    *curves = (struct technique_curves){.shortest_px = SHORTEST_PX, .look = &state->seeds.source.drawing.pen.look};
     HATCH_TRY(strokes_find(context, instance, pen_px, &list, err));
     drawing.thin_px = DRAWN * state->width_px;
     if (list.count) {

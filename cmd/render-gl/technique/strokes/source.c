@@ -73,6 +73,8 @@ enum hatch_status strokes_draw_source(struct technique_context *context, struct 
 struct strokes_look strokes_look(const struct technique_instance *instance)
 {
     if (instance->tones)
-        return (struct strokes_look){instance->tones->stroke_px, instance->tones->stroke_ink};
-    return (struct strokes_look){(float)rptam_options.stroke_px[1], (float)rptam_options.ink};
+        return (struct strokes_look){.width_px = instance->tones->stroke_px, .ink = instance->tones->stroke_ink};
+    return (struct strokes_look){.width_px = (float)rptam_options.stroke_px[1],
+                                 .ink = (float)rptam_options.ink,
+                                 .length_px = (float)rptam_options.stroke_px[0]};
 }

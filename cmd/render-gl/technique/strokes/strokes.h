@@ -19,6 +19,7 @@ struct strokes_slot {
     uint32_t count, first;
     uint32_t joined; /* bits STROKES_JOINED_..., of parts of a divided stroke */
 };
+#define STROKES_ID_HASH_SHIFT 7 /* of id[0]: above these bits is a hash that all parts of a divided stroke have */
 #define STROKES_JOINED_START 4u /* it goes on before its start, after its end */
 #define STROKES_JOINED_END 8u
 
@@ -54,6 +55,7 @@ struct strokes_state {
     uint32_t most;                  /* strokes that are drawn */
     double width_px;                /* nominal width of the frame's strokes */
     bool warned;                    /* that there are more */
+    float zigzag[4];                /* of struct traced_block */
     GLuint points_view;             /* texture through which the points are read */
     GLuint array, block_buffer;
     bool has_brush;  /* the ribbons have the image of a brush */
@@ -80,6 +82,7 @@ extern const struct frame_shading strokes_paper;
 /* Nominal size in pixels and darkness of a stroke, of which widths are multiples. */
 struct strokes_look {
     float width_px, ink;
+    float length_px; /* 0: lengths vary */
 };
 
 /* Compiles what gathers strokes, and uploads what they come from: the asset if there is one, or else seed points. */

@@ -92,6 +92,33 @@ static void move(const struct gathering *gathering, const float *ribbon, double 
     place->slack += (float)(SLOPE * fabs(aside));
 }
 
+/* Returns how far a zigzag lies beside the line at a place of a stroke, in pixels.
+ *   next  in: place of the point after it; out: where the zigzag turns if it does so before */
+static double zigzag_px(const struct hatch_stroke_pen *pen, double at, float scale, double *next)
+{
+    const double width_px = (double)pen->width_px, wave_px = (double)pen->look.zigzag_length * width_px;
+    if (!(pen->look.zigzag > 0) || !(scale > 0))
+        return 0;
+    double level = log2((double)scale / wave_px);
+    *next = fmin(*next, hatch_zigzag_turn(at, level));
+    return (double)pen->look.zigzag * width_px * hatch_zigzag_beside(at, level);
+}
+
+/* Adds the place at an arc length of a stroke, between point `low` and the next one.
+ *   beside_px  as for move */
+static enum hatch_status add_place_at(struct gathering *gathering, const struct place *places, const float *ribbon,
+                                      const struct hatch_mark_point *points, uint32_t low, double at, double beside_px,
+                                      struct hatch_err *err)
+{
+    double share = (at - (double)points[low].at) / fmax((double)points[low + 1].at - (double)points[low].at, 1e-30);
+    struct place place = places[low];
+    for (int k = 0; k < 3; k++)
+        place.at[k] += share * (places[low + 1].at[k] - place.at[k]);
+    place.width += (float)share * (places[low + 1].width - place.width);
+    move(gathering, ribbon + (size_t)TRACED_RIBBON_FLOATS * low, beside_px, &place);
+    return add_place(gathering, &place, err);
+}
+
 /* Adds a mark of a stroke.
  *   places, ribbon, points  of the stroke, count of them */
 static enum hatch_status add_mark(struct gathering *gathering, const struct traced_stroke *stroke,
@@ -99,30 +126,27 @@ static enum hatch_status add_mark(struct gathering *gathering, const struct trac
                                   const struct hatch_mark_point *points, const struct hatch_mark *mark,
                                   struct hatch_err *err)
 {
+    const double from = (double)mark->from, to = (double)mark->to, length = fmax(to - from, 1e-30);
     const uint32_t last = stroke->curve->count - 1;
-    uint32_t before = 0, within = 0;
-    while (before + 1 < last && points[before + 1].at <= mark->from)
-        before++;
-    while (before + 1 + within < last && points[before + 1 + within].at < mark->to)
-        within++;
-    HATCH_TRY(add_curve(gathering, stroke, within + 2, err));
-    for (uint32_t i = 0; i < within + 2; i++) {
-        float at = i == 0 ? mark->from : i == within + 1 ? mark->to : points[before + i].at;
-        uint32_t low = before + (i > within ? within : i);
-        double share = (double)(at - points[low].at) / fmax((double)(points[low + 1].at - points[low].at), 1e-30);
-        double way = (double)(at - mark->from) / fmax((double)(mark->to - mark->from), 1e-30);
-        struct place place = places[low];
-        for (int k = 0; k < 3; k++)
-            place.at[k] += share * (places[low + 1].at[k] - place.at[k]);
-        place.width += (float)share * (places[low + 1].width - place.width);
-        move(gathering, ribbon + (size_t)TRACED_RIBBON_FLOATS * low,
-             (double)mark->beside[0] + way * (double)(mark->beside[1] - mark->beside[0]), &place);
-        HATCH_TRY(add_place(gathering, &place, err));
+    uint32_t low = 0, count = 0;
+    double at = from;
+    HATCH_TRY(add_curve(gathering, stroke, 0, err));
+    size_t curve = gathering->curves.size / sizeof(struct hatch_vector_curve) - 1;
+    for (bool ends = false; !ends; count++) {
+        ends = at >= to;
+        while (low + 1 < last && (ends ? (double)points[low + 1].at < at : (double)points[low + 1].at <= at))
+            low++;
+        double next = low + 1 < last ? fmin((double)points[low + 1].at, to) : to;
+        double zigzag = zigzag_px(gathering->pen, at, points[low].scale, &next);
+        double beside = (double)mark->beside[0] + (at - from) / length * (double)(mark->beside[1] - mark->beside[0]);
+        HATCH_TRY(add_place_at(gathering, places, ribbon, points, low, at, beside + zigzag, err));
+        at = next;
     }
+    ((struct hatch_vector_curve *)(void *)gathering->curves.data)[curve].count = count;
     return HATCH_OK;
 }
 
-/* Adds the marks of a stroke. */
+/* Adds the marks of a stroke, or the whole stroke if its pen has none. */
 static enum hatch_status add_marks(struct gathering *gathering, const struct traced_stroke *stroke,
                                    const struct place *places, const float *ribbon, struct hatch_err *err)
 {
@@ -138,6 +162,9 @@ static enum hatch_status add_marks(struct gathering *gathering, const struct tra
             points[i].level = points[i - 1].level;
         }
     }
+    if (!(gathering->pen->mark_px > 0))
+        return add_mark(gathering, stroke, places, ribbon, points,
+                        &(struct hatch_mark){.from = points[0].at, .to = points[count - 1].at}, err);
     HATCH_TRY(hatch_marks_list(gathering->pen, stroke->curve->id & TRACED_HASH_BITS, points, count, &marks, err));
     for (size_t i = 0; i < marks.size / sizeof(struct hatch_mark); i++)
         HATCH_TRY(add_mark(gathering, stroke, places, ribbon, points,
@@ -167,7 +194,7 @@ static enum hatch_status add_stroke(struct gathering *gathering, const struct ha
                                    .slack = slack};
         position_of(&mesh->mesh, positions, &points[i], places[i].at);
     }
-    if (gathering->pen->mark_px > 0)
+    if (gathering->pen->mark_px > 0 || gathering->pen->look.zigzag > 0)
         return add_marks(gathering, stroke, places, ribbon, err);
     HATCH_TRY(add_curve(gathering, stroke, count, err));
     for (uint32_t i = 0; i < count; i++)
@@ -236,6 +263,7 @@ enum hatch_status traced_curves(struct technique_context *context, struct techni
                                                    .faces = (const void *)gathering.faces.data,
                                                    .widths_px = (const void *)gathering.widths.data,
                                                    .slack = (const void *)gathering.slack.data},
-                                        .pen = {.width_px = pen_px, .drawn = drawn}};
+                                        .pen = {.width_px = pen_px, .drawn = drawn},
+                                        .look = &state->pen.look};
     return HATCH_OK;
 }

@@ -14,7 +14,17 @@ struct traced_block {
     float ink[4];   /* darkness of a stroke, grain; unused */
     float marks[4]; /* length and gap of marks in pixels, scatter; 1: they are dots */
     float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
+    float zigzag[4];                          /* amplitude and wave in pixels; waves along a whole stroke, 0: as many as
+                                                 its length has; stretch (curve/stroke_look.h) */
+    uint32_t look[4];                         /* numbers of values of both profiles; of colours; 1: they are mixed */
+    float profiles[2][HATCH_PROFILE_MAX];     /* of width, with a mean of 1, and of pressure */
+    float colors[HATCH_STROKE_COLORS_MAX][4]; /* of strokes, the fourth channel unused */
 };
+
+/* Fills in the part of a block that comes from the look of strokes.
+ *   width_px  nominal width of strokes
+ *   even      a pen draws all strokes alike: without profiles, and as wide with a zigzag as without */
+void traced_set_look(const struct hatch_stroke_look *look, double width_px, bool even, struct traced_block *block);
 
 /* A point of a stroke, as shaders/traced/points.comp reads it. */
 struct traced_point {
@@ -100,7 +110,7 @@ struct traced_state {
  * mesh units; scale, level, share and scatter of struct hatch_mark_point. Below 0, the half width says that the point
  * is not in sight. The number is 16 times the stroke's hash, of 20 bits, plus `ends` of struct traced_point. */
 #define TRACED_RIBBON_FLOATS 12u
-#define TRACED_HASH_BITS 0xfffffu
+#define TRACED_HASH_BITS HATCH_STROKE_NUMBER_BITS
 
 /* Returns the length in the unit scene of a length of 1 in the units of an item's mesh. */
 double traced_scale(const struct scene *scene, const struct hatch_item *item);
