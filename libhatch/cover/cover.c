@@ -30,6 +30,7 @@ struct placed {
 
 struct maker {
     const struct hatch_tam *tam;
+    const struct hatch_stroke_list *list;
     struct hatch_cover_stroke *strokes;
     uint32_t id_max;
     struct hatch_cover_owner *owners; /* of the level */
@@ -244,6 +245,15 @@ static enum hatch_status mark_stroke(struct maker *maker, uint32_t id, struct ha
     return HATCH_OK;
 }
 
+/* Sets the first column in which a level has a listed stroke. */
+static void take_column(struct maker *maker, uint32_t level, uint32_t id)
+{
+    const struct hatch_stroke *original = maker->strokes[id].original;
+    if (original && level <= original->level && level < HATCH_STROKE_LEVELS_MAX &&
+        original->column + original->delay[level] < maker->tam->tones)
+        maker->columns[id] = original->column + original->delay[level];
+}
+
 /* Finds the owners of a level and the texels of each stroke. */
 static enum hatch_status begin_level(struct maker *maker, uint32_t level, struct hatch_arena *scratch,
                                      struct hatch_err *err)
@@ -254,7 +264,7 @@ static enum hatch_status begin_level(struct maker *maker, uint32_t level, struct
     count = maker->size * maker->size;
     hatch_cover_find_owners(maker->tam, level, maker->owners);
     for (uint32_t i = 0; i < count; i++) /* ids that the finest level does not name have no curve */
-        if (maker->owners[i].id > maker->id_max || !maker->strokes[maker->owners[i].id].texel_count)
+        if (maker->owners[i].id > maker->id_max || !maker->strokes[maker->owners[i].id].is_there)
             maker->owners[i].id = 0;
     return hatch_cover_group(maker->owners, count, maker->id_max, scratch, &maker->texels, err);
 }
@@ -266,8 +276,10 @@ static enum hatch_status mark_level(struct maker *maker, uint32_t level, struct 
     size_t before = maker->placed_count;
     HATCH_TRY(begin_level(maker, level, scratch, err));
     for (uint32_t id = 1; id <= maker->id_max; id++)
-        if (maker->strokes[id].texel_count)
+        if (maker->strokes[id].is_there) {
+            take_column(maker, level, id);
             HATCH_TRY(mark_stroke(maker, id, scratch, err));
+        }
     cover->first[level] = cover->texel_count;
     cover->texel_count += maker->size * maker->size;
     for (size_t i = before; i < maker->placed_count; i++)
@@ -304,6 +316,9 @@ static enum hatch_status find_strokes(struct maker *maker, struct hatch_arena *s
     HATCH_TRY(HATCH_ALLOC(scratch, &maker->slot_of, count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &maker->near, count, err));
     maker->id_max = hatch_cover_find_owners(maker->tam, 0, maker->owners);
+    for (uint32_t i = 0; i < maker->list->count; i++)
+        if (maker->list->items[i].id > maker->id_max && maker->list->items[i].id <= HATCH_COVER_ID_MAX)
+            maker->id_max = maker->list->items[i].id;
     if (maker->id_max / STROKES_PER_TEXEL > count)
         return hatch_fail(err, HATCH_BAD_INPUT, "id %u, but the finest level has only %u texels", maker->id_max, count);
     HATCH_TRY(hatch_cover_group(maker->owners, count, maker->id_max, scratch, &maker->texels, err));
@@ -313,18 +328,21 @@ static enum hatch_status find_strokes(struct maker *maker, struct hatch_arena *s
         maker->columns[id] = UINT32_MAX;
     HATCH_TRY(hatch_cover_fit_strokes(maker->tam, maker->owners, &maker->texels, maker->id_max, scratch, maker->strokes,
                                       err));
+    hatch_cover_add_listed(maker->list, maker->size, maker->id_max, maker->strokes);
     measure_texels(maker);
     measure_share(maker);
     return HATCH_OK;
 }
 
 /* Makes the lists; leaves its own arrays in the scratch arena. */
-static enum hatch_status make(const struct hatch_tam *tam, struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_cover *cover, struct hatch_err *err)
+static enum hatch_status make(const struct hatch_tam *tam, const struct hatch_stroke_list *strokes,
+                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_cover *cover,
+                              struct hatch_err *err)
 {
     struct maker *maker;
     HATCH_TRY(HATCH_ALLOC(scratch, &maker, 1, err));
     maker->tam = tam;
+    maker->list = strokes;
     HATCH_TRY(find_strokes(maker, scratch, err));
     cover->width_px = widest(maker);
     cover->ink = maker->ink;
@@ -333,12 +351,13 @@ static enum hatch_status make(const struct hatch_tam *tam, struct hatch_arena *a
     return sort(maker, arena, cover, err);
 }
 
-enum hatch_status hatch_cover_make(const struct hatch_tam *tam, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_cover *cover, struct hatch_err *err)
+enum hatch_status hatch_cover_make(const struct hatch_tam *tam, const struct hatch_stroke_list *strokes,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_cover *cover,
+                                   struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_cover made = {.levels = tam->levels};
-    enum hatch_status status = make(tam, arena, scratch, &made, err);
+    enum hatch_status status = make(tam, strokes, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *cover = made;

@@ -3,6 +3,7 @@
 #ifndef HATCH_COVER_COVER_H
 #define HATCH_COVER_COVER_H
 
+#include "stroke/stroke.h"
 #include "tam/tam.h"
 
 /* Members of the bits of a mark: shift and width. */
@@ -33,10 +34,12 @@ struct hatch_cover {
 };
 
 /* Lists the strokes of all texels of the drawn levels.
- *   tam    with ids
- *   cover  out, in arena
+ *   tam      with ids
+ *   strokes  of the map, with their ids; without them, those under which nothing of the paper was left are missing
+ *   cover    out, in arena
  * HATCH_BAD_INPUT for ids far greater than the number of texels; HATCH_LIMIT when memory does not suffice. */
-enum hatch_status hatch_cover_make(const struct hatch_tam *tam, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                   struct hatch_cover *cover, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_cover_make(const struct hatch_tam *tam, const struct hatch_stroke_list *strokes,
+                                   struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_cover *cover,
+                                   struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -4,8 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stroke/path.h"
+
 #define LENGTH_STEPS 16
-#define GAP_MOST 0.3f /* share of a stroke; where no texel within a longer part names it, it is taken as straight */
+#define LENGTH_MOST 16.0f /* of a listed stroke, in tiles */
+#define GAP_MOST 0.3f     /* share of a stroke; where no texel within a longer part names it, it is taken as straight */
 
 /* Reads a number that may be no valid id. */
 static uint32_t id_of(float number)
@@ -137,11 +140,20 @@ static float measure(const struct hatch_cover_stroke *stroke)
     return length;
 }
 
+/* Moves the middle of a stroke into the tile, and measures it. */
+static void finish(uint32_t size, struct hatch_cover_stroke *stroke)
+{
+    float middle[2];
+    hatch_cover_stroke_at(stroke, 0.5f, middle);
+    for (int axis = 0; axis < 2; axis++)
+        stroke->shift[axis] = -(float)size * floorf(middle[axis] / (float)size);
+    stroke->length = measure(stroke);
+}
+
 static void fit_stroke(const struct hatch_cover_owner *owners, const uint32_t *at, uint32_t count, uint32_t size,
                        struct hatch_fragment *fragments, struct hatch_cover_stroke *stroke)
 {
-    float middle[2];
-    *stroke = (struct hatch_cover_stroke){.texel_count = count, .column = owners[*at].column};
+    *stroke = (struct hatch_cover_stroke){.is_there = true, .texel_count = count, .column = owners[*at].column};
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_cover_owner *owner = &owners[at[i]];
         fragments[i] = (struct hatch_fragment){owner->t, (float)(at[i] % size) + 0.5f, (float)(at[i] / size) + 0.5f, 1};
@@ -153,10 +165,42 @@ static void fit_stroke(const struct hatch_cover_owner *owners, const uint32_t *a
     hatch_cubic_fit(fragments, count, &stroke->curve);
     if (longest_gap(fragments, count) > GAP_MOST)
         straighten(fragments, count, &stroke->curve);
-    hatch_cover_stroke_at(stroke, 0.5f, middle);
-    for (int axis = 0; axis < 2; axis++)
-        stroke->shift[axis] = -(float)size * floorf(middle[axis] / (float)size);
-    stroke->length = measure(stroke);
+    finish(size, stroke);
+}
+
+/* Takes the curve of a listed stroke. */
+static void take_listed(const struct hatch_stroke *listed, uint32_t size, struct hatch_cover_stroke *stroke)
+{
+    struct hatch_fragment fragments[LENGTH_STEPS + 1];
+    float least[2] = {HUGE_VALF, HUGE_VALF};
+    for (int k = 0; k <= LENGTH_STEPS; k++) {
+        float place[2], t = (float)k / LENGTH_STEPS;
+        hatch_stroke_place(listed, t, place);
+        fragments[k] = (struct hatch_fragment){t, place[0] * (float)size, place[1] * (float)size, 1};
+        least[0] = fminf(least[0], fragments[k].x);
+        least[1] = fminf(least[1], fragments[k].y);
+    }
+    for (int k = 0; k <= LENGTH_STEPS; k++) { /* no coordinate is negative */
+        fragments[k].x -= (float)size * floorf(least[0] / (float)size);
+        fragments[k].y -= (float)size * floorf(least[1] / (float)size);
+    }
+    stroke->is_there = true;
+    stroke->column = listed->column;
+    hatch_cubic_fit(fragments, LENGTH_STEPS + 1, &stroke->curve);
+    finish(size, stroke);
+}
+
+void hatch_cover_add_listed(const struct hatch_stroke_list *list, uint32_t size_px, uint32_t id_max,
+                            struct hatch_cover_stroke *strokes)
+{
+    for (uint32_t i = 0; i < list->count; i++) {
+        const struct hatch_stroke *listed = &list->items[i];
+        if (listed->id < 1 || listed->id > id_max || listed->length > LENGTH_MOST)
+            continue;
+        strokes[listed->id].original = listed;
+        if (!strokes[listed->id].is_there)
+            take_listed(listed, size_px, &strokes[listed->id]);
+    }
 }
 
 enum hatch_status hatch_cover_fit_strokes(const struct hatch_tam *tam, const struct hatch_cover_owner *owners,

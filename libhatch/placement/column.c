@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "filter/pyramid.h"
+#include "stroke/script.h"
 
 enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_t tones, uint32_t levels, uint64_t seed,
                                         float growth, struct hatch_arena *arena, struct hatch_tam_metadata *metadata,
@@ -80,13 +81,20 @@ static enum hatch_status make_column(const struct hatch_canvas *canvas, struct h
 }
 
 enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_metadata *metadata,
-                                       uint32_t tone, float target, struct hatch_arena *scratch,
+                                       uint32_t tone, float target, const struct hatch_stroke_list *strokes,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                        const struct hatch_tam_sink *sink, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{0}};
+    struct hatch_buffer script = {.arena = arena};
     struct hatch_mipmap column = {.levels = levels};
     hatch_tam_set_metadata(metadata, tone, target, &column);
+    if (strokes) {
+        HATCH_TRY(hatch_script_print(strokes->items, strokes->count, canvas->size_px, NULL, &script, err));
+        HATCH_TRY(hatch_buffer_add(&script, "", 1, err));
+        hatch_mipmap_set_text(&column, HATCH_TAM_ATTR_STROKES, (const char *)script.data);
+    }
     enum hatch_status status = make_column(canvas, scratch, &column, err);
     if (status == HATCH_OK)
         status = sink->take(sink->context, tone, &column, err);

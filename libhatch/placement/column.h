@@ -16,11 +16,14 @@ enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_
                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Completes the mip chain below the drawn levels by box filtering and calls sink.
- *   tone    index of the column
- *   target  target tone of the column
+ *   tone     index of the column
+ *   target   target tone of the column
+ *   strokes  stored with it, as a script; NULL: none
+ *   arena    receives the script; it must outlive the attributes
  * The status of sink; HATCH_LIMIT when memory does not suffice. */
 enum hatch_status hatch_column_deliver(const struct hatch_canvas *canvas, const struct hatch_tam_metadata *metadata,
-                                       uint32_t tone, float target, struct hatch_arena *scratch,
+                                       uint32_t tone, float target, const struct hatch_stroke_list *strokes,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
                                        const struct hatch_tam_sink *sink, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -25,7 +25,8 @@ struct hatch_fill_options {
                       size over a third of the columns (Praun et al. 2001, §8, "stroke growth") */
     bool color;    /* columns hold R, G and B, strokes have the colours of the style */
     bool ids;      /* columns also hold the channels id (0: no stroke) and t (0 .. 1 along the stroke); where strokes
-                      cross, the first one drawn keeps the pixel */
+                      cross, the first one drawn keeps the pixel. The last column has the list of the strokes if they
+                      darken one another (tam(5)) */
 };
 
 /* Fills a map and passes each column to sink. Deterministic for any number of threads.

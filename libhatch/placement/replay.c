@@ -289,6 +289,7 @@ static void set_columns(const struct replay *r, struct hatch_stroke_list *list)
 }
 
 static enum hatch_status replay(struct replay *r, const struct hatch_tam_metadata *metadata,
+                                struct hatch_stroke_list *strokes, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, const struct hatch_tam_sink *sink, struct hatch_err *err)
 {
     struct hatch_style style;
@@ -300,7 +301,11 @@ static enum hatch_status replay(struct replay *r, const struct hatch_tam_metadat
             fill_image(r, level, tone);
         if (r->options->color)
             compare_colors(r);
-        HATCH_TRY(hatch_column_deliver(&r->canvas, metadata, tone, r->targets[tone], scratch, sink, err));
+        bool last = tone + 1 == r->options->tones;
+        if (last)
+            set_columns(r, strokes);
+        HATCH_TRY(hatch_column_deliver(&r->canvas, metadata, tone, r->targets[tone],
+                                       last && r->options->ids ? strokes : NULL, arena, scratch, sink, err));
     }
     r->result.tone_bound = (float)(r->largest / 2);
     return HATCH_OK;
@@ -321,11 +326,9 @@ enum hatch_status hatch_tam_replay(const struct hatch_replay_options *options, s
     HATCH_TRY(hatch_column_metadata(options->style, options->tones, options->levels, options->seed, 0, arena, &metadata,
                                     err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = replay(&r, &metadata, scratch, sink, err);
-    if (status == HATCH_OK) {
-        set_columns(&r, strokes);
+    enum hatch_status status = replay(&r, &metadata, strokes, arena, scratch, sink, err);
+    if (status == HATCH_OK)
         *result = r.result;
-    }
     hatch_arena_rewind(scratch, mark);
     return status;
 }

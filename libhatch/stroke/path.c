@@ -1,6 +1,8 @@
 #include "stroke/path.h"
 
 #include <assert.h>
+#include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #define CURVE_PIECES_MAX 4096.0
@@ -126,4 +128,39 @@ enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct h
     stroke->bend_rad = 0;
     stroke->path = path;
     return HATCH_OK;
+}
+
+/* Computes the point of a polyline at a distance from its start. */
+static void walk(const struct hatch_path *path, double way, double point[2])
+{
+    const float *xy = path->xy;
+    double x = (double)xy[0], y = (double)xy[1];
+    for (uint32_t i = 1; i < path->count; i++) {
+        double dx = (double)xy[2 * i] - x, dy = (double)xy[2 * i + 1] - y, length = hypot(dx, dy);
+        double share = way < length ? way / length : 1;
+        point[0] = x + share * dx;
+        point[1] = y + share * dy;
+        if (way < length)
+            return;
+        way -= length;
+        x += dx;
+        y += dy;
+    }
+}
+
+void hatch_stroke_place(const struct hatch_stroke *stroke, float t, float place[2])
+{
+    double way = ((double)t - 0.5) * (double)stroke->length, bend = (double)stroke->bend_rad;
+    double cosine = cos((double)stroke->angle_rad), sine = sin((double)stroke->angle_rad), from[2] = {0, 0};
+    if (stroke->path)
+        walk(stroke->path, (double)t * (double)stroke->length, from);
+    else {
+        bool turns = fabs(bend) > 1e-6 && stroke->length > 0;
+        double radius = turns ? (double)stroke->length / bend : 0;
+        double along = turns ? radius * sin(way / radius) : way, across = turns ? radius * (1 - cos(way / radius)) : 0;
+        from[0] = along * cosine - across * sine;
+        from[1] = along * sine + across * cosine;
+    }
+    place[0] = (float)((double)stroke->x + from[0]);
+    place[1] = (float)((double)stroke->y + from[1]);
 }

@@ -21,6 +21,9 @@ struct hatch_path {
 /* Returns the length of the polyline, in tiles. */
 float hatch_path_length(const struct hatch_path *path);
 
+/* Computes the place of a stroke, of any kind, at a share of its length from its start, in tiles; not wrapped. */
+void hatch_stroke_place(const struct hatch_stroke *stroke, float t, float place[2]);
+
 /* A polyline under construction. Initialise with {.arena = a, .tolerance = t}; the array of points doubles in arena as
  * it grows. */
 struct hatch_path_builder {

@@ -32,6 +32,7 @@ struct hatch_tam {
 #define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, random seeds 64 */
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
+#define HATCH_TAM_ATTR_STROKES "hatch:strokes" /* text: stroke script, in the last column of a map with ids */
 
 /* Interprets the parts of a file as a tonal art map. Checks that they are named tone.000, tone.001 and so on, and that
  * they have equal square sizes (powers of two or not), full mip chains, targets that never fall, and finite pixels, and

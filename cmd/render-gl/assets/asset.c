@@ -2,10 +2,25 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/texture.h"
 #include "shared/map.h"
+#include "stroke/script.h"
+
+/* Reads the list of a map's strokes. Without one, those that no texel names are not drawn. */
+static enum hatch_status read_strokes(struct asset *asset, struct hatch_arena *arena, struct hatch_err *err)
+{
+    const struct hatch_mipmap *last = &asset->map.columns[asset->map.tones - 1];
+    const struct hatch_attribute *list = hatch_mipmap_attribute(last, HATCH_TAM_ATTR_STROKES);
+    if (!list || list->type != HATCH_ATTRIBUTE_TEXT)
+        return HATCH_OK;
+    const struct hatch_bytes text = {(const uint8_t *)list->text, strlen(list->text)};
+    if (hatch_script_parse(text, asset->map.size_px, arena, &asset->strokes, err) != HATCH_OK)
+        return hatch_fail_at(err, HATCH_TAM_ATTR_STROKES ": ");
+    return HATCH_OK;
+}
 
 void asset_read(struct cmd_args *args, const char *path, struct asset *asset)
 {
@@ -15,8 +30,10 @@ void asset_read(struct cmd_args *args, const char *path, struct asset *asset)
     *asset = (struct asset){.map.tones = 0};
     if (tone_texture_is(file))
         cmd_check(tone_texture_read(file, &args->keep, &args->scratch, &asset->texture, &err), name, &err);
-    else
+    else {
         cmd_parse_map(args, name, file, &asset->map);
+        cmd_check(read_strokes(asset, &args->keep, &err), name, &err);
+    }
 }
 
 bool asset_is_map(const struct asset *asset)

@@ -9,12 +9,14 @@
 #include "render-gl/assets/texture.h"
 #include "render-gl/frame/block.h"
 #include "shared/cmd.h"
+#include "stroke/stroke.h"
 #include "tam/tam.h"
 
 /* The content of the file: a tonal art map, or a texture made from one. Zeroed: neither. */
 struct asset {
-    struct hatch_tam map;        /* map.tones == 0: no map */
-    struct tone_texture texture; /* texture.holds == TONE_TEXTURE_NONE: no texture */
+    struct hatch_tam map;             /* map.tones == 0: no map */
+    struct hatch_stroke_list strokes; /* listed in the map; count 0: it has no list */
+    struct tone_texture texture;      /* texture.holds == TONE_TEXTURE_NONE: no texture */
 };
 
 /* An asset on the GPU. Texels of maps hold ink, which is 1 minus reflectance, so that no texture is needed for paper

@@ -64,7 +64,7 @@ static enum hatch_status upload(const struct asset *asset, uint32_t size_max_px,
     struct hatch_arena arena; /* the lists are as large as what they are made from */
     struct hatch_cover cover;
     hatch_arena_init(&arena, scratch->limit_bytes);
-    enum hatch_status status = hatch_cover_make(&asset->map, &arena, scratch, &cover, err);
+    enum hatch_status status = hatch_cover_make(&asset->map, &asset->strokes, &arena, scratch, &cover, err);
     tones->exact = true;
     tones->count = asset->map.tones;
     memcpy(tones->targets, asset->map.target, sizeof *tones->targets * asset->map.tones);

@@ -1,6 +1,8 @@
 #include "tam_made.h"
 
 #include <math.h>
+#include <stdbool.h>
+#include <string.h>
 
 #include "fail_alloc.h"
 #include "stroke/footprint.h"
@@ -15,7 +17,7 @@ static void make(const char *style, uint32_t size_px)
     map.options.ids = true;
     map.options.size_px = size_px;
     map_fill(&map);
-    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map.strokes, &map_arena, &map_scratch, &cover, &map_err), &map_err);
     ck_assert_uint_eq(cover.levels, map.options.levels);
 }
 
@@ -102,12 +104,69 @@ START_TEST(strokes_have_all_their_ink)
 }
 END_TEST
 
+/* Returns the number of strokes that have marks on a level.
+ *   seen  out: per id */
+static uint32_t count_marked(uint32_t level, bool *seen)
+{
+    const uint32_t size = hatch_mip_size(map.tam.size_px, level), *ends = &cover.ends[cover.first[level]];
+    uint32_t count = 0;
+    memset(seen, 0, (map.strokes.count + 1) * sizeof *seen);
+    for (uint32_t i = ends[0]; i < ends[size * size]; i++) {
+        uint32_t id = cover.marks[i].id & ((1u << HATCH_COVER_MARK_LAYER_SHIFT) - 1);
+        count += !seen[id];
+        seen[id] = true;
+    }
+    return count;
+}
+
+/* The list tells about strokes that no texel names, on each level that has them. */
+START_TEST(strokes_below_others_are_known_from_the_list)
+{
+    static bool seen[1 << 16];
+    const struct hatch_stroke_list none = {.count = 0};
+    struct hatch_cover listed;
+    uint32_t on[2] = {0, 0};
+    make("pencil", 128);
+    ck_assert_uint_lt(map.strokes.count, sizeof seen);
+    for (uint32_t i = 0; i < map.strokes.count; i++)
+        for (uint32_t level = 0; level < 2; level++)
+            on[level] += map.strokes.items[i].level >= level;
+    for (uint32_t level = 0; level < 2; level++)
+        ck_assert_uint_ge(count_marked(level, seen) * 100, on[level] * 99);
+    for (uint32_t texel = 0; texel < map.tam.size_px * map.tam.size_px; texel++)
+        for (uint32_t i = cover.ends[cover.first[0] + texel]; i < cover.ends[cover.first[0] + texel + 1]; i++)
+            ck_assert_uint_ge(read_mark(0, texel, &cover.marks[i]).column, read_mark(0, texel, &cover.marks[i]).layer);
+    listed = cover;
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &none, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    ck_assert_uint_lt(count_marked(0, seen) * 100, on[0] * 90);
+    ck_assert_uint_gt(listed.mark_count, cover.mark_count);
+}
+END_TEST
+
+/* A list from a file may say anything. */
+START_TEST(lists_of_other_strokes_do_no_harm)
+{
+    struct hatch_stroke strokes[] = {{.id = 0},
+                                     {.id = 1 << 24},
+                                     {.id = 7, .column = 255},
+                                     {.id = 1, .level = 31},
+                                     {.id = 7, .length = 1e9f},
+                                     {.id = 9, .width_px = 1, .length = 15, .level = 2}};
+    const struct hatch_stroke_list list = {strokes, sizeof strokes / sizeof *strokes, 0};
+    make("ink", 64);
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &list, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    strokes[5].id = 16 * 4097;
+    ck_assert_int_eq(hatch_cover_make(&map.tam, &list, &map_arena, &map_scratch, &cover, &map_err), HATCH_BAD_INPUT);
+}
+END_TEST
+
 START_TEST(refuses_ids_without_texels)
 {
     make("ink", 64);
     struct hatch_cover before = cover;
     map.tam.columns[0].levels[0].pixels[1] = 1e6f;
-    ck_assert_int_eq(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_cover_make(&map.tam, &map.strokes, &map_arena, &map_scratch, &cover, &map_err),
+                     HATCH_BAD_INPUT);
     ck_assert_str_eq(map_err.text, "id 1000000, but the finest level has only 4096 texels");
     ck_assert_mem_eq(&before, &cover, sizeof cover);
 }
@@ -118,9 +177,10 @@ START_TEST(as_many_ids_are_allowed_as_there_may_be_strokes)
 {
     make("ink", 64);
     map.tam.columns[0].levels[0].pixels[1] = 16 * 4097 - 1;
-    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_cover_make(&map.tam, &map.strokes, &map_arena, &map_scratch, &cover, &map_err), &map_err);
     map.tam.columns[0].levels[0].pixels[1] = 16 * 4097;
-    ck_assert_int_eq(hatch_cover_make(&map.tam, &map_arena, &map_scratch, &cover, &map_err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_cover_make(&map.tam, &map.strokes, &map_arena, &map_scratch, &cover, &map_err),
+                     HATCH_BAD_INPUT);
 }
 END_TEST
 
@@ -128,7 +188,7 @@ static enum hatch_status make_again(void *context, struct hatch_arena *keep, str
                                     struct hatch_err *err)
 {
     (void)context;
-    return hatch_cover_make(&map.tam, keep, scratch, &cover, err);
+    return hatch_cover_make(&map.tam, &map.strokes, keep, scratch, &cover, err);
 }
 
 START_TEST(survives_failed_allocations)
@@ -146,6 +206,8 @@ static Suite *suite(void)
     tcase_add_test(tests, marks_lie_on_their_strokes);
     tcase_add_test(tests, strokes_have_all_their_ink);
     tcase_add_test(tests, as_many_ids_are_allowed_as_there_may_be_strokes);
+    tcase_add_test(tests, strokes_below_others_are_known_from_the_list);
+    tcase_add_test(tests, lists_of_other_strokes_do_no_harm);
     tcase_add_test(tests, refuses_ids_without_texels);
     tcase_add_test(tests, survives_failed_allocations);
     suite_add_tcase(suite, tests);

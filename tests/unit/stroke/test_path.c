@@ -155,6 +155,33 @@ START_TEST(an_arc_equals_the_path_along_it)
 }
 END_TEST
 
+/* Places at even shares of the length are even distances apart along lines, arcs and paths. */
+START_TEST(places_run_from_start_to_end)
+{
+    const struct hatch_stroke line = {.x = 0.5f, .y = 0.25f, .length = 0.5f, .angle_rad = 1.5707963f};
+    struct hatch_stroke arc = {.x = 0.5f, .y = 0.25f, .length = 3.1415927f, .bend_rad = 3.1415927f};
+    const float corner[] = {-0.25f, 0, 0, 0, 0, 0.75f};
+    const struct hatch_path path = {3, corner};
+    const struct hatch_stroke bent = {.x = 1, .y = 1, .length = 1, .path = &path};
+    const float wanted[][3][2] = {{{0.5f, 0}, {0.5f, 0.125f}, {0.5f, 0.5f}},
+                                  {{-0.5f, 1.25f}, {-0.2071068f, 0.5428932f}, {1.5f, 1.25f}},
+                                  {{0.75f, 1}, {1, 1}, {1, 1.75f}}};
+    const struct hatch_stroke *const strokes[] = {&line, &arc, &bent};
+    static const float at[] = {0, 0.25f, 1};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            float place[2];
+            hatch_stroke_place(strokes[i], at[k], place);
+            ck_assert_float_eq_tol(place[0], wanted[i][k][0], 1e-5f);
+            ck_assert_float_eq_tol(place[1], wanted[i][k][1], 1e-5f);
+        }
+    arc.length = 0; /* a dot has no direction */
+    float place[2];
+    hatch_stroke_place(&arc, 1, place);
+    ck_assert_float_eq(place[0], 0.5f);
+}
+END_TEST
+
 /* Sharp corners have round joins; pixels of crossings count once. */
 START_TEST(no_pixel_is_listed_twice_or_over_covered)
 {
@@ -347,6 +374,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("stroke path");
     TCase *tests = tcase_create("path");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, places_run_from_start_to_end);
     tcase_add_loop_test(tests, a_line_covers_its_area, 0, 5);
     tcase_add_loop_test(tests, a_circle_covers_its_area, 0, 5);
     tcase_add_test(tests, coarser_levels_keep_the_width);
