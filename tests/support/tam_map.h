@@ -13,9 +13,9 @@
 static struct hatch_arena map_arena, map_scratch;
 static struct hatch_err map_err;
 
-static const char *const map_styles[] = {"ink",      "pencil",    "crayon",  "charcoal", "stipple",
-                                         "arcs",     "speckle",   "chalk",   "wash",     "marker",
-                                         "drafting", "engraving", "etching", "sketch",   "woodcut"};
+static const char *const map_styles[] = {"ink",     "pencil", "crayon",  "charcoal", "stipple",  "arcs",
+                                         "speckle", "chalk",  "wash",    "marker",   "drafting", "engraving",
+                                         "etching", "sketch", "woodcut", "scribble"};
 enum { MAP_STYLES = sizeof map_styles / sizeof *map_styles };
 
 struct test_map {
