@@ -163,6 +163,27 @@ START_TEST(widths_follow_their_profile)
 }
 END_TEST
 
+/* The ink follows the profile of pressure, and strokes are wider by as much as they are lighter in the mean. */
+START_TEST(pressure_follows_its_profile)
+{
+    static const struct hatch_stroke_look looks[] = {{.color_count = 0},
+                                                     {.pressure = {.count = 2, .values = {1, 0.5f}}}};
+    double widths[2] = {0, 0};
+    for (int profiled = 0; profiled < 2; profiled++) {
+        draw(&looks[profiled], 0);
+        for (uint32_t i = 0; i < count; i++)
+            for (uint32_t k = 0; k < RIBBON_POINTS; k++) {
+                const float *point = points[i][k];
+                double wanted = hatch_profile_at(&looks[profiled].pressure, (double)point[9]);
+                ck_assert_double_eq_tol((double)point[4], wanted, 1e-4);
+                widths[profiled] += (double)point[3];
+            }
+        frame_finish(&frame);
+    }
+    ck_assert_double_eq_tol(widths[1] / widths[0], 1 / 0.75, 0.1);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("strokes look");
@@ -170,6 +191,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_straight_stroke_has_a_zigzag);
     tcase_add_loop_test(tests, strokes_have_their_colours, 0, 6);
     tcase_add_test(tests, widths_follow_their_profile);
+    tcase_add_test(tests, pressure_follows_its_profile);
     suite_add_tcase(made, tests);
     return made;
 }
