@@ -49,7 +49,24 @@ ok "a drawing of fitted zigzags has the tone: $(area fitted.svg)" \
     test "$(area fitted.svg | awk '{print ($1 > .10 && $1 < .15)}')" = 1
 ok "one of traced zigzags, too: $(area traced.svg)" test "$(area traced.svg | awk '{print ($1 > .09 && $1 < .15)}')" = 1
 
-# colours FILE: ids of paths and their colours, sorted
+# A picture has the tone of plain strokes: lines are as much thinner as they are longer. Traced ones overlap a little more.
+printf 'width 2\nwobble 0\nvary 0\nzigzag 1.5 6\n' >black.style
+ink() {
+    render-gl -q --lines none --size 320x320 --camera 0,0,4:0,0,0 --fov 20 --tone-range .3:.3 "$@" -o ink.exr
+    hatchstat frames ink.exr ink.exr | awk 'NR == 2 {printf "%.3f\n", 1 - $2}'
+}
+for kind in fitted traced; do
+    if [ $kind = fitted ]; then
+        zigzag=$(ink plane.glb -t strokes --style ./black.style) plain=$(ink plane.glb -t strokes --style ./plain.style)
+    else
+        zigzag=$(ink plane.strokes.glb -t traced --stroke-style ./black.style)
+        plain=$(ink plane.strokes.glb -t traced --stroke-style ./plain.style)
+    fi
+    ok "$kind: a picture of zigzags has the tone: $zigzag, $plain" \
+        awk -v a="$zigzag" -v b="$plain" 'BEGIN {exit !(b > .25 && b < .35 && (a - b) ^ 2 < .045 ^ 2)}'
+done
+
+# colors FILE: prints the ids of paths and their colours, sorted
 colors() {
     sed -n 's/^<path id="\(strokes-[0-9]*-[0-9]*\)[-0-9]*".* stroke="\(#[0-9a-f]*\)".*/\1 \2/p' "$1" | sort -u
 }
