@@ -17,7 +17,8 @@ static double points[] = {50, 50, 20, 10, 60, 10, 100, 0, 140, 0, 140, 30};
 static struct hatch_vector_path paths[] = {{.first = 0, .count = 1, .layer = 1, .id = 9},
                                            {.first = 1, .count = 2, .id = 4000000000u},
                                            {.first = 3, .count = 3, .id = 7, .closed = true}};
-static const struct hatch_drawing_layer layers[] = {{"outlines", {0.25f, 0, 1}, 0.5}, {"dots", {0, 0, 0}, 20}};
+static const struct hatch_drawing_layer layers[] = {{"outlines", {0.25f, 0, 1}, 0.5, NULL},
+                                                    {"dots", {0, 0, 0}, 20, NULL}};
 static const struct hatch_drawing drawing = {.width_mm = 200,
                                              .height_mm = 100,
                                              .layer_count = 2,

@@ -14,7 +14,7 @@ static struct hatch_vector_path paths[] = {{.first = 0, .count = 2, .id = 7},
                                            {.first = 2, .count = 2, .id = 7},
                                            {.first = 4, .count = 3, .id = 4, .closed = true},
                                            {.first = 7, .count = 1, .id = 7, .layer = 1}};
-static const struct hatch_drawing_layer layers[] = {{"outlines", {1, 0, 0}, 0.3}, {"dots", {0, 0, 0}, 1}};
+static const struct hatch_drawing_layer layers[] = {{"outlines", {1, 0, 0}, 0.3, NULL}, {"dots", {0, 0, 0}, 1, NULL}};
 static const struct hatch_drawing drawing = {.width_mm = 100,
                                              .height_mm = 100,
                                              .paper = {1, 1, 1},
