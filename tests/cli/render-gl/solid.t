@@ -216,7 +216,7 @@ for texture in perlin.ktx2 perlin,stipple; do
     $draw --solid $texture --solid-turn 23,37,11 -o turned.png
     $draw --solid $texture --solid-turn 0,0,0 -o aligned.png
     ok "$texture is turned" cmp usual.png turned.png
-    ok "$texture, aligned, is another picture" test "$(cmp -l usual.png aligned.png | wc -l)" -gt 1000
+    ok "$texture, aligned, is another picture" test "$(cmp -l usual.png aligned.png 2>/dev/null | wc -l)" -gt 1000
 done
 
 # The inks of objects, the pipeline, and a lapped surface with a 2D texture.
