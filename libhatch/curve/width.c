@@ -49,9 +49,6 @@ double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, do
 {
     double whole_px = hatch_stroke_whole_px(pen, tone), covered = tone * scale / HATCH_STROKE_GAIN;
     whole_px = fmin(fmax(HATCH_STROKE_SPARE * covered / densest, whole_px), HATCH_STROKE_WIDEST * whole_px);
-    double wanted = covered / whole_px;
-    if (!(wanted * HATCH_STROKE_FADE > threshold))
-        return 0;
-    double share = fmin(0.5 + 0.5 * log(wanted / threshold) / log(HATCH_STROKE_FADE), 1);
-    return whole_px * fmin(1.6 * share, 0.25 + 0.75 * share);
+    double ratio = covered / whole_px / threshold, half = HATCH_STROKE_HALF;
+    return whole_px * fmin(fmax(fmin(half + (1 - half) * (ratio - 1), half * (2 * ratio - 1)), 0), 1);
 }

@@ -4,17 +4,21 @@
  * of that width: where
  *     a * scale / w > threshold,    scale = ppu * cos / s
  * with ppu pixels per mesh unit at the point, cos the foreshortening of areas and s that of lengths along the stroke.
- * Around that limit the width fades over a factor HATCH_STROKE_FADE of the threshold to both sides. Where the
- * surface has fewer strokes than wanted, they are wider, up to a factor HATCH_STROKE_WIDEST. */
+ * Around that limit the width fades over a factor HATCH_STROKE_FADE of the threshold to both sides: it grows linearly
+ * with the tone, from 0 at half the limit to a share HATCH_STROKE_HALF at the limit and to 1 at twice the limit. Where
+ * each level of strokes halves the gaps of the one before, so that thresholds are powers of two, the levels then make
+ * exactly as much ink together as is wanted at any tone, for any gap. Where the surface has fewer strokes than wanted,
+ * they are wider, up to a factor HATCH_STROKE_WIDEST. */
 #ifndef HATCH_CURVE_WIDTH_H
 #define HATCH_CURVE_WIDTH_H
 
 #include "curve/stroke_look.h"
 
-#define HATCH_STROKE_FADE 1.8      /* ratio of thresholds from the middle of the fading to its ends */
-#define HATCH_STROKE_GAIN 1.174385 /* ink of the strokes around a limit, if those under it would have 1 */
+#define HATCH_STROKE_FADE 2.0      /* ratio of thresholds from the middle of the fading to its ends */
+#define HATCH_STROKE_HALF 0.75     /* share of the width in the middle */
+#define HATCH_STROKE_GAIN 1.213008 /* (1 + HALF) ln 2: ink of all strokes, if those under the limit would have 1 */
 #define HATCH_STROKE_WIDEST 2.4
-#define HATCH_STROKE_SPARE 1.5 /* ratio of the densest strokes to those wanted under which strokes get wider */
+#define HATCH_STROKE_SPARE 1.65 /* ratio of the densest strokes to those wanted under which strokes get wider */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
@@ -25,7 +29,8 @@ struct hatch_stroke_pen {
     float join;     /* ink from which on the second family joins the first, 0 .. 1 */
     float response[HATCH_STROKE_RESPONSES]; /* ink, 0 .. 1, that strokes of one family really make where the tone is
                                                1/8, 2/8 .. 1: less than the tone, because strokes overlap and taper */
-    float taper_px;  /* length of the tapered ends of a stroke; of a short one, they are three tenths of its length */
+    float taper_px;  /* length of the tapered ends of a stroke; of a short one, they are three tenths of its length, and
+                        never much longer than the gap of its level */
     float vary;      /* greatest change of width along a stroke, as a share of it, 0 .. 1 */
     float pressure;  /* greatest lightening of the ink along a stroke, 0 .. 1 */
     float grain;     /* share of the ink that the grain of the paper leaves out, 0 .. 1 */

@@ -29,7 +29,7 @@ void hatch_style_default(struct hatch_style *style)
         .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
         .pen = {.thin = 0.6f,
                 .join = 0.38f,
-                .response = {0.1179f, 0.2271f, 0.3355f, 0.445f, 0.5498f, 0.65f, 0.741f, 0.8173f},
+                .response = {0.1200f, 0.2373f, 0.3544f, 0.4710f, 0.5878f, 0.7021f, 0.8051f, 0.8855f},
                 .taper_px = 16,
                 .vary = 0.3f,
                 .wobble_px = 0.3f},

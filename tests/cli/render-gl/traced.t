@@ -59,6 +59,27 @@ for camera in 0,0,2.7:0,0,0 0,0,1:0,0,0 0,0,0.6:0,0,0; do
 done
 draw plane.glb --stroke-width 3 --size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .4:.4
 near "a plane of wide strokes" "$(ink)" .4 .02
+# Strokes lie evenly: ends leave no white where they meet, and long strokes are not turned over their neighbours.
+plain="--size 200x200 --camera 0,0,3.7320508:0,0,0 --fov 25"
+# unevenness TONE STYLE: uneven24 of hatchstat(1), the mean of four sets of strokes
+unevenness() {
+    # shellcheck disable=SC2086 # the options are words
+    render-gl -q bare.glb -t gouraud --lines none $plain --tone-range "$1:$1" -o tone.exr
+    for seed in 1 2 3 4; do
+        # shellcheck disable=SC2086 # the options are words
+        draw plane$seed.glb $plain --tone-range "$1:$1" --stroke-style "$2"
+        hatchstat ink --reference tone.exr $file
+    done | awk '$8 + 0 > 0 {sum += $8} END {print sum / 4}'
+}
+even=$(unevenness .4 engraving)
+is "an engraved plane is even: $even" "$(awk -v even="$even" 'BEGIN {print (even > .01 && even < .03)}')" 1
+for turn in 0 5; do
+    printf 'name turned\ntaper 16\nvary 0\nwobble 0\nturn %s\n' $turn >turned$turn.style
+done
+straight=$(unevenness .8 ./turned0.style)
+turned=$(unevenness .8 ./turned5.style)
+is "turned strokes are about as even: $turned, $straight" \
+    "$(awk -v turned="$turned" -v straight="$straight" 'BEGIN {print (straight > .01 && turned < straight + .008 && straight < .0195)}')" 1
 # Strokes do not taper where a border ends them: a strip along it, about as wide as tapered ends are long, is not light.
 # Few strokes reach a border.
 near "the border of a plane" "$(mean_ink --size 20x200 --camera -0.9,0,3.7320508:-0.9,0,0 --fov 30 --tone-range .4:.4)" .44 .03

@@ -47,6 +47,22 @@ START_TEST(strokes_of_all_thresholds_cover_the_tone)
 }
 END_TEST
 
+/* Where each level halves the gaps, strokes of any gap make the same ink at any tone. */
+START_TEST(levels_that_halve_gaps_cover_the_tone_evenly)
+{
+    const double scale = 500, step = pow(2, 1.0 / 16);
+    double least = HUGE_VAL, most = 0;
+    for (double threshold = 1; threshold < 2; threshold *= step) {
+        double covered = 0;
+        for (int level = -20; level < 20; level++)
+            covered += ldexp(threshold, level) * hatch_stroke_width_px(&pen, 0.5, ldexp(threshold, level), scale, 1e6);
+        least = fmin(least, covered);
+        most = fmax(most, covered);
+    }
+    ck_assert_double_le(most - least, 1e-4 * most);
+}
+END_TEST
+
 START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
 {
     double before = 0;
@@ -68,6 +84,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("width");
     tcase_add_test(tests, families_make_the_ink_together);
     tcase_add_test(tests, strokes_of_all_thresholds_cover_the_tone);
+    tcase_add_test(tests, levels_that_halve_gaps_cover_the_tone_evenly);
     tcase_add_test(tests, a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold);
     suite_add_tcase(made, tests);
     return made;

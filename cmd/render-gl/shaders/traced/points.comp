@@ -16,7 +16,7 @@ struct Point { // struct traced_point of technique/traced/traced.h
     vec4 at;       // shares of corners 1 and 2; change of these shares per mesh unit along the stroke
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
     vec4 rest;     // family; bits 1: first, 2: last of its stroke, 4, 8: its start, its end is not free;
-                   // turn and thinning with its neighbours, -1 .. 1
+                   // turn with its neighbours, -1 .. 1; greatest length of its pointed ends, in mesh units
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
@@ -29,6 +29,7 @@ layout(location = UNIFORM_INK) uniform int ink_index;
 layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold of all strokes
 
 const float TURNED_MOST_PX = 8.0;
+const float TURNED_GAPS = 10.0; // between drawn strokes: half a stroke that is longer is turned aside no farther than this
 const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
 const float ASIDE = 0.15; // pixels towards the eye per pixel aside
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
@@ -135,13 +136,15 @@ void main()
     float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
     float along = point.stroke.z / max(point.stroke.z + point.stroke.w, 1e-20); // as a share of the stroke
     width *= look_profile(0, along) / zigzag.w;
-    width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) + 0.3 * point.rest.w);
+    width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) +
+                             0.3 * stroke_noise(corners.w ^ 0x165667b1u, point.stroke.z, octave + 1.0));
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
     vec2 across = vec2(-way.y, way.x) / length_px;
+    float turned = min(TURNED_GAPS * law.x / max(tone, 0.05), TURNED_MOST_PX / max(pen.w, 1e-6));
     float wobble = hand.z * (0.4 * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
                              0.6 * stroke_noise(corners.w ^ 0x2545f491u, point.stroke.z, octave - 2.0)) +
-                   clamp(pen.w * point.rest.z * 0.5 * (ends.x - ends.y), -TURNED_MOST_PX, TURNED_MOST_PX);
+                   pen.w * point.rest.z * turned * tanh(0.5 * (ends.x - ends.y) / turned);
     float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
     float unit_px = right_length() * viewport.x / at.w;
     float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
@@ -159,5 +162,6 @@ void main()
     float pressure = matter.x * (1.0 - hand.y * lightening) * look_profile(1, along);
     ribbon[3u * i] = vec4(place, 0.5 * width);
     ribbon[3u * i + 1u].x = pressure;
-    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period), law.y, scatter);
+    float pointed = min(point.rest.w * length_px / hand.w, 1.0);
+    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period), dots ? law.y : pointed, scatter);
 }

@@ -7,7 +7,7 @@
 #endif
 
 noperspective in vec3 v_across;
-noperspective in vec2 v_ends;
+noperspective in vec3 v_ends;
 noperspective in vec2 v_wave;
 flat in vec3 v_color;
 #ifdef BRUSH
@@ -34,7 +34,7 @@ float zigzag_across(float across, float half_width, inout float part)
 
 void main()
 {
-    float taper = clamp(min(v_ends.x, v_ends.y) / min(hand.w, 0.3 * (v_ends.x + v_ends.y)), 0.0, 1.0);
+    float taper = clamp(min(v_ends.x, v_ends.y) / min(v_ends.z, 0.3 * (v_ends.x + v_ends.y)), 0.0, 1.0);
     float half_width = v_across.y * taper * (2.0 - taper), across = v_across.x, part = 1.0;
     if (zigzag.x > 0.0)
         across = zigzag_across(across, half_width, part);

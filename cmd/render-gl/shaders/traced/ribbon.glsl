@@ -6,7 +6,7 @@ layout(location = UNIFORM_INK) uniform int ink_index;
 layout(binding = UNIT_TECHNIQUE) uniform samplerBuffer ribbon; // technique/traced/traced.h: TRACED_RIBBON_FLOATS
 
 noperspective out vec3 v_across; // samples from the middle; half the width in samples; ink
-noperspective out vec2 v_ends; // pixels from the start and to the end of the stroke
+noperspective out vec3 v_ends; // pixels from the start and to the end of the stroke; length of its pointed ends
 noperspective out vec2 v_wave; // place and level of a zigzag (look.glsl)
 flat out vec3 v_color;
 #ifdef BRUSH
@@ -49,13 +49,15 @@ void put_side(vec4 here, vec2 way, float turn, vec4 more, vec4 marked)
     vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0);
     float reach = turn * (half_width + pen.z * (marked.w + zigzag.x) + 0.5);
     v_across = vec3(reach, max(half_width, 0.0), more.x);
-    v_ends = tapering(uint(more.y), more.zw) * marked.x;
     v_color = ink_index == 0 ? stroke_color(uint(more.y) >> 4, ink.rgb) : light_ink.rgb;
 #ifdef FITTED
+    float pointed = 1.0;
     v_wave = vec2(marked.y * (zigzag.z > 0.0 ? zigzag.z : 1.0), marked.z);
 #else
+    float pointed = marked.z;
     v_wave = vec2(more.z, log2(max(marked.x, 1e-20) / max(zigzag.y, 1e-6)));
 #endif
+    v_ends = vec3(tapering(uint(more.y), more.zw) * marked.x, max(hand.w * pointed, 1e-3));
 #ifdef BRUSH
     v_t = marked.y;
     v_stroke = uint(more.y) >> 4;

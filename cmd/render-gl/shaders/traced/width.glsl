@@ -1,5 +1,5 @@
 // The width of a stroke at a point in the picture: libhatch/curve/width.h, where the law is explained.
-const float LOG_FADE = 0.5877867, GAIN = 1.174385, SPARE = 1.5, WIDEST = 2.4;
+const float HALF = 0.75, GAIN = 1.213008, SPARE = 1.65, WIDEST = 2.4;
 
 // Returns the width of a whole stroke in pixels, the share of it that is drawn, and by what factor strokes are sparser
 // than wanted.
@@ -10,6 +10,7 @@ vec3 width_law(vec2 pen, float tone, float threshold, float scale, float densest
     float sparser = max(SPARE * wanted / densest, 1.0);
     wanted /= dots ? sparser : min(sparser, WIDEST);
     whole *= dots ? 1.0 : min(sparser, WIDEST);
-    float share = clamp(0.5 + 0.5 / LOG_FADE * log(max(wanted, 1e-30) / threshold), 0.0, 1.0);
-    return vec3(whole, min(1.6 * share, 0.25 + 0.75 * share), sparser);
+    float ratio = wanted / threshold;
+    float share = clamp(min(HALF + (1.0 - HALF) * (ratio - 1.0), HALF * (2.0 * ratio - 1.0)), 0.0, 1.0);
+    return vec3(whole, share, sparser);
 }

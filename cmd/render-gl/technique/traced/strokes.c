@@ -10,7 +10,8 @@
 #include "render-gl/gpu/texture.h"
 #include "render-gl/technique/traced/traced.h"
 
-#define SHEAF 6.0 /* side of the cells whose strokes turn and thin together, in gaps of their level */
+#define SHEAF 6.0    /* side of the cells whose strokes turn together, in gaps of their level */
+#define TIP_GAPS 1.2 /* greatest length of pointed ends, in gaps of their level: longer ones leave white in between */
 
 /* A stroke of a mesh, and its place in the order of drawing. */
 struct entry {
@@ -95,7 +96,7 @@ static void make_points(const struct traced_source *source, const float *thresho
     const struct hatch_curve_point *from = &source->curves->points[curve->first];
     const struct hatch_finer_part whole = {0, 0, {0, 0, 0}};
     const struct hatch_finer_part *part = source->parts ? &source->parts[curve - source->curves->curves] : &whole;
-    float turn = shared_random(source, entry, 0), thin = shared_random(source, entry, 1);
+    float turn = shared_random(source, entry, 0), tip = (float)TIP_GAPS * entry->set->gap;
     double length = (double)part->before;
     const int bound = (int)(~curve->free_ends & 3);
     for (uint32_t i = 0; i < curve->count; i++) {
@@ -116,7 +117,7 @@ static void make_points(const struct traced_source *source, const float *thresho
                                           .from_start = (float)length,
                                           .family = (float)entry->set->family,
                                           .turn = turn,
-                                          .thin = thin,
+                                          .tip = tip,
                                           .ends = (float)((i == 0) | (i + 1 == curve->count) << 1 | bound << 2)};
         set_face(mesh, &from[i], along, &points[i]);
     }

@@ -33,7 +33,8 @@ struct traced_point {
     float threshold, area;    /* strokes per mesh unit; doubled area of the face, in mesh units squared */
     float from_start, to_end; /* arc lengths, in mesh units */
     float family, ends;       /* ends: bits 1: first, 2: last of its stroke; 4, 8: its start, its end is not free */
-    float turn, thin;         /* of the stroke and its neighbours together, random, -1 .. 1 */
+    float turn;               /* of the stroke and its neighbours together, random, -1 .. 1 */
+    float tip;                /* greatest length of its pointed ends, in mesh units */
 };
 
 /* Where a stroke comes from. */
@@ -107,8 +108,9 @@ struct traced_state {
 };
 
 /* Per point of a ribbon: x, y, depth, half width in pixels; ink, number, arc length from the start and to the end in
- * mesh units; scale, level, share and scatter of struct hatch_mark_point. Below 0, the half width says that the point
- * is not in sight. The number is 16 times the stroke's hash, of 20 bits, plus `ends` of struct traced_point. */
+ * mesh units; scale, level, share and scatter of struct hatch_mark_point, where strokes that are no dots have the
+ * length of their pointed ends, as a share of taper_px, in place of the share. Below 0, the half width says that the
+ * point is not in sight. The number is 16 times the stroke's hash, of 20 bits, plus `ends` of struct traced_point. */
 #define TRACED_RIBBON_FLOATS 12u
 #define TRACED_HASH_BITS HATCH_STROKE_NUMBER_BITS
 
