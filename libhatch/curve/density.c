@@ -37,7 +37,7 @@ static double area_of(const struct hatch_mesh *mesh)
 
 /* Appends the points of a curve to a list; returns its new end. */
 static struct part *add_curve(const struct hatch_curves *curves, const struct hatch_curve *curve,
-                              const struct hatch_mesh *mesh, struct part *parts)
+                              const struct hatch_mesh *mesh, const float *thresholds, struct part *parts)
 {
     double before[3] = {0, 0, 0};
     for (uint32_t i = curve->first; i < curve->first + curve->count; i++, parts++) {
@@ -46,7 +46,7 @@ static struct part *add_curve(const struct hatch_curves *curves, const struct ha
         hatch_curve_position(mesh, &curves->points[i], position);
         hatch_vec_of(position, at);
         double half = i > curve->first ? hatch_vec_distance(at, before) / 2 : 0;
-        *parts = (struct part){half, curves->points[i].threshold, i};
+        *parts = (struct part){half, thresholds[i], i};
         if (i > curve->first)
             parts[-1].length += half;
         hatch_vec_copy(at, before);
@@ -65,7 +65,7 @@ enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves
         struct part *end = parts;
         for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family; next++)
             for (uint32_t i = 0; i < curves->sets[next].count; i++)
-                end = add_curve(curves, &curves->curves[curves->sets[next].first + i], mesh, end);
+                end = add_curve(curves, &curves->curves[curves->sets[next].first + i], mesh, thresholds, end);
         size_t count = (size_t)(end - parts);
         qsort(parts, count, sizeof *parts, compare);
         double sum = 0;

@@ -9,7 +9,7 @@
 /* Computes thresholds for which, on the mean of the mesh, strokes of length x per unit of area have thresholds under x,
  * in each family. The order of thresholds is kept. Those from tracing are off by up to a quarter, because levels fill
  * gaps one after the other.
- *   thresholds  out: one per point of curves, each within a factor HATCH_DENSITY_MOST of the point's own
+ *   thresholds  in, out: one per point of curves; each changes by a factor HATCH_DENSITY_MOST at most
  * HATCH_LIMIT when memory runs out. */
 enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
                                                struct hatch_arena *scratch, float *thresholds,

@@ -44,11 +44,16 @@ double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone)
     return (double)pen->width_px * ((double)pen->thin + (1 - (double)pen->thin) * 2 * tone);
 }
 
+double hatch_stroke_share(double ratio)
+{
+    const double half = HATCH_STROKE_HALF;
+    return fmin(fmax(fmin(half + (1 - half) * (ratio - 1), half * (2 * ratio - 1)), 0), 1);
+}
+
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
                              double densest)
 {
     double whole_px = hatch_stroke_whole_px(pen, tone), covered = tone * scale / HATCH_STROKE_GAIN;
     whole_px = fmin(fmax(HATCH_STROKE_SPARE * covered / densest, whole_px), HATCH_STROKE_WIDEST * whole_px);
-    double ratio = covered / whole_px / threshold, half = HATCH_STROKE_HALF;
-    return whole_px * fmin(fmax(fmin(half + (1 - half) * (ratio - 1), half * (2 * ratio - 1)), 0), 1);
+    return whole_px * hatch_stroke_share(covered / whole_px / threshold);
 }

@@ -56,6 +56,10 @@ void hatch_stroke_tones(const struct hatch_stroke_pen *pen, uint32_t families, u
 /* Returns the width of whole strokes of a tone, in pixels: strokes get thinner before they get fewer. */
 double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone);
 
+/* Returns the width of a stroke at a point, as a share of that of a whole stroke.
+ *   ratio  of the strokes that are wanted to the point's threshold */
+double hatch_stroke_share(double ratio);
+
 /* Returns the width of a stroke at a point, in pixels; 0: it is not drawn there.
  *   tone       share of the surface that the strokes of this family cover together, 0 .. 1
  *   threshold  of the point, in strokes per mesh unit across

@@ -29,7 +29,7 @@ void hatch_style_default(struct hatch_style *style)
         .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
         .pen = {.thin = 0.6f,
                 .join = 0.38f,
-                .response = {0.1200f, 0.2373f, 0.3544f, 0.4710f, 0.5878f, 0.7021f, 0.8051f, 0.8855f},
+                .response = {0.1205f, 0.2388f, 0.3568f, 0.4740f, 0.5917f, 0.7065f, 0.8094f, 0.8887f},
                 .taper_px = 16,
                 .vary = 0.3f,
                 .wobble_px = 0.3f},

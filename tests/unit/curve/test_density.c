@@ -36,6 +36,8 @@ START_TEST(thresholds_become_the_density_below_them)
     make_strokes();
     for (uint32_t p = 0; p < 2 * STROKES; p++) /* uneven, as levels make them */
         points[p].threshold = 0.5f * (float)(p / 2 + 1) * (p / 2 % 8 < 4 ? 1.3f : 0.9f);
+    for (uint32_t p = 0; p < 2 * STROKES; p++)
+        even[p] = points[p].threshold;
     HATCH_TEST_OK(hatch_curves_even_thresholds(&all, &mesh, &scratch, even, &err), &err);
     for (uint32_t p = 0; p < 2 * STROKES; p++) {
         double below = 0, upto = 0;
@@ -55,6 +57,8 @@ START_TEST(no_threshold_changes_by_more_than_the_limit)
     make_strokes();
     for (uint32_t p = 0; p < 2 * STROKES; p++)
         points[p].threshold = 1000;
+    for (uint32_t p = 0; p < 2 * STROKES; p++)
+        even[p] = points[p].threshold;
     HATCH_TEST_OK(hatch_curves_even_thresholds(&all, &mesh, &scratch, even, &err), &err);
     for (uint32_t p = 0; p < 2 * STROKES; p++)
         ck_assert_double_eq_tol((double)even[p], 1000 / HATCH_DENSITY_MOST, 1e-3);

@@ -31,6 +31,8 @@ static void make_case(struct finer_case *made, struct field_case field, const st
     keep_field(&made->field);
     made->curves = trace_with(&made->field, options, NULL);
     HATCH_TEST_OK(HATCH_ALLOC(&keep, &thresholds, made->curves.point_count, &err), &err);
+    for (uint32_t i = 0; i < made->curves.point_count; i++)
+        thresholds[i] = made->curves.points[i].threshold;
     HATCH_TEST_OK(hatch_curves_even_thresholds(&made->curves, &made->field.mesh, &scratch, thresholds, &err), &err);
     made->source = (struct hatch_finer_source){
         .mesh = &made->field.mesh, .curves = &made->curves, .thresholds = thresholds, .limit_bytes = (size_t)1 << 30};

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "curve/density.h"
+#include "curve/places.h"
 #include "math/vector.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
@@ -144,7 +145,10 @@ static enum hatch_status find_thresholds(const struct traced_source *source, str
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, thresholds, curves->point_count, err));
     for (uint32_t i = 0; i < curves->point_count; i++)
         (*thresholds)[i] = curves->points[i].threshold;
-    return source->parts ? HATCH_OK : hatch_curves_even_thresholds(curves, source->mesh, scratch, *thresholds, err);
+    if (source->parts)
+        return HATCH_OK;
+    HATCH_TRY(hatch_curves_even_places(curves, source->mesh, scratch, *thresholds, err));
+    return hatch_curves_even_thresholds(curves, source->mesh, scratch, *thresholds, err);
 }
 
 enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,

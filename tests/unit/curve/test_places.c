@@ -1,0 +1,113 @@
+#include "arenas.h"
+#include "run.h"
+
+#include <math.h>
+
+#include "curve/places.h"
+
+#define SIDE 60u  /* of a square, in gaps */
+#define PARTS 15u /* of a row of strokes: one after the other */
+#define ROWS (2 * SIDE)
+#define STROKES (ROWS * PARTS)
+
+static struct hatch_mesh mesh;
+static struct hatch_curve_point points[2 * STROKES];
+static struct hatch_curve curves[STROKES];
+static float thresholds[2 * STROKES];
+
+/* Returns a threshold: on the mean, as many are under a limit as the limit says. */
+static float threshold_of(uint32_t row)
+{
+    return 2 * ((float)(row * 79 % ROWS) + 0.5f) / (float)ROWS;
+}
+
+/* Makes rows of strokes half a gap apart, along the x axis of a square, and corrects their thresholds.
+ *   dense  share of the square, from x 0 on, beyond which every second row has no strokes
+ *   cut    beyond which the strokes have free ends: elsewhere, each goes on as the next one */
+static void even_rows(double dense, double cut)
+{
+    static const float corners[] = {0, 0, 0, SIDE, 0, 0, SIDE, SIDE, 0, 0, SIDE, 0};
+    static const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
+    struct hatch_curve_set set = {.gap = 1};
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, 2, &mesh, &err), &err);
+    for (int i = 0; i < 12; i++)
+        mesh.attributes[0].data[i] = corners[i];
+    for (int i = 0; i < 6; i++)
+        mesh.indices[i] = faces[i];
+    for (uint32_t i = 0; i < STROKES; i++) {
+        double y = (i / PARTS + 0.5) / ROWS, middle = (i % PARTS + 0.5) / PARTS;
+        if (middle > dense && i / PARTS % 2 == 1)
+            continue;
+        for (uint32_t end = 0; end < 2; end++) {
+            double x = (double)(i % PARTS + end) / PARTS;
+            uint32_t face = y > x, p = 2 * set.count + end;
+            points[p] = (struct hatch_curve_point){.face = face,
+                                                   .share = {(float)(face ? x : x - y), (float)(face ? y - x : y)},
+                                                   .threshold = threshold_of(i / PARTS)};
+            thresholds[p] = points[p].threshold;
+        }
+        curves[set.count] =
+            (struct hatch_curve){.first = 2 * set.count, .count = 2, .id = i, .free_ends = middle > cut ? 3 : 0};
+        set.count++;
+    }
+    const struct hatch_curves all = {1, set.count, 2 * set.count, &set, curves, points};
+    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, &scratch, thresholds, &err), &err);
+}
+
+/* Returns the mean factor of the thresholds between two places along the x axis, far from the borders. */
+static double factor_between(double from, double to)
+{
+    double sum = 0, count = 0;
+    for (uint32_t p = 0; p < 2 * STROKES; p++) {
+        float at[3];
+        if (points[p].threshold <= 0)
+            continue;
+        hatch_curve_position(&mesh, &points[p], at);
+        if ((double)at[0] < from * SIDE || (double)at[0] > to * SIDE || fabs((double)at[1] - SIDE / 2.0) > SIDE / 3.0)
+            continue;
+        sum += log((double)(thresholds[p] / points[p].threshold));
+        count++;
+    }
+    ck_assert(count > 0);
+    return exp(sum / count);
+}
+
+START_TEST(equal_strokes_stay_equal)
+{
+    even_rows(1, 1);
+    double factor = factor_between(0.2, 0.8);
+    ck_assert_double_eq_tol(factor, 1, 0.12);
+    ck_assert_double_eq_tol(factor_between(0.2, 0.4), factor, 0.03);
+    ck_assert_double_eq_tol(factor_between(0.6, 0.8), factor, 0.03);
+}
+END_TEST
+
+START_TEST(thresholds_are_lower_where_strokes_are_few)
+{
+    even_rows(0.5, 1);
+    ck_assert_double_eq_tol(factor_between(0.7, 0.9) / factor_between(0.1, 0.3), 1 / 1.5, 0.1);
+}
+END_TEST
+
+START_TEST(ends_count_as_lost_ink)
+{
+    even_rows(1, 0.5);
+    double lost = factor_between(0.7, 0.9) / factor_between(0.1, 0.3);
+    ck_assert_double_lt(lost, 0.87); /* two ends of .35 gaps of a stroke of 4 */
+    ck_assert_double_gt(lost, 0.77);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *made = suite_create("places");
+    TCase *tests = tcase_create("places");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, equal_strokes_stay_equal);
+    tcase_add_test(tests, thresholds_are_lower_where_strokes_are_few);
+    tcase_add_test(tests, ends_count_as_lost_ink);
+    suite_add_tcase(made, tests);
+    return made;
+}
+
+HATCH_TEST_MAIN(suite)
