@@ -50,10 +50,22 @@ double hatch_stroke_share(double ratio)
     return fmin(fmax(fmin(half + (1 - half) * (ratio - 1), half * (2 * ratio - 1)), 0), 1);
 }
 
+/* Returns the ink of strokes whose thresholds are more than a factor, at least 1, above what is wanted, as a share of
+ * what strokes under the limit would have. */
+static double ink_beyond(double factor)
+{
+    return factor < HATCH_STROKE_FADE
+               ? HATCH_STROKE_HALF * (2 * log(HATCH_STROKE_FADE / factor) - (HATCH_STROKE_FADE - factor))
+               : 0;
+}
+
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
-                             double densest)
+                             double densest, double raised)
 {
     double whole_px = hatch_stroke_whole_px(pen, tone), covered = tone * scale / HATCH_STROKE_GAIN;
-    whole_px = fmin(fmax(HATCH_STROKE_SPARE * covered / densest, whole_px), HATCH_STROKE_WIDEST * whole_px);
-    return whole_px * hatch_stroke_share(covered / whole_px / threshold);
+    double wanted = covered / whole_px, drawn = fmax(fmin(wanted, densest / HATCH_STROKE_SPARE), 1e-300),
+           factor = densest / drawn;
+    double lacking = (ink_beyond(factor) - ink_beyond(raised * factor) / raised) / HATCH_STROKE_GAIN;
+    whole_px *= fmin(wanted / drawn / (1 - lacking), HATCH_STROKE_WIDEST);
+    return whole_px * hatch_stroke_share(drawn / threshold);
 }

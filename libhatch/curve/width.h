@@ -18,7 +18,8 @@
 #define HATCH_STROKE_HALF 0.75     /* share of the width in the middle */
 #define HATCH_STROKE_GAIN 1.213008 /* (1 + HALF) ln 2: ink of all strokes, if those under the limit would have 1 */
 #define HATCH_STROKE_WIDEST 2.4
-#define HATCH_STROKE_SPARE 1.65 /* ratio of the densest strokes to those wanted under which strokes get wider */
+#define HATCH_STROKE_SPARE                                                                                             \
+    1.4 /* least ratio of the densest strokes to those drawn: if more are wanted, strokes get wider */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
@@ -64,8 +65,9 @@ double hatch_stroke_share(double ratio);
  *   tone       share of the surface that the strokes of this family cover together, 0 .. 1
  *   threshold  of the point, in strokes per mesh unit across
  *   scale      ppu * cos / s, in pixels per mesh unit
- *   densest    greatest threshold of the mesh's strokes */
+ *   densest    greatest threshold of the mesh's strokes: the others are wider, as far as they lack
+ *   raised     factor of the thresholds of denser strokes, that is to say, how few of them there are; HUGE_VAL: none */
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
-                             double densest);
+                             double densest, double raised);
 
 #endif

@@ -49,6 +49,7 @@ struct hatch_finer_found {
     uint32_t traced;                /* strokes that were traced for this view */
     double densest;                 /* for hatch_stroke_width_px: it grows with what is wanted, from that of the view
                                        until no stroke is wider, so that no view differs much from the one before */
+    double raised;                  /* for the same: of the strokes that were traced, 1 or more */
     bool enough;                    /* there are as many strokes as are wanted, everywhere */
     bool finer;                     /* false: the mesh's own strokes are enough, and the other members are zero */
 };

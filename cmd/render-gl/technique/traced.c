@@ -240,7 +240,7 @@ uint32_t traced_place(const struct frame *frame, const struct traced_state *stat
     gpu_storage_bind(STORAGE_POINTS, strokes->points);
     gpu_storage_bind(STORAGE_RIBBON, traced_ribbon_of(state, index)->buffer);
     glProgramUniform1i(program, UNIFORM_INK, ink);
-    glProgramUniform1f(program, UNIFORM_DENSEST, strokes->densest);
+    glProgramUniform2f(program, UNIFORM_DENSEST, strokes->densest, strokes->raised);
     set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), program);
     dispatch(frame, index, state->points[based], "points", strokes->end[count - 1], GL_TEXTURE_FETCH_BARRIER_BIT);
     return count;

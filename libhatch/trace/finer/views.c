@@ -12,7 +12,7 @@
 #define OCTAVE_LOW 0.35     /* threshold, times the finest gap, at which the last complete octave begins */
 #define LENGTH_DEFAULT 40.0 /* where the strokes do not say what they were traced with */
 #define JOINED 1.56         /* times the densest strokes of the mesh: from here on, thresholds are not raised */
-#define THINNING 2.0        /* exponent of what is wanted: strokes are as thin as others at 2.57 times JOINED */
+#define THINNING 2.0        /* exponent of what is wanted: strokes are as thin as others at 2.18 times JOINED */
 #define HARD_DEFAULT 0.69813170079773183
 
 struct hatch_finer {
@@ -175,6 +175,7 @@ static void join_strokes(struct hatch_finer *finer, double wanted, struct hatch_
         double first = HATCH_STROKE_FADE * densest / HATCH_STROKE_SPARE * gap / HATCH_STORE_LEAST;
         store->drawn = HATCH_STROKE_FADE * found->densest / HATCH_STROKE_SPARE;
         store->raised = pow(fmax(first, 1), 1 - unraised);
+        found->raised = fmax(found->raised, store->raised);
     }
 }
 

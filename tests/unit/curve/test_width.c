@@ -41,7 +41,7 @@ START_TEST(strokes_of_all_thresholds_cover_the_tone)
     for (double tone = 0.125; tone <= 1; tone += 0.125) {
         double covered = 0;
         for (double threshold = 0.05; threshold < 2000; threshold += 0.1)
-            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale, 1e6) / scale;
+            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale, 1e6, HUGE_VAL) / scale;
         ck_assert_double_eq_tol(covered, tone, 0.002);
     }
 }
@@ -55,7 +55,8 @@ START_TEST(levels_that_halve_gaps_cover_the_tone_evenly)
     for (double threshold = 1; threshold < 2; threshold *= step) {
         double covered = 0;
         for (int level = -20; level < 20; level++)
-            covered += ldexp(threshold, level) * hatch_stroke_width_px(&pen, 0.5, ldexp(threshold, level), scale, 1e6);
+            covered += ldexp(threshold, level) *
+                       hatch_stroke_width_px(&pen, 0.5, ldexp(threshold, level), scale, 1e6, HUGE_VAL);
         least = fmin(least, covered);
         most = fmax(most, covered);
     }
@@ -63,18 +64,35 @@ START_TEST(levels_that_halve_gaps_cover_the_tone_evenly)
 }
 END_TEST
 
+/* So they have where none are denser than wanted, or few are: the others are wider. */
+START_TEST(wider_strokes_make_up_for_those_that_lack)
+{
+    const double scale = 500, densest = 100;
+    for (double raised = 1; raised < 100; raised *= 1.7)
+        for (double tone = 0.125; tone <= 0.5; tone += 0.125) {
+            double covered = 0;
+            for (double threshold = 0.05; threshold < 4000; threshold += 0.1)
+                covered += 0.1 *
+                           hatch_stroke_width_px(&pen, tone, threshold < densest ? threshold : raised * threshold,
+                                                 scale, densest, raised) /
+                           scale;
+            ck_assert_double_eq_tol(covered, tone, 0.002);
+        }
+}
+END_TEST
+
 START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
 {
     double before = 0;
     for (double tone = 0; tone <= 1; tone += 0.01) {
-        double width = hatch_stroke_width_px(&pen, tone, 50, 300, 1e6);
+        double width = hatch_stroke_width_px(&pen, tone, 50, 300, 1e6, HUGE_VAL);
         ck_assert_double_ge(width, before);
         ck_assert_double_le(width, hatch_stroke_whole_px(&pen, tone) + 1e-12);
         before = width;
     }
-    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300, 1e6) <= 0);
-    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 1e6), 2, 1e-12);
-    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 30), 2 * HATCH_STROKE_WIDEST, 1e-12);
+    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300, 1e6, HUGE_VAL) <= 0);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 1e6, HUGE_VAL), 2, 1e-12);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 30, HUGE_VAL), 2 * HATCH_STROKE_WIDEST, 1e-12);
 }
 END_TEST
 
@@ -85,6 +103,7 @@ static Suite *suite(void)
     tcase_add_test(tests, families_make_the_ink_together);
     tcase_add_test(tests, strokes_of_all_thresholds_cover_the_tone);
     tcase_add_test(tests, levels_that_halve_gaps_cover_the_tone_evenly);
+    tcase_add_test(tests, wider_strokes_make_up_for_those_that_lack);
     tcase_add_test(tests, a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold);
     suite_add_tcase(made, tests);
     return made;

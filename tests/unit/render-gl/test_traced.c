@@ -29,7 +29,7 @@ static GLuint width_program(void)
                               "void main()\n"
                               "{\n"
                               "    vec4 at = places[gl_GlobalInvocationID.x];\n"
-                              "    vec3 law = width_law(pen, at.x, at.y, at.z, at.w, false);\n"
+                              "    vec3 law = width_law(pen, at.x, at.y, at.z, vec2(at.w, 1.5), false);\n"
                               "    widths[gl_GlobalInvocationID.x] = law.x * law.y;\n"
                               "}\n";
     const char *const texts[] = {begin, shader_text("traced/width.glsl"), end};
@@ -65,7 +65,7 @@ static void compare_widths(GLuint program, const struct hatch_stroke_pen *pen, f
     for (int i = 0; i < WIDTHS; i++) {
         const float *at = places[i];
         const double whole = hatch_stroke_whole_px(pen, (double)at[0]);
-        const double want = hatch_stroke_width_px(pen, (double)at[0], (double)at[1], (double)at[2], (double)at[3]);
+        const double want = hatch_stroke_width_px(pen, (double)at[0], (double)at[1], (double)at[2], (double)at[3], 1.5);
         ck_assert_msg(fabs((double)widths[i] - want) <= 2e-5 * whole,
                       "tone %g, threshold %g, scale %g, densest %g: %.7g on the GPU, %.7g on the processor",
                       (double)at[0], (double)at[1], (double)at[2], (double)at[3], (double)widths[i], want);

@@ -26,7 +26,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
 layout(location = UNIFORM_INK) uniform int ink_index;
-layout(location = UNIFORM_DENSEST) uniform float densest; // greatest threshold of all strokes
+layout(location = UNIFORM_DENSEST) uniform vec2 densest; // of all strokes, for width_law
 
 const float TURNED_MOST_PX = 8.0;
 const float TURNED_GAPS = 10.0; // between drawn strokes: half a stroke that is longer is turned aside no farther than this

@@ -161,6 +161,8 @@ static enum hatch_status update(struct technique_context *context, struct traced
     HATCH_TRY(traced_upload(&source, &own->arena, &context->args->scratch, &own->strokes, err));
     own->strokes.densest =
         own->found.enough ? (float)own->found.densest : fminf(own->strokes.densest, (float)own->found.densest);
+    if (own->found.enough)
+        own->strokes.raised = (float)own->found.raised;
     own->strokes.finest = fminf(own->strokes.finest, state->strokes[item->mesh].finest);
     traced_make_ribbon(&own->strokes, &own->near);
     return gpu_check_memory(err, "finer strokes");

@@ -161,7 +161,7 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     uint32_t *indices, *end, first = 0;
     float *least, *thresholds;
     struct traced_stroke *sources;
-    *strokes = (struct traced_strokes){.count = curves->count, .curve_points = curves->points};
+    *strokes = (struct traced_strokes){.count = curves->count, .curve_points = curves->points, .raised = FLT_MAX};
     HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &sources, curves->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &end, curves->count, err));

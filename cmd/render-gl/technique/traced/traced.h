@@ -53,6 +53,7 @@ struct traced_strokes {
     const float *thresholds;                      /* of these points, as they are drawn */
     const uint32_t *end;                          /* number of points up to the end of each stroke */
     float finest, densest;                        /* finest gap, in mesh units; greatest threshold */
+    float raised;                                 /* of hatch_stroke_width_px */
 };
 
 /* The points of an item's strokes in a picture: TRACED_RIBBON_FLOATS for each. */
