@@ -11,7 +11,7 @@
 #include "render-gl/mode/rules.h"
 #include "render-gl/mode/show.h"
 
-#define ROWS_MAX 80 /* rows of the option table, with one that ends it */
+#define ROWS_MAX 96 /* rows of the option table, with one that ends it */
 
 static struct options chosen = {
     .hatch_scale = 1,
