@@ -40,6 +40,7 @@ LINK_render-gl := exr png foreign gltf cxx texture svg gl
 LINK_dirfield  := gltf openmesh cxx cholmod
 LINK_lapped-param := gltf cxx png cholmod
 LINK_strokegen := gltf cxx cholmod
+LINK_meshfit   := gltf cxx
 libs_exr       := -lOpenEXRCore -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
@@ -78,7 +79,6 @@ COMPLETED := bash-completion/completions/% zsh/site-functions/_% fish/vendor_com
 COMPLETIONS := $(foreach c,$(COMPLETED),$(COMMANDS:%=$(B)/share/$(c)))
 INSTALLED := $(BINARIES) $(PLUGIN) $(SHARED) $(COMPLETIONS)
 all: $(INSTALLED)
-
 # V=1 prints the commands in full.
 say = $(if $(V),,@echo "  $(1)" && )
 # Objects are made again when the flags change.
@@ -177,7 +177,7 @@ $(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/meshes cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)

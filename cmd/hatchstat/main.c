@@ -3,7 +3,8 @@
 
 #include "subject.h"
 
-static struct stat_options values = {.max_difference = -1, .throws = 8, .share = 1, .samples = 100000};
+static struct stat_options values = {
+    .max_difference = -1, .throws = 8, .share = 1, .samples = 100000, .size_px = {1280, 720}};
 
 static const struct cmd_option options[] = {
     {'m', "max-difference", CMD_REAL, 0, 1e9, "X",
@@ -33,6 +34,8 @@ static const struct cmd_option options[] = {
      "field: share of the points compared, most confident first, 0.001 .. 1 (default 1)", &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N",
      "lapped, tones: number of samples (tones: per level), 1 .. 1e9 (default 100000)", &values.samples, NULL, NULL},
+    {0, "size", CMD_PAIR, 1, 8192, "WxH", "coarse: width and height of the pictures in pixels (default 1280x720)",
+     values.size_px, NULL, NULL},
     {0},
 };
 
@@ -47,11 +50,12 @@ static const struct cmd_rule rules[] = {
     {"patches", "SUBJECT=ink", NULL},
     {"share", "SUBJECT=field reference", NULL},
     {"samples", "SUBJECT=lapped,tones", NULL},
+    {"size", "SUBJECT=coarse", NULL},
     {NULL, NULL, NULL},
 };
 
-static const char *const names[] = {"diff",  "field", "frames", "ink",   "lapped", "mesh",
-                                    "seeds", "solid", "tam",    "tones", NULL};
+static const char *const names[] = {"coarse", "diff",  "field", "frames", "ink",   "lapped",
+                                    "mesh",   "seeds", "solid", "tam",    "tones", NULL};
 
 /* In the order of names. */
 static const struct subject {
@@ -59,10 +63,10 @@ static const struct subject {
     const char *want;         /* files_min and files_max in words, for messages */
     stat_measure measure;
 } subjects[] = {
-    {2, 2, "2", stat_diff},          {0, -1, "any number", stat_field}, {2, -1, "2 or more", stat_frames},
-    {1, -1, "1 or more", stat_ink},  {0, 1, "1 at most", stat_lapped},  {0, -1, "any number", stat_mesh},
-    {0, 1, "1 at most", stat_seeds}, {0, 1, "1 at most", stat_solid},   {0, 1, "1 at most", stat_tam},
-    {0, 1, "1 at most", stat_tones},
+    {2, -1, "2 or more", stat_coarse}, {2, 2, "2", stat_diff},          {0, -1, "any number", stat_field},
+    {2, -1, "2 or more", stat_frames}, {1, -1, "1 or more", stat_ink},  {0, 1, "1 at most", stat_lapped},
+    {0, -1, "any number", stat_mesh},  {0, 1, "1 at most", stat_seeds}, {0, 1, "1 at most", stat_solid},
+    {0, 1, "1 at most", stat_tam},     {0, 1, "1 at most", stat_tones},
 };
 
 static const char *const examples[] = {
@@ -80,6 +84,7 @@ static const struct cmd_program program = {
     .summary = "measure files; SUBJECT and its files are one of:\n"
                "  diff A B, frames A B ..., ink FILE ...      pictures\n"
                "  mesh FILE ..., field FILE ...               meshes and their direction fields\n"
+               "  coarse FULL COARSE ...                      coarse meshes beside full ones\n"
                "  lapped FILE                                 lapped textures\n"
                "  tam FILE, tones FILE                        tam: tonal art maps; tones: volumes, threshold textures\n"
                "  seeds FILE                                  seed sets\n"

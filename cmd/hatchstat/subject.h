@@ -17,6 +17,7 @@ struct stat_options {
     const char *reference; /* field, tones, ink, solid: NULL when not given */
     const char *patches;   /* ink: NULL when not given */
     double share;          /* field: share of the compared points that counts, the most confident first */
+    double size_px[2];     /* coarse: of the pictures */
     int64_t samples;       /* lapped: number of samples; tones: number per level of detail */
 };
 
@@ -25,6 +26,7 @@ struct stat_options {
 typedef enum hatch_status (*stat_measure)(struct cmd_args *args, const struct stat_options *options,
                                           struct cmd_output *output);
 
+enum hatch_status stat_coarse(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_field(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);

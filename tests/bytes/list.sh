@@ -486,6 +486,14 @@ lapped-param-fine lapped-param field.glb --size 0.15 --stretch 1.2 --turn 8 --ti
 lapped-param-outline lapped-param field.glb --roughness 1 --feather 0.2 --mask-size 64
 lapped-param-atlas lapped-param --atlas teapot.glb -v
 lapped-param-again lapped-param lapped.glb
+meshfit-teapot meshfit teapot.glb -v
+meshfit-one-side meshfit teapot.glb --from 30:20 --zoom 2 --size 320x180 --error 1
+meshfit-faces meshfit teapot.glb --faces 300
+meshfit-skinned meshfit skinned.gltf
+meshfit-morphs meshfit morphs.gltf
+meshfit-nodes meshfit nodes.gltf
+meshfit-textured meshfit textured.gltf
+hatchstat-coarse hatchstat coarse teapot.glb teapot.glb
 strokegen-angles strokegen field.glb --angles 0,90,-45 --levels 3 --seed 3 -v
 strokegen-short strokegen field.glb --gap 0.05 --levels 2 --length 5 --hard 10
 strokegen-no-field strokegen teapot.glb --levels 3 --hard 180
@@ -522,7 +530,7 @@ END
 
 # Help texts and messages, which may change on purpose.
 list_help() {
-    for command in dirfield hatchstat lapped-param meshgen render-gl seedgen solidgen strokegen tamgen tampack tamthresh tamvol; do
+    for command in dirfield hatchstat lapped-param meshfit meshgen render-gl seedgen solidgen strokegen tamgen tampack tamthresh tamvol; do
         echo "help-$command $command --help; $command --version"
         echo "help-table-$command $command --options-table"
         echo "help-usage-$command $command --nonesuch; $command -j 0; $command one two three four five"

@@ -1,0 +1,105 @@
+/* meshfit: makes the meshes of a scene as coarse as its views allow. */
+#include <stdio.h>
+#include <string.h>
+
+#include "io/glb/glb.h"
+#include "shared/scene.h"
+#include "meshfit.h"
+
+static struct cmd_view_options chosen = CMD_VIEW_OPTIONS;
+static double error_px = 0.5;
+static int64_t faces;
+
+static const struct cmd_option options[] = {
+    {'e', "error", CMD_REAL, 1e-3, 1000, "PX", "how far the surface may move in the pictures, in pixels (default 0.5)",
+     &error_px, NULL, NULL},
+    {'n', "faces", CMD_INT, 4, 4294967295, "N", "keep N faces at most, with an error as small as possible", &faces,
+     NULL, NULL},
+    {0, "size", CMD_PAIR, 1, 65536, "WxH", "width and height of the pictures in pixels (default 1280x720)",
+     chosen.size_px, NULL, NULL},
+    {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "see the scene from this azimuth and elevation only (default: all sides)",
+     chosen.from_deg, NULL, &chosen.alone},
+    {0, "fov", CMD_REAL, 1, 170, "DEGREES", "vertical field of view (default 30)", &chosen.fov_deg, NULL, NULL},
+    {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "move X times nearer to the middle of the picture (default 1)",
+     &chosen.zoom, NULL, NULL},
+    {0},
+};
+
+static const char *const examples[] = {
+    "meshgen teapot --faces 100000 | meshfit -o teapot.glb",
+    "meshfit --size 960x720 scan.glb -o scan-coarse.glb",
+    NULL,
+};
+
+static const struct cmd_program program = {
+    .name = "meshfit",
+    .operands = "[FILE]",
+    .summary = "make the meshes of a scene as coarse as its pictures allow",
+    .examples = examples,
+    .options = options,
+    .operands_min = 0,
+    .operands_max = 1,
+    .binary = true,
+};
+
+/* Reports a level, and warns where nothing could be left out. */
+static void report(struct meshfit *fit, struct meshfit_level *level, uint64_t before)
+{
+    const struct hatch_coarse_figures *f = &level->figures;
+    if (fit->args->verbose)
+        meshfit_measure_all(fit, level);
+    cmd_note("%llu of %llu faces; displacement %.3g px at most, 99.9 %% within %.3g px; outlines %.3g px at most; "
+             "normals %.3g degrees in the mean",
+             (unsigned long long)level->faces, (unsigned long long)before, f->displacement_px, f->displacement_p999_px,
+             f->outline_px, f->normal_deg);
+    if (level->faces == before)
+        cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
+}
+
+/* Removes normals that the file does not have, which are those of flat faces: their borders are everywhere. */
+static void drop_computed_normals(struct hatch_scene *scene)
+{
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        struct hatch_mesh *mesh = &scene->meshes[m].mesh;
+        uint32_t kept = 0;
+        for (uint32_t a = 0; a < mesh->attribute_count; a++)
+            if (scene->meshes[m].had_normals || strcmp(mesh->attributes[a].name, "NORMAL") != 0)
+                mesh->attributes[kept++] = mesh->attributes[a];
+        mesh->attribute_count = kept;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    struct cmd_args args;
+    struct hatch_scene scene;
+    struct meshfit fit = {.args = &args, .scene = &scene};
+    struct meshfit_level level;
+    struct hatch_err err;
+    uint64_t before = 0;
+    cmd_begin(&program, argc, argv, &args);
+    const char *input = args.operand_count ? args.operands[0] : NULL;
+    struct cmd_output *output = cmd_open_output(args.output, "glb", true);
+    fit.name = cmd_input_name(input);
+
+    cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    for (uint32_t m = 0; m < scene.mesh_count; m++)
+        before += scene.meshes[m].mesh.face_count;
+    drop_computed_normals(&scene);
+    meshfit_begin(&fit, &chosen);
+    if (faces > 0)
+        meshfit_by_faces(&fit, (uint64_t)faces, &level);
+    else
+        meshfit_by_error(&fit, error_px, &level);
+    report(&fit, &level, before);
+    for (uint32_t m = 0; m < scene.mesh_count; m++)
+        scene.meshes[m].mesh = level.meshes[m];
+
+    char comment[128];
+    snprintf(comment, sizeof comment, "meshfit --error %g --size %gx%g --fov %g --zoom %g", error_px, chosen.size_px[0],
+             chosen.size_px[1], chosen.fov_deg, chosen.zoom);
+    struct hatch_buffer file = {.arena = &args.keep};
+    cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), fit.name, &err);
+    cmd_write(output, file.data, file.size);
+    return cmd_end(&args, HATCH_OK);
+}

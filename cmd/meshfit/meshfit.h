@@ -1,0 +1,41 @@
+/* Private to meshfit: what its files share. */
+#ifndef MESHFIT_MESHFIT_H
+#define MESHFIT_MESHFIT_H
+
+#include "shared/views/views.h"
+#include "measure/coarse/coarse_figures.h"
+
+/* The scene, and the pictures that it is made coarser for. */
+struct meshfit {
+    struct cmd_args *args;
+    const char *name; /* of the input */
+    const struct hatch_scene *scene;
+    struct hatch_mesh full; /* all meshes of the scene in world coordinates; no faces: no node draws any */
+    struct hatch_pose pose;
+    struct hatch_bounds bounds;
+    struct hatch_view_set views;
+    float *share;       /* per vertex of full: the share of the tolerance that is allowed there */
+    atomic_uint *worst; /* per face of full, as hatch_measure_coarse writes it */
+};
+
+/* Coarse meshes of the scene. */
+struct meshfit_level {
+    struct hatch_mesh *meshes; /* one per mesh of the scene, in args->keep */
+    uint64_t faces;            /* of all of them */
+    struct hatch_coarse_figures figures;
+};
+
+/* Poses the scene, makes the views and the full mesh. Dies on failure. */
+void meshfit_begin(struct meshfit *fit, const struct cmd_view_options *views);
+
+/* Makes the coarsest meshes whose measured displacement is at most error_px. Dies on failure. */
+void meshfit_by_error(struct meshfit *fit, double error_px, struct meshfit_level *level);
+
+/* Makes meshes of at most `faces` faces in all, with an error as small as possible. Dies on failure, and where the
+ * surface has no such meshes. */
+void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level *level);
+
+/* Measures all figures; the functions above leave those of outlines and normals 0. */
+void meshfit_measure_all(struct meshfit *fit, struct meshfit_level *level);
+
+#endif

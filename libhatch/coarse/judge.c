@@ -1,0 +1,225 @@
+/* Whether a collapse keeps the surface within its tolerances, and the collapse itself. */
+#include <math.h>
+
+#include "coarse/work.h"
+#include "math/triangle.h"
+#include "math/vector.h"
+
+#define GRID_TOLERANCES 6 /* distance of places on a face that are tested, in tolerances */
+#define GRID_MAX 64       /* rows of them */
+
+/* A sample's place and tolerance. */
+struct place {
+    double at[3], tolerance;
+};
+
+static struct place place_of(const struct hatch_coarse_work *work, uint32_t sample)
+{
+    struct place place = {{0, 0, 0}, INFINITY};
+    if (sample < work->wedge_count) {
+        hatch_vec_copy(&work->at[3 * (size_t)work->point_of[sample]], place.at);
+        place.tolerance = work->tolerance[work->point_of[sample]];
+        return place;
+    }
+    const uint32_t *wedges = &work->full_corner[3 * (size_t)work->center_of[sample - work->wedge_count]];
+    for (int c = 0; c < 3; c++) {
+        uint32_t point = work->point_of[wedges[c]];
+        hatch_vec_add_scaled(place.at, 1.0 / 3, &work->at[3 * (size_t)point], place.at);
+        place.tolerance = fmin(place.tolerance, work->tolerance[point]);
+    }
+    return place;
+}
+
+/* Finds the best face for a sample among those that are kept. Returns the square of its error as a share of its
+ * tolerance: the distance to the face, or an attribute's error, whichever is larger. */
+static double best_face(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse, uint32_t sample,
+                        uint32_t part)
+{
+    const struct place place = place_of(work, sample);
+    double best = INFINITY, scale = 1 / (place.tolerance * place.tolerance);
+    bool compares = work->checks[part].count > 0 && sample < work->wedge_count;
+    for (uint32_t i = 0; i < collapse->kept_count; i++) {
+        uint32_t face = collapse->ring->faces[collapse->kept[i]];
+        double share[3];
+        if (work->part_of[face] != part)
+            continue;
+        double error = scale * hatch_triangle_distance_squared(collapse->corners[i][0], collapse->corners[i][1],
+                                                               collapse->corners[i][2], place.at, share);
+        if (compares && error <= 1 && error < best)
+            error = fmax(error, hatch_coarse_attribute_error(work, part, sample, collapse->wedges[i], share));
+        if (error < best) {
+            best = error;
+            work->choice[sample] = face;
+        }
+    }
+    return best;
+}
+
+/* Returns whether the border edge that stands for a sample is shortened by the collapse. */
+static bool is_on_border(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse,
+                         uint32_t sample)
+{
+    if (collapse->other == HATCH_COARSE_NONE || sample >= work->wedge_count)
+        return false;
+    uint32_t point = collapse->ring->point, a = work->line[2 * (size_t)sample], b = work->line[2 * (size_t)sample + 1];
+    if (work->point_of[sample] == point)
+        return true;
+    uint32_t end = a == point ? b : b == point ? a : HATCH_COARSE_NONE;
+    return end != HATCH_COARSE_NONE && (end == collapse->other || end == collapse->spoke->point);
+}
+
+/* Returns the squared distance of a sample from the shortened border, as a share of its tolerance. */
+static double border_error(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse,
+                           uint32_t sample)
+{
+    const double *from = &work->at[3 * (size_t)collapse->spoke->point], *to = &work->at[3 * (size_t)collapse->other];
+    uint32_t point = work->point_of[sample];
+    double share, tolerance = work->tolerance[point];
+    return hatch_segment_distance_squared(from, to, &work->at[3 * (size_t)point], &share) / (tolerance * tolerance);
+}
+
+static bool allows(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse, uint32_t sample,
+                   uint32_t part)
+{
+    if (is_on_border(work, collapse, sample) && border_error(work, collapse, sample) > 1)
+        return false;
+    return best_face(work, collapse, sample, part) <= 1;
+}
+
+/* Tests the samples of a face. One that refuses the collapse becomes the first, since it will likely refuse the next
+ * collapse, too. */
+static bool face_allows(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse, uint32_t face)
+{
+    uint32_t before = HATCH_COARSE_NONE;
+    for (uint32_t s = work->first_sample[face]; s != HATCH_COARSE_NONE; before = s, s = work->next_sample[s]) {
+        if (allows(work, collapse, s, work->part_of[face]))
+            continue;
+        if (before != HATCH_COARSE_NONE) {
+            work->next_sample[before] = work->next_sample[s];
+            work->next_sample[s] = work->first_sample[face];
+            work->first_sample[face] = s;
+        }
+        return false;
+    }
+    return true;
+}
+
+/* Returns the smallest tolerance at the corners of a face of the full meshes. */
+static double full_tolerance(const struct hatch_coarse_work *work, uint32_t face)
+{
+    double tolerance = INFINITY;
+    for (size_t c = 0; c < 3; c++)
+        tolerance = fmin(tolerance, work->tolerance[work->point_of[work->full_corner[3 * (size_t)face + c]]]);
+    return tolerance;
+}
+
+/* Tests that a face lies near the full surface: a grid of places on it, which is finer where the face is larger. The
+ * samples alone do not see a face that stands out between them.
+ *   hint  in, out: a face of the full meshes that may be near */
+static bool lies_near(const struct hatch_coarse_work *work, double corners[3][3], double tolerance, uint32_t *hint)
+{
+    double longest = 0;
+    for (int c = 0; c < 3; c++)
+        longest = fmax(longest, hatch_vec_distance(corners[c], corners[(c + 1) % 3]));
+    double rows = ceil(longest / (GRID_TOLERANCES * tolerance));
+    int n = rows >= GRID_MAX ? GRID_MAX : rows >= 2 ? (int)rows : 2;
+    for (int i = 0; i <= n; i++)
+        for (int j = i == 0 || i == n ? 1 : 0; i + j <= n - (i == 0); j++) {
+            double b = (double)i / n, c = (double)j / n, at[3];
+            for (int k = 0; k < 3; k++)
+                at[k] = work->middle[k] + corners[0][k] + b * (corners[1][k] - corners[0][k]) +
+                        c * (corners[2][k] - corners[0][k]);
+            if (!hatch_nearest_within(&work->full, at, tolerance, hint) ||
+                !hatch_nearest_within(&work->full, at, full_tolerance(work, *hint), hint))
+                return false;
+        }
+    return true;
+}
+
+static bool faces_lie_near(const struct hatch_coarse_work *work, struct hatch_coarse_collapse *collapse)
+{
+    uint32_t hint = collapse->ring->faces[0];
+    for (uint32_t i = 0; i < collapse->kept_count; i++) {
+        double tolerance = INFINITY;
+        for (int c = 0; c < 3; c++)
+            tolerance = fmin(tolerance, work->tolerance[work->point_of[collapse->wedges[i][c]]]);
+        if (!lies_near(work, collapse->corners[i], tolerance, &hint))
+            return false;
+    }
+    return true;
+}
+
+bool hatch_coarse_judge(struct hatch_coarse_work *work, struct hatch_coarse_collapse *collapse)
+{
+    const struct hatch_coarse_ring *ring = collapse->ring;
+    for (uint32_t i = 0; i < collapse->pair_count; i++)
+        for (uint32_t f = 0, tested = 0; f < ring->face_count && !tested; f++)
+            if (work->corner[3 * ring->faces[f] + ring->sides[f]] == collapse->from[i]) {
+                tested = 1;
+                if (!allows(work, collapse, collapse->from[i], work->part_of[ring->faces[f]]))
+                    return false;
+            }
+    for (uint32_t f = 0; f < ring->face_count; f++) {
+        uint32_t first = work->first_sample[ring->faces[f]];
+        if (first != HATCH_COARSE_NONE && !allows(work, collapse, first, work->part_of[ring->faces[f]]))
+            return false;
+    }
+    for (uint32_t f = 0; f < ring->face_count; f++)
+        if (!face_allows(work, collapse, ring->faces[f]))
+            return false;
+    return faces_lie_near(work, collapse);
+}
+
+static void attach(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse, uint32_t sample)
+{
+    uint32_t face = work->choice[sample];
+    if (is_on_border(work, collapse, sample)) {
+        work->line[2 * (size_t)sample] = collapse->spoke->point;
+        work->line[2 * (size_t)sample + 1] = collapse->other;
+    }
+    work->next_sample[sample] = work->first_sample[face];
+    work->first_sample[face] = sample;
+}
+
+/* Takes all samples from the faces of the ring; returns them as a list. */
+static uint32_t detach(struct hatch_coarse_work *work, const struct hatch_coarse_ring *ring)
+{
+    uint32_t list = HATCH_COARSE_NONE;
+    for (uint32_t f = 0; f < ring->face_count; f++) {
+        uint32_t *first = &work->first_sample[ring->faces[f]];
+        while (*first != HATCH_COARSE_NONE) {
+            uint32_t sample = *first;
+            *first = work->next_sample[sample];
+            work->next_sample[sample] = list;
+            list = sample;
+        }
+    }
+    return list;
+}
+
+void hatch_coarse_apply(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse)
+{
+    const struct hatch_coarse_ring *ring = collapse->ring;
+    uint32_t onto = collapse->spoke->point, list = detach(work, ring);
+    while (list != HATCH_COARSE_NONE) {
+        uint32_t next = work->next_sample[list];
+        attach(work, collapse, list);
+        list = next;
+    }
+    for (uint32_t i = 0; i < collapse->pair_count; i++)
+        attach(work, collapse, collapse->from[i]);
+    for (uint32_t i = 0, kept = 0; i < ring->face_count; i++) {
+        uint32_t face = ring->faces[i], corner = 3 * face + ring->sides[i];
+        if (kept == collapse->kept_count || collapse->kept[kept] != i) {
+            work->corner[3 * face] = HATCH_COARSE_NONE;
+            continue;
+        }
+        work->corner[corner] = collapse->wedges[kept++][ring->sides[i]];
+        work->next[corner] = work->first[onto];
+        work->first[onto] = corner;
+    }
+    work->first[ring->point] = HATCH_COARSE_NONE;
+    for (int term = 0; term < 10; term++)
+        work->quadric[onto].terms[term] += work->quadric[ring->point].terms[term];
+    work->quadric[onto].weight += work->quadric[ring->point].weight;
+}

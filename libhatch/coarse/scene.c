@@ -1,0 +1,120 @@
+#include "coarse/scene.h"
+
+#include <math.h>
+
+#include "coarse/coarse.h"
+#include "math/pca.h"
+#include "math/vector.h"
+
+/* Returns the largest factor by which a matrix changes lengths. */
+static double largest_stretch(const double matrix[16])
+{
+    double products[9], direction[3], next[3], image[3] = {0, 0, 0};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            products[3 * i + j] = hatch_vec_dot(matrix + 4 * i, matrix + 4 * j);
+    hatch_pca_directions(products, 3, 1, direction, next);
+    for (int i = 0; i < 3; i++)
+        hatch_vec_add_scaled(image, direction[i], matrix + 4 * i, image);
+    return hatch_vec_length(image);
+}
+
+/* Computes, per vertex, the largest factor by which the pose changes the length of an edge there.
+ *   posed  3 per vertex */
+static void find_stretch(const struct hatch_mesh *mesh, const double *posed, double *stretch)
+{
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        for (size_t c = 0; c < 3; c++) {
+            size_t a = mesh->indices[3 * (size_t)f + c], b = mesh->indices[3 * (size_t)f + (c + 1) % 3];
+            double from[3], to[3];
+            hatch_vec_of(&mesh->attributes[0].data[3 * a], from);
+            hatch_vec_of(&mesh->attributes[0].data[3 * b], to);
+            double length = hatch_vec_distance(from, to);
+            double by = length > 0 ? hatch_vec_distance(&posed[3 * a], &posed[3 * b]) / length : 0;
+            stretch[a] = fmax(stretch[a], by);
+            stretch[b] = fmax(stretch[b], by);
+        }
+}
+
+/* Lowers the tolerances of a mesh's vertices to what a node allows. */
+static enum hatch_status add_node(struct hatch_pose *pose, const struct hatch_view_set *views, uint32_t node,
+                                  uint32_t index, double error_px, const float *share, struct hatch_arena *scratch,
+                                  double *tolerance, struct hatch_err *err)
+{
+    const struct hatch_mesh *mesh = &pose->scene->meshes[index].mesh;
+    double *posed, *stretch, matrix[16];
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    HATCH_TRY(HATCH_ALLOC(scratch, &posed, 3 * (size_t)mesh->vertex_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &stretch, mesh->vertex_count, err));
+    hatch_pose_vertices(pose, node, index, posed, NULL);
+    hatch_pose_matrix(pose, node, matrix);
+    double whole = hatch_pose_deforms(pose->scene, node, mesh) ? 0 : largest_stretch(matrix);
+    if (whole == 0)
+        find_stretch(mesh, posed, stretch);
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        double pixels = hatch_views_pixels(views, &posed[3 * v]) * fmax(whole, stretch[v]);
+        if (pixels > 0)
+            tolerance[v] = fmin(tolerance[v], error_px * (share ? (double)share[v] : 1) / pixels);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+/* Returns the number of vertices of all meshes of all nodes before mesh `index` of a node. */
+static size_t find_start(const struct hatch_scene *scene, uint32_t node, uint32_t index)
+{
+    size_t start = 0;
+    for (uint32_t n = 0; n <= node; n++)
+        for (uint32_t m = 0; m < scene->nodes[n].mesh_count && (n < node || m < index); m++)
+            start += scene->meshes[scene->nodes[n].first_mesh + m].mesh.vertex_count;
+    return start;
+}
+
+/* Makes the meshes of a node coarser.
+ *   node  the first that draws them */
+static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_view_set *views, double error_px,
+                                 const float *share, uint32_t node, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_mesh *meshes, struct hatch_err *err)
+{
+    const struct hatch_scene *scene = pose->scene;
+    uint32_t first = scene->nodes[node].first_mesh, count = scene->nodes[node].mesh_count;
+    struct hatch_coarse_part *parts;
+    HATCH_TRY(HATCH_ALLOC(scratch, &parts, count, err));
+    for (uint32_t m = 0; m < count; m++) {
+        double *tolerance;
+        parts[m].mesh = &scene->meshes[first + m].mesh;
+        HATCH_TRY(HATCH_ALLOC(scratch, &tolerance, parts[m].mesh->vertex_count, err));
+        for (size_t v = 0; v < parts[m].mesh->vertex_count; v++)
+            tolerance[v] = INFINITY;
+        for (uint32_t n = node; n < scene->node_count; n++)
+            if (scene->nodes[n].mesh_count > 0 && scene->nodes[n].first_mesh == first)
+                HATCH_TRY(add_node(pose, views, n, first + m, error_px, share ? share + find_start(scene, n, m) : NULL,
+                                   scratch, tolerance, err));
+        parts[m].tolerance = tolerance;
+    }
+    return hatch_coarse_make(parts, count, arena, scratch, &meshes[first], err);
+}
+
+enum hatch_status hatch_coarse_scene(struct hatch_pose *pose, const struct hatch_view_set *views, double error_px,
+                                     const float *share, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct hatch_mesh *meshes, struct hatch_err *err)
+{
+    const struct hatch_scene *scene = pose->scene;
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        meshes[m] = scene->meshes[m].mesh;
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        uint32_t first = scene->nodes[n].first_mesh, before = 0;
+        if (scene->nodes[n].mesh_count == 0)
+            continue;
+        while (scene->nodes[before].mesh_count == 0 || scene->nodes[before].first_mesh != first)
+            before++;
+        if (before < n)
+            continue;
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        enum hatch_status status = coarsen(pose, views, error_px, share, n, arena, scratch, meshes, err);
+        hatch_arena_rewind(scratch, mark);
+        if (status != HATCH_OK)
+            return status;
+    }
+    return HATCH_OK;
+}

@@ -1,0 +1,180 @@
+#include "measure/coarse/coarse_figures.h"
+
+#include <stdlib.h>
+
+#include "math/vector.h"
+#include "mesh/nearest/nearest.h"
+
+#define SPACING_PX 3.0 /* between samples on a face */
+#define ROWS_MAX 200u  /* rows of samples on a face */
+#define BINS 4096u     /* of the histogram of displacements */
+#define BINS_PER_PX 256.0
+#define PIECES 64u /* of the faces of a mesh: sums do not depend on the threads */
+#define DEGREES (180 / 3.14159265358979324)
+
+/* Sums over the samples of a piece of the faces. */
+struct sums {
+    double largest, angle_deg;
+    uint64_t samples, bins[BINS];
+};
+
+/* The samples of one mesh against another. */
+struct survey {
+    const struct hatch_mesh *from, *onto;
+    const double *pixels;           /* per vertex of from: pixels per unit of the world */
+    const uint32_t *first_face;     /* per vertex of from: a face that uses it */
+    const struct hatch_nearest *to; /* of onto */
+    atomic_uint *worst;             /* per face of the full mesh, or NULL */
+    bool from_full;
+    struct sums *sums; /* PIECES */
+};
+
+/* Returns the unit normal of a mesh at a place: of its vertices, or of the face where they have none. */
+static void normal_at(const struct hatch_mesh *mesh, uint32_t face, const double share[3], double normal[3])
+{
+    const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    double corners[3][3];
+    hatch_mesh_corners(mesh, face, corners);
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    if (normals) {
+        for (int k = 0; k < 3; k++)
+            normal[k] = 0;
+        for (int c = 0; c < 3; c++) {
+            double own[3];
+            hatch_vec_of(&normals[3 * (size_t)mesh->indices[3 * (size_t)face + (size_t)c]], own);
+            hatch_vec_add_scaled(normal, share[c], own, normal);
+        }
+    }
+    hatch_vec_normalize(normal);
+}
+
+/* Raises a number to at least a value. The result does not depend on the order in which threads do so. */
+static void raise_to(atomic_uint *number, unsigned value)
+{
+    unsigned old = atomic_load(number);
+    while (old < value && !atomic_compare_exchange_weak(number, &old, value))
+        ;
+}
+
+/* Measures a place on a face.
+ *   hint  in, out: a face of the other mesh that may be near */
+static void add_sample(const struct survey *survey, uint32_t face, double corners[3][3], const double share[3],
+                       uint32_t *hint, struct sums *sums)
+{
+    double at[3] = {0, 0, 0}, own[3], other[3], pixels = 0;
+    struct hatch_nearest_place place;
+    for (size_t c = 0; c < 3; c++) {
+        hatch_vec_add_scaled(at, share[c], corners[c], at);
+        pixels += share[c] * survey->pixels[survey->from->indices[3 * (size_t)face + c]];
+    }
+    hatch_nearest_find(survey->to, at, *hint, &place);
+    *hint = place.face;
+    pixels *= place.distance;
+    sums->largest = fmax(sums->largest, pixels);
+    sums->samples++;
+    sums->bins[pixels * BINS_PER_PX < BINS ? (uint32_t)(pixels * BINS_PER_PX) : BINS - 1]++;
+    if (survey->worst) {
+        raise_to(&survey->worst[survey->from_full ? face : place.face],
+                 (unsigned)fmin(ceil(pixels * HATCH_WORST_STEPS), 1e9));
+        return;
+    }
+    normal_at(survey->from, face, share, own);
+    normal_at(survey->onto, place.face, place.share, other);
+    sums->angle_deg += DEGREES * acos(fmin(fmax(hatch_vec_dot(own, other), -1), 1));
+}
+
+/* Samples a face: its corners' mean where it is small, else a grid of such triangles; and the
+ * vertices of which it is the first face. */
+static void add_face(const struct survey *survey, uint32_t face, uint32_t *hint, struct sums *sums)
+{
+    double corners[3][3], longest = 0;
+    hatch_mesh_corners(survey->from, face, corners);
+    for (int c = 0; c < 3; c++)
+        longest = fmax(longest, hatch_vec_distance(corners[c], corners[(c + 1) % 3]));
+    double rows = ceil(longest * survey->pixels[survey->from->indices[3 * (size_t)face]] / SPACING_PX);
+    uint32_t n = rows >= ROWS_MAX ? ROWS_MAX : rows >= 1 ? (uint32_t)rows : 1;
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = 0; i + j < n; j++) {
+            double b = (i + 1.0 / 3) / n, c = (j + 1.0 / 3) / n;
+            add_sample(survey, face, corners, (const double[3]){1 - b - c, b, c}, hint, sums);
+        }
+    for (int c = 0; c < 3; c++)
+        if (survey->first_face[survey->from->indices[3 * (size_t)face + (size_t)c]] == face)
+            add_sample(survey, face, corners, (const double[3]){c == 0, c == 1, c == 2}, hint, sums);
+}
+
+static void add_piece(void *context, uint32_t piece)
+{
+    const struct survey *survey = context;
+    uint64_t count = survey->from->face_count;
+    uint32_t hint = 0;
+    for (uint64_t f = count * piece / PIECES; f < count * (piece + 1) / PIECES; f++)
+        add_face(survey, (uint32_t)f, &hint, &survey->sums[piece]);
+}
+
+static double percentile(const struct sums *all, double share)
+{
+    uint64_t below = 0;
+    for (uint32_t bin = 0; bin < BINS - 1; bin++) {
+        below += all->bins[bin];
+        if ((double)below >= share * (double)all->samples)
+            return fmin((bin + 1) / BINS_PER_PX, all->largest);
+    }
+    return all->largest;
+}
+
+static enum hatch_status measure(const struct hatch_mesh *full, const struct hatch_mesh *coarse,
+                                 const struct hatch_view_set *views, atomic_uint *worst, struct hatch_pool *pool,
+                                 struct hatch_arena *scratch, struct hatch_coarse_figures *figures,
+                                 struct hatch_err *err)
+{
+    const struct hatch_mesh *meshes[2] = {full, coarse};
+    struct hatch_nearest trees[2];
+    uint32_t *first_face[2];
+    double *pixels[2];
+    struct sums *sums, *all;
+    HATCH_TRY(HATCH_ALLOC(scratch, &sums, 2 * PIECES + 1, err));
+    for (int side = 0; side < 2; side++) {
+        HATCH_TRY(hatch_nearest_make(meshes[side], scratch, scratch, &trees[side], err));
+        HATCH_TRY(HATCH_ALLOC(scratch, &pixels[side], meshes[side]->vertex_count, err));
+        HATCH_TRY(HATCH_ALLOC(scratch, &first_face[side], meshes[side]->vertex_count, err));
+        for (uint32_t i = 3 * meshes[side]->face_count; i-- > 0;)
+            first_face[side][meshes[side]->indices[i]] = i / 3;
+        for (size_t v = 0; v < meshes[side]->vertex_count; v++) {
+            double world[3];
+            hatch_vec_of(&meshes[side]->attributes[0].data[3 * v], world);
+            pixels[side][v] = hatch_views_pixels(views, world);
+        }
+    }
+    for (int side = 0; side < 2; side++) {
+        struct survey survey = {meshes[side],     meshes[1 - side],         pixels[side],
+                                first_face[side], &trees[1 - side],         worst,
+                                side == 0,        sums + side * (int)PIECES};
+        hatch_parallel_for(pool, PIECES, add_piece, &survey);
+    }
+    all = &sums[2 * PIECES];
+    for (uint32_t piece = 0; piece < 2 * PIECES; piece++) {
+        all->largest = fmax(all->largest, sums[piece].largest);
+        all->angle_deg += sums[piece].angle_deg;
+        all->samples += sums[piece].samples;
+        for (uint32_t bin = 0; bin < BINS; bin++)
+            all->bins[bin] += sums[piece].bins[bin];
+    }
+    *figures = (struct hatch_coarse_figures){.displacement_px = all->largest,
+                                             .displacement_p999_px = percentile(all, 0.999),
+                                             .normal_deg = all->angle_deg / (double)all->samples};
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_measure_coarse(const struct hatch_mesh *full, const struct hatch_mesh *coarse,
+                                       const struct hatch_view_set *views, atomic_uint *worst, struct hatch_pool *pool,
+                                       struct hatch_arena *scratch, struct hatch_coarse_figures *figures,
+                                       struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = measure(full, coarse, views, worst, pool, scratch, figures, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK && !worst)
+        status = hatch_measure_outlines(full, coarse, views, pool, scratch, figures, err);
+    return status;
+}

@@ -1,0 +1,79 @@
+# meshfit: what it keeps, the promise on the error, and the numbers of faces.
+. "${TOP:-.}/tests/tap.sh"
+
+# Small pictures, whose measures take little time.
+small="--size 320x180"
+# column NAME: the value of a column in the first row
+column() {
+    awk -F'\t' -v name="$1" 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == name) c = i} NR == 2 {print $c}'
+}
+# faces FILE: the number of faces
+faces() {
+    hatchstat mesh -q "$1" | column faces
+}
+# displacement FULL COARSE [OPTION ...]: the largest displacement in pixels
+displacement() {
+    hatchstat coarse -q $small "$@" | column displacement_px
+}
+# below A B: whether A is at most B
+below() {
+    awk -v a="$1" -v b="$2" 'BEGIN {exit !(a <= b)}'
+}
+
+meshgen plane --faces 10000 -o plane.glb
+ok "a plane" meshfit $small plane.glb -o plane.fit.glb
+is "a plane of 10000 faces becomes two" "$(faces plane.fit.glb)" 2
+meshfit $small <plane.glb >piped.glb
+ok "from a pipe to a pipe" cmp piped.glb plane.fit.glb
+
+meshgen teapot --faces 6000 -o teapot.glb
+ok "a mesh of many parts" meshfit $small teapot.glb -o fit.glb
+ok "fewer faces" test "$(faces fit.glb)" -lt 3500
+ok "the displacement is at most half a pixel" below "$(displacement teapot.glb fit.glb)" 0.5
+is "parts, holes and genus are as before" \
+    "$(hatchstat mesh -q fit.glb | column components) $(hatchstat mesh -q fit.glb | column euler)" \
+    "$(hatchstat mesh -q teapot.glb | column components) $(hatchstat mesh -q teapot.glb | column euler)"
+meshfit $small -j 1 teapot.glb -o one.glb
+meshfit $small -j 3 teapot.glb -o three.glb
+ok "any number of threads gives the same bytes" cmp one.glb three.glb
+meshfit $small --error 2 teapot.glb -o rough.glb
+ok "a larger error gives fewer faces" test "$(faces rough.glb)" -lt $(($(faces fit.glb) / 2))
+ok "which keeps to it" below "$(displacement teapot.glb rough.glb)" 2
+ok "and uses it" below 1 "$(displacement teapot.glb rough.glb)"
+meshfit --size 80x45 teapot.glb -o small.glb
+ok "a quarter of the size is about four times the error" \
+    test $(($(faces small.glb) * 100 / $(faces rough.glb))) -ge 97 -a $(($(faces small.glb) * 100 / $(faces rough.glb))) -le 103
+meshfit --zoom 4 --size 80x45 teapot.glb -o near.glb
+ok "a nearer view needs more faces" test "$(faces near.glb)" -gt "$(faces small.glb)"
+meshfit $small --from 30:20 teapot.glb -o side.glb
+ok "one view needs no more faces than all" test "$(faces side.glb)" -le "$(faces fit.glb)"
+
+meshgen torus --faces 3000 -o torus.glb
+printf '%s\n' ply 'format ascii 1.0' 'element vertex 4' 'property float x' 'property float y' 'property float z' \
+    'element face 4' 'property list uchar int vertex_indices' end_header '0 0 0' '1 0 0' '0 1 0' '0 0 1' \
+    '3 0 2 1' '3 0 1 3' '3 0 3 2' '3 1 2 3' >tetra.ply
+try meshfit $small tetra.ply -o tetra.glb
+is "a tetrahedron stays, with a note" "$(cat .err)" \
+    "meshfit: tetra.ply: warning: no face can be left out: the meshes are as they were"
+is "as four faces" "$(faces tetra.glb)" 4
+
+meshfit $small --faces 400 torus.glb -o few.glb
+ok "--faces is not exceeded" test "$(faces few.glb)" -le 400
+ok "and nearly reached" test "$(faces few.glb)" -ge 380
+meshfit $small --faces 5000 torus.glb -q -o same.glb
+is "more faces than there are: all are kept" "$(faces same.glb)" "$(faces torus.glb)"
+try meshfit $small --faces 4 torus.glb -o /dev/null
+refused "too few faces for a torus" 3 1
+is "which says how many it needs" "$(grep -c '^meshfit: torus.glb: --faces 4: the surface cannot have fewer than [0-9]*$' .err)" 1
+
+try meshfit $small -v torus.glb -o /dev/null
+is "-v reports faces and errors" "$(grep -cE '^meshfit: [0-9]+ of [0-9]+ faces; displacement 0\.[0-9]+ px at most, 99\.9 % within 0\.[0-9]+ px; outlines [0-9.]+ px at most; normals [0-9.]+ degrees in the mean$' .err)" 1
+try meshfit $small torus.glb -o /dev/null
+is "without it, nothing is said" "$(cat .err)" ""
+is "the options are in the file" "$(grep -ac '"meshfit --error 0.5 --size 320x180 --fov 30 --zoom 1"' fit.glb)" 1
+
+for option in "--error 0" "--error nan" "--size 0x1" "--faces 3" "--zoom 0" "--fov 180"; do
+    try meshfit $option torus.glb
+    refused "$option" 2 2
+done
+finish

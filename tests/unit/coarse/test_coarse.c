@@ -1,0 +1,218 @@
+/* Coarse meshes whose numbers of faces and errors are known. */
+#include "coarse/coarse.h"
+
+#include "math/triangle.h"
+#include "math/vector.h"
+#include "fail_alloc.h"
+#include "meshes.h"
+#include "run.h"
+
+/* Makes a mesh coarser with one tolerance everywhere. */
+static struct hatch_mesh coarse_of(const struct hatch_mesh *mesh, double tolerance)
+{
+    struct hatch_mesh out;
+    double *tolerances = HATCH_NEW(&keep, double, mesh->vertex_count, &err);
+    ck_assert_ptr_nonnull(tolerances);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        tolerances[v] = tolerance;
+    const struct hatch_coarse_part part = {mesh, tolerances};
+    HATCH_TEST_OK(hatch_coarse_make(&part, 1, &keep, &scratch, &out, &err), &err);
+    return out;
+}
+
+static double area_of(const struct hatch_mesh *mesh)
+{
+    double sum = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        double corners[3][3], normal[3];
+        hatch_mesh_corners(mesh, f, corners);
+        hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+        sum += hatch_vec_length(normal) / 2;
+    }
+    return sum;
+}
+
+/* Makes a square of n² squares in the plane z = 0, from 0 to 1, with waves of a height. */
+static struct hatch_mesh sheet(uint32_t n, double height)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, (n + 1) * (n + 1), 2 * n * n, &mesh, &err), &err);
+    for (uint32_t i = 0; i < (n + 1) * (n + 1); i++) {
+        float *at = &mesh.attributes[0].data[3 * i];
+        at[0] = (float)(i % (n + 1)) / (float)n;
+        at[1] = (float)(i / (n + 1)) / (float)n;
+        at[2] = (float)(height * sin(2 * PI * (double)at[0]));
+    }
+    for (uint32_t q = 0; q < n * n; q++) {
+        uint32_t a = q / n * (n + 1) + q % n, b = a + 1, c = a + n + 1, d = c + 1;
+        const uint32_t faces[6] = {a, b, c, b, d, c};
+        memcpy(&mesh.indices[6 * (size_t)q], faces, sizeof faces);
+    }
+    return mesh;
+}
+
+START_TEST(a_plane_becomes_two_faces)
+{
+    struct hatch_mesh plane = sheet(70, 0), coarse = coarse_of(&plane, 1e-4);
+    ck_assert_uint_eq(coarse.face_count, 2);
+    ck_assert_uint_eq(coarse.vertex_count, 4);
+    ck_assert_double_eq_tol(area_of(&coarse), 1, 1e-6);
+}
+END_TEST
+
+START_TEST(a_box_keeps_its_twelve_faces)
+{
+    struct hatch_mesh box = cube(-1, 1), coarse = coarse_of(&box, 1e-3);
+    ck_assert_uint_eq(coarse.face_count, 12);
+    ck_assert_double_eq_tol(area_of(&coarse), 24, 1e-6);
+}
+END_TEST
+
+/* A sphere of radius 1 whose surface may move by e has faces of circumradius r with r² / 2 = e: about 4 π / (3 √3 / 4
+ * r²) of them, if they were all equilateral. */
+START_TEST(a_sphere_follows_the_sagitta)
+{
+    struct hatch_mesh sphere = bare_shape(HATCH_SHAPE_SPHERE, 30000);
+    for (double e = 2e-3; e < 2e-2; e *= 3) {
+        struct hatch_mesh coarse = coarse_of(&sphere, e);
+        double ideal = 4 * PI / (3 * sqrt(3) / 4 * 2 * e), deepest = 1;
+        ck_assert_double_ge(coarse.face_count, 0.9 * ideal);
+        ck_assert_double_le(coarse.face_count, 2 * ideal);
+        for (uint32_t f = 0; f < coarse.face_count; f++) {
+            double corners[3][3], share[3];
+            hatch_mesh_corners(&coarse, f, corners);
+            double squared =
+                hatch_triangle_distance_squared(corners[0], corners[1], corners[2], (const double[3]){0, 0, 0}, share);
+            deepest = fmin(deepest, sqrt(squared));
+        }
+        ck_assert_double_ge(deepest, 1 - 1.3 * e);
+    }
+}
+END_TEST
+
+START_TEST(no_removed_point_is_farther_than_its_tolerance)
+{
+    struct hatch_mesh waves = sheet(40, 0.1), coarse = coarse_of(&waves, 0.01);
+    ck_assert_uint_lt(coarse.face_count, 200);
+    for (uint32_t v = 0; v < waves.vertex_count; v++) {
+        double at[3], least = INFINITY;
+        hatch_vec_of(&waves.attributes[0].data[3 * (size_t)v], at);
+        for (uint32_t f = 0; f < coarse.face_count; f++) {
+            double corners[3][3], share[3];
+            hatch_mesh_corners(&coarse, f, corners);
+            least = fmin(least, hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share));
+        }
+        ck_assert_double_le(sqrt(least), 0.01 + 1e-7);
+    }
+}
+END_TEST
+
+/* Texture coordinates that bend by more than the tolerance keep points on a flat sheet. */
+START_TEST(bent_texture_coordinates_keep_points)
+{
+    struct hatch_mesh plane = sheet(32, 0);
+    float *texcoords;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &plane, "TEXCOORD_0", 2, &texcoords, &err), &err);
+    for (uint32_t v = 0; v < plane.vertex_count; v++)
+        memcpy(&texcoords[2 * (size_t)v], &plane.attributes[0].data[3 * (size_t)v], 8);
+    ck_assert_uint_eq(coarse_of(&plane, 0.01).face_count, 2);
+    for (uint32_t v = 0; v < plane.vertex_count; v++)
+        texcoords[2 * v] += (float)(0.1 * sin(2 * PI * (double)texcoords[2 * v]));
+    ck_assert_uint_gt(coarse_of(&plane, 0.01).face_count, 8);
+    ck_assert_uint_eq(coarse_of(&plane, 0.5).face_count, 2);
+}
+END_TEST
+
+/* Two parts that share a border, as primitives of one glTF mesh do: the border's points are the same on both. */
+START_TEST(borders_of_parts_stay_closed)
+{
+    struct hatch_mesh all = sheet(24, 0.1), halves[2] = {all, all}, out[2];
+    struct hatch_coarse_part parts[2];
+    double *tolerances = HATCH_NEW(&keep, double, all.vertex_count, &err);
+    for (uint32_t v = 0; v < all.vertex_count; v++)
+        tolerances[v] = 0.004;
+    for (int i = 0; i < 2; i++) {
+        halves[i].face_count /= 2;
+        halves[i].indices += i * 3 * (int)halves[i].face_count;
+        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances};
+    }
+    HATCH_TEST_OK(hatch_coarse_make(parts, 2, &keep, &scratch, out, &err), &err);
+    uint32_t counts[2] = {0, 0};
+    double sums[2] = {0, 0};
+    for (int i = 0; i < 2; i++) {
+        ck_assert_uint_lt(out[i].face_count, 100);
+        for (uint32_t v = 0; v < out[i].vertex_count; v++)
+            if (out[i].attributes[0].data[3 * v + 1] == 0.5f) {
+                counts[i]++;
+                sums[i] += (double)out[i].attributes[0].data[3 * v];
+            }
+    }
+    ck_assert_uint_gt(counts[0], 4);
+    ck_assert_uint_lt(counts[0], 25);
+    ck_assert_uint_eq(counts[0], counts[1]);
+    ck_assert_double_eq(sums[0], sums[1]);
+}
+END_TEST
+
+START_TEST(scale_and_place_do_not_matter)
+{
+    struct hatch_mesh torus = bare_shape(HATCH_SHAPE_TORUS, 4000);
+    uint32_t faces = coarse_of(&torus, 0x1p-7).face_count;
+    ck_assert_uint_lt(faces, 2000);
+    for (uint32_t i = 0; i < 3 * torus.vertex_count; i++)
+        torus.attributes[0].data[i] *= 0x1p-20f;
+    ck_assert_uint_eq(coarse_of(&torus, 0x1p-27).face_count, faces);
+}
+END_TEST
+
+START_TEST(faces_without_points_apart_are_left_out)
+{
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0};
+    static const uint32_t faces[] = {0, 1, 2, 0, 3, 1};
+    struct hatch_mesh mesh = mesh_of(positions, 4, faces, 2);
+    ck_assert_uint_eq(coarse_of(&mesh, 0.1).face_count, 1);
+}
+END_TEST
+
+struct again {
+    struct hatch_coarse_part part;
+    struct hatch_mesh out;
+};
+
+static enum hatch_status make_again(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                    struct hatch_err *error)
+{
+    struct again *again = context;
+    return hatch_coarse_make(&again->part, 1, arena, temporary, &again->out, error);
+}
+
+START_TEST(allocations_may_fail)
+{
+    struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 200);
+    double tolerances[400];
+    ck_assert_uint_le(torus.vertex_count, 400);
+    for (uint32_t v = 0; v < torus.vertex_count; v++)
+        tolerances[v] = 0.01;
+    struct again again = {.part = {&torus, tolerances}};
+    hatch_test_fail_alloc(make_again, &again, &again, sizeof again);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("coarse");
+    TCase *tests = tcase_create("coarse");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_plane_becomes_two_faces);
+    tcase_add_test(tests, a_box_keeps_its_twelve_faces);
+    tcase_add_test(tests, a_sphere_follows_the_sagitta);
+    tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
+    tcase_add_test(tests, bent_texture_coordinates_keep_points);
+    tcase_add_test(tests, borders_of_parts_stay_closed);
+    tcase_add_test(tests, scale_and_place_do_not_matter);
+    tcase_add_test(tests, faces_without_points_apart_are_left_out);
+    tcase_add_test(tests, allocations_may_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
