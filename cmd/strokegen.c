@@ -6,16 +6,20 @@
 #include "base/text.h"
 #include "field/field.h"
 #include "io/glb/glb.h"
+#include "needs/needs.h"
+#include "placement/style.h"
 #include "scene/extent.h"
 #include "shared/field.h"
 #include "shared/surface.h"
+#include "trace/finer.h"
 #include "trace/trace.h"
 
 #define PI 3.14159265358979323846
+#define STROKES_PER_GAP 1.1 /* strokes side by side, of all levels, over a gap of the finest */
 
 static double gap = 0.08, length = 40, hard_deg = 40;
 static int64_t levels = 6;
-static const char *angles = "0,60";
+static const char *angles = "0,60", *needs_path;
 
 static const struct cmd_option options[] = {
     {'g', "gap", CMD_REAL, 1e-6, 1, "SHARE",
@@ -23,6 +27,8 @@ static const struct cmd_option options[] = {
      NULL},
     {'l', "levels", CMD_INT, 1, HATCH_CURVE_LEVELS_MAX, "N",
      "levels, each with half the gaps of the one before (default 6)", &levels, NULL, NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "make no finer levels than views need (render-gl --needs), at most 6",
+     &needs_path, NULL, NULL},
     {'a', "angles", CMD_TEXT, 0, 0, "LIST",
      "angles in degrees from the field to the strokes of each family, with commas (default 0,60)", &angles, NULL, NULL},
     {'L', "length", CMD_REAL, 2, 1000, "GAPS", "greatest length of a stroke, in gaps of its level (default 40)",
@@ -30,6 +36,11 @@ static const struct cmd_option options[] = {
     {'H', "hard", CMD_REAL, 0, 180, "DEGREES", "strokes end at edges sharper than this (default 40)", &hard_deg, NULL,
      NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"levels", "!needs", "which finds the number"},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -44,6 +55,7 @@ static const struct cmd_program program = {
     .summary = "trace strokes on surfaces along a direction field, nested by density",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .seeded = true,
@@ -66,6 +78,26 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
         at = end ? end + 1 : NULL;
     }
     return count;
+}
+
+/* Sets the number of levels to what views need: their strokes need not get wider than render-gl lets them before it
+ * traces finer ones. Strokes have the default width of pictures.
+ *   diagonal  of the scene */
+static void read_needs(struct cmd_args *args, uint32_t families, double diagonal)
+{
+    struct hatch_needs needs;
+    struct hatch_style style;
+    struct hatch_err err;
+    int64_t whole = levels;
+    cmd_check(hatch_needs_parse(cmd_read(args, needs_path), &needs, &err), cmd_input_name(needs_path), &err);
+    hatch_style_default(&style);
+    style.pen.width_px = style.width_px;
+    double wanted = hatch_needs_strokes(&needs, &style.pen, families) * gap * diagonal;
+    levels = 1;
+    while (levels < whole && wanted > HATCH_FINER_START * STROKES_PER_GAP * ldexp(1, (int)levels - 1))
+        levels++;
+    cmd_note("%d of %d levels: the views need %.3g strokes over a gap of the coarsest", (int)levels, (int)whole,
+             wanted);
 }
 
 static void report_share(void *context, double share)
@@ -118,6 +150,8 @@ int main(int argc, char **argv)
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     const struct hatch_surface *surfaces = cmd_make_surfaces(&args, input, &scene);
     cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
+    if (needs_path)
+        read_needs(&args, families, extent.diagonal);
     const struct hatch_trace_options how = {.family_count = families,
                                             .angle_rad = angle_rad,
                                             .gap = gap * extent.diagonal,

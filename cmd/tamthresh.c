@@ -162,8 +162,10 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "ktx2 exr", true);
 
     struct hatch_tam tam;
+    struct hatch_err err;
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_read_map(&args, input, &tam);
+    cmd_check(hatch_tam_check_whole(&tam, &err), name, &err);
     if (exact)
         make_exact(&args, name, &tam, &file);
     else

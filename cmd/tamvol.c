@@ -125,6 +125,7 @@ int main(int argc, char **argv)
     struct hatch_volume volume;
     struct hatch_volume_figures figures;
     cmd_read_map(&args, input, &tam);
+    cmd_check(hatch_tam_check_whole(&tam, &err), name, &err);
     struct hatch_volume_options how = {(uint32_t)tones, choose_layout(&tam), alpha};
     cmd_check(hatch_tam_check_nesting(&tam, cmd_pool(&args), &args.scratch, &err), name, &err);
     cmd_check(hatch_volume_make(&tam, &how, cmd_pool(&args), &args.keep, &volume, &figures, &err), name, &err);

@@ -8,7 +8,7 @@
 static void open_outputs(struct job *job)
 {
     const struct options *options = job->options;
-    bool report = options->timed_frames || options->probe;
+    bool report = options->timed_frames || options->probe || options->needs;
     struct hatch_err err;
     if (!report)
         cmd_check_ending(job->args.output, "png exr svg tsv");
@@ -20,8 +20,10 @@ static void open_outputs(struct job *job)
     for (uint32_t frame = 0; frame < count; frame++) {
         char name[4096];
         parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
-        job->outputs[frame] =
-            report ? cmd_open_report(&job->args, name) : cmd_open_output(name, "png exr svg tsv", !options->vectors);
+        job->outputs[frame] = options->needs
+                                  ? cmd_open_output(name, job->args.json ? "json needs txt" : "tsv needs txt", false)
+                              : report ? cmd_open_report(&job->args, name)
+                                       : cmd_open_output(name, "png exr svg tsv", !options->vectors);
     }
 }
 
@@ -39,6 +41,7 @@ int main(int argc, char **argv)
         return cmd_end(&job.args, HATCH_OK);
     }
     job_prepare(&job);
+    needs_check(&job);
     if (job.options->vectors)
         vectors_write(&job);
     else if (job.options->window)
@@ -47,6 +50,8 @@ int main(int argc, char **argv)
         timing_report(&job);
     else if (job.options->probe)
         probe_report(&job);
+    else if (job.options->needs)
+        needs_report(&job);
     else
         pictures_write(&job);
     job_end(&job);

@@ -1,11 +1,12 @@
 /* tamgen: makes a tonal art map from strokes of a style, or from those of a drawing. */
 #include "shared/style.h"
 #include "io/svg/svg.h"
+#include "needs/needs.h"
 #include "job.h"
 
 #define SMALLEST_LEVEL_PX 32u
 
-static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path;
+static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
 static int64_t tones = 6, size_px = 256, levels;
 static double candidates[2], growth;
 static bool candidates_given;
@@ -31,6 +32,8 @@ static const struct cmd_option options[] = {
      "how the best candidate is found: field (default) or exhaustive (Praun et al. 2001)", &method, methods, NULL},
     {'g', "growth", CMD_REAL, 0, 0.9, "SHARE", "strokes start shorter by SHARE and grow over darker tones (default 0)",
      &growth, NULL, NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "make no columns darker than views need (render-gl --needs)", &needs_path,
+     NULL, NULL},
     {'R', "replay", CMD_TEXT, 0, 0, "FILE", "replay the strokes of a script or an SVG drawing", &replay.path, NULL,
      NULL},
     {'k', "keep", CMD_REAL, 0.01, 1, "SHARE", "replay: share of strokes kept from level to level (default 1)",
@@ -46,7 +49,7 @@ static const struct cmd_option options[] = {
 static const struct cmd_rule rules[] = {
     {"keep fit", "replay", NULL},
     {"keep", "!fit", "which computes the share"},
-    {"method growth candidates", "!replay", "its strokes are given"},
+    {"method growth candidates needs", "!replay", "its strokes are given"},
     {NULL, NULL, NULL},
 };
 
@@ -102,6 +105,22 @@ static void read_style(struct job *job)
     }
 }
 
+/* Reads how many of the columns are needed. The others are left out. */
+static void read_needs(struct job *job)
+{
+    float targets[HATCH_TAM_TONES_MAX];
+    struct hatch_needs needs;
+    struct hatch_err err;
+    uint32_t whole = job->tones;
+    cmd_check(hatch_needs_parse(cmd_read(&job->args, needs_path), &needs, &err), cmd_input_name(needs_path), &err);
+    hatch_style_targets(&job->style, whole, targets);
+    job->tones = hatch_needs_columns(&needs, targets, whole);
+    job->tolerance = (float)needs.tolerance;
+    if (job->tones < whole)
+        cmd_note("%u of %u columns left out: tones over %.3g are not needed", whole - job->tones, whole,
+                 (double)targets[job->tones - 1]);
+}
+
 /* Fills the map with strokes of the style and passes its columns to job->columns. */
 static void fill_map(struct job *job)
 {
@@ -109,7 +128,9 @@ static void fill_map(struct job *job)
     struct hatch_fill_options fill = {.style = &job->style,
                                       .brush = &job->brush,
                                       .size_px = job->size_px,
-                                      .tones = job->tones,
+                                      .tones = (uint32_t)tones,
+                                      .needed = job->tones,
+                                      .tolerance = job->tolerance,
                                       .levels = job->levels,
                                       .method = (enum hatch_fill_method)method,
                                       .seed = job->args.seed,
@@ -136,6 +157,8 @@ int main(int argc, char **argv)
 
     read_style(&job);
     job.color = job.style.color_count > 0;
+    if (needs_path)
+        read_needs(&job);
     if (replay.path)
         read_drawing(&job, &replay);
     begin_columns(&job);

@@ -15,7 +15,8 @@ enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_
     const char *kept = hatch_arena_text(arena, text, (size_t)digits, err);
     if (!kept)
         return HATCH_LIMIT;
-    *metadata = (struct hatch_tam_metadata){tones, levels, kept, style->name, growth};
+    *metadata = (struct hatch_tam_metadata){
+        .tones = tones, .levels = levels, .seed = kept, .style = style->name, .growth = growth};
     return HATCH_OK;
 }
 

@@ -221,14 +221,17 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
 {
     const struct hatch_style *style = options->style;
     assert((options->size_px & (options->size_px - 1)) == 0);
-    assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX);
+    assert(options->tones >= 1 && options->tones <= HATCH_TAM_TONES_MAX && options->needed <= options->tones);
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
     const bool lists = options->ids && style->overlap != HATCH_OVERLAP_FLAT; /* else those below others do not matter */
     struct hatch_tam_metadata metadata;
-    HATCH_TRY(hatch_column_metadata(style, options->tones, options->levels, options->seed, options->growth, arena,
-                                    &metadata, err));
+    uint32_t columns = options->needed ? options->needed : options->tones;
+    HATCH_TRY(
+        hatch_column_metadata(style, columns, options->levels, options->seed, options->growth, arena, &metadata, err));
+    metadata.whole = (struct hatch_tam_whole){options->tones, f.targets[options->tones - 1],
+                                              columns < options->tones ? options->tolerance : 0};
     const struct hatch_canvas_options canvas = {style,           options->brush, options->size_px,
                                                 options->levels, options->color, options->ids};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -237,7 +240,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
         status = options->method == HATCH_FILL_FIELD
                      ? hatch_potential_make(scratch, options->size_px, options->levels, options->brush, &f.field, err)
                      : make_pyramids(&f, scratch, err);
-    for (uint32_t tone = 0; status == HATCH_OK && tone < options->tones; tone++) {
+    for (uint32_t tone = 0; status == HATCH_OK && tone < columns; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)

@@ -13,6 +13,11 @@ void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t 
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)metadata->growth, HATCH_ATTRIBUTE_FLOAT);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, metadata->seed);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, metadata->style);
+    if (metadata->whole.tones <= metadata->tones)
+        return;
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_TONES, metadata->whole.tones, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_TONE, (double)metadata->whole.darkest, HATCH_ATTRIBUTE_FLOAT);
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TOLERANCE, (double)metadata->whole.tolerance, HATCH_ATTRIBUTE_FLOAT);
 }
 
 static bool same_channels(const struct hatch_image *a, const struct hatch_image *b)
@@ -106,6 +111,44 @@ static enum hatch_status check_attributes(const struct hatch_mipmap *part, struc
     return HATCH_OK;
 }
 
+/* Reads an attribute of the first column that maps have which are not whole. */
+static enum hatch_status read_whole(const struct hatch_mipmap *part, const char *name, enum hatch_attribute_type type,
+                                    double low, double high, double *value, struct hatch_err *err)
+{
+    const struct hatch_attribute *attribute = hatch_mipmap_attribute(part, name);
+    if (!attribute || attribute->type != type)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no attribute %s of its type", name);
+    if (!(attribute->number >= low && attribute->number <= high))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s %g, want %g to %g", name, attribute->number, low, high);
+    *value = attribute->number;
+    return HATCH_OK;
+}
+
+/* Sets tam->whole; the other members must be set. */
+static enum hatch_status find_whole(struct hatch_tam *tam, struct hatch_err *err)
+{
+    const struct hatch_mipmap *part = &tam->columns[0];
+    double last = (double)tam->target[tam->tones - 1], tones, darkest, tolerance;
+    tam->whole = (struct hatch_tam_whole){.tones = tam->tones, .darkest = tam->target[tam->tones - 1]};
+    if (!hatch_mipmap_attribute(part, HATCH_TAM_ATTR_WHOLE_TONES))
+        return HATCH_OK;
+    HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_WHOLE_TONES, HATCH_ATTRIBUTE_INT, tam->tones + 1.0, HATCH_TAM_TONES_MAX,
+                         &tones, err));
+    HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_WHOLE_TONE, HATCH_ATTRIBUTE_FLOAT, last, 1, &darkest, err));
+    HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_TOLERANCE, HATCH_ATTRIBUTE_FLOAT, 0, 1, &tolerance, err));
+    tam->whole = (struct hatch_tam_whole){(uint32_t)tones, (float)darkest, (float)tolerance};
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_tam_check_whole(const struct hatch_tam *tam, struct hatch_err *err)
+{
+    if (tam->tones == tam->whole.tones)
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_BAD_INPUT,
+                      "has only %u of %u columns, made for the needs of some views; make the map without --needs",
+                      tam->tones, tam->whole.tones);
+}
+
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
                                          struct hatch_err *err)
 {
@@ -125,6 +168,8 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
     }
     made.color = hatch_image_channel(&parts[0].levels[0], "R") == 0;
     made.ids = hatch_image_channel(&parts[0].levels[0], "id") >= 0;
+    if (find_whole(&made, err) != HATCH_OK)
+        return hatch_fail_at(err, "%s: ", parts[0].name);
     *tam = made;
     return HATCH_OK;
 }

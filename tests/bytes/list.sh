@@ -292,6 +292,9 @@ probe-json render-gl textured.gltf --tam map.exr --size 160x120 --probe --json
 probe-lapped render-gl lapped.glb --tam map.exr --size 160x120 --probe --texture-tone -o probe.tsv
 probe-holes render-gl masked.gltf --tam map.exr --size 160x120 --probe --anisotropy 4
 probe-nodes render-gl nodes.gltf lamps-all.gltf --tam eight.exr --size 160x120 --probe --samples 1
+needs render-gl teapot.glb --size 160x120 --needs
+needs-frames render-gl skinned.gltf --size 160x120 --needs --frames 3 --tolerance 0.1 --ink black,white --json
+needs-lapped render-gl lapped.glb --size 160x120 --needs --texture-tone --pixel-light
 probe-triple render-gl teapot.glb -t tam-triple --tam color.exr --size 160x120 --probe
 time render-gl teapot.glb --tam map.exr --size 96x72 --time 2 | without_ms
 time-triple render-gl lapped.glb -t tam-triple --tam map.exr --size 96x72 --time 2 --shadows 0.05 --haloes 3 | without_ms

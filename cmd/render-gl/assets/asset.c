@@ -43,7 +43,7 @@ bool asset_is_map(const struct asset *asset)
 
 float asset_darkest(const struct asset *asset)
 {
-    return asset_is_map(asset) ? asset->map.target[asset->map.tones - 1] : asset->texture.darkest;
+    return asset_is_map(asset) ? asset->map.whole.darkest : asset->texture.darkest;
 }
 
 uint32_t asset_size_px(const struct asset *asset)

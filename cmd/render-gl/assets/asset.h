@@ -61,9 +61,10 @@ extern const struct asset_kind asset_strokes;     /* a map with ids, as lists of
  *   path  NULL or "-": standard input */
 void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 
-/* Properties of the asset, whether it is a map or a texture. */
+/* Properties of the asset, whether it is a map or a texture. The darkest tone, 0 .. 1, of a map that is not whole is
+ * that of the whole one. */
 bool asset_is_map(const struct asset *asset);
-float asset_darkest(const struct asset *asset);    /* darkest tone, 0 .. 1 */
+float asset_darkest(const struct asset *asset);
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
 uint32_t asset_levels(const struct asset *asset);  /* mip levels that hold strokes; 0: no asset */
 

@@ -22,7 +22,7 @@ struct job {
     struct frame frame;
     struct look look; /* that paints pictures, if context.look is set */
     struct technique_context context;
-    struct technique_instance instances[TECHNIQUE_COUNT + 2]; /* those opened; 2 more, for --show and for --probe */
+    struct technique_instance instances[TECHNIQUE_COUNT + 3]; /* those opened; 3 more: --show, --probe, --needs */
     struct line_overlay lines;
     bool has_lines;               /* `lines` has been made */
     struct cmd_output **outputs;  /* one per frame, or one for a report; NULL with a window */

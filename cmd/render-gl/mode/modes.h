@@ -1,5 +1,5 @@
-/* The modes of the command that need no window: writing pictures, writing drawings, --time and --probe. Each function
- * works on a prepared job and exits with a message on failure. */
+/* The modes of the command that need no window: writing pictures, writing drawings, --time, --probe and --needs. Each
+ * function works on a prepared job and exits with a message on failure. */
 #ifndef RENDER_MODE_MODES_H
 #define RENDER_MODE_MODES_H
 
@@ -9,6 +9,10 @@ void pictures_write(struct job *job);
 void vectors_write(struct job *job); /* -o NAME.svg or NAME.tsv; without the GPU, unless the technique has curves */
 void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
+void needs_report(struct job *job);  /* --needs */
+
+/* Exits with a message if the map was made for needs (needs(5)) that a view of the job exceeds. */
+void needs_check(struct job *job);
 
 /* Encodes a picture: as OpenEXR if the path ends in .exr, else as PNG.
  *   path  NULL: standard output, as PNG

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "image/color.h"
+#include "render-gl/mode/needs/technique.h"
 #include "render-gl/mode/parse_args.h"
 #include "render-gl/mode/rules.h"
 #include "render-gl/mode/show.h"
@@ -27,6 +28,7 @@ static struct options chosen = {
     .crease_deg = 40,
     .rate = 24,
     .page = {.margin_mm = 10},
+    .tolerance = 0.01,
 };
 
 /* Values of options in the form in which they are parsed; options_read converts them for struct options. */
@@ -140,6 +142,10 @@ static const struct cmd_option rest[] = {
      NULL},
     {0, "probe", CMD_FLAG, 0, 0, NULL, "+print which tones and mip levels the picture uses, not the picture",
      &chosen.probe, NULL, NULL},
+    {0, "needs", CMD_FLAG, 0, 0, NULL, "+write what the views need of maps and strokes, not pictures", &chosen.needs,
+     NULL, NULL},
+    {0, "tolerance", CMD_REAL, 0.0001, 0.5, "TONE", "+mean difference of tone that --needs allows (default 0.01)",
+     &chosen.tolerance, NULL, NULL},
     {'w', "window", CMD_FLAG, 0, 0, NULL, "show the scene in a window; press ? there for a list of its keys",
      &chosen.window, NULL, NULL},
     {0, "shader-dir", CMD_TEXT, 0, 0, "DIR", "+read the shaders from this folder (default: the built-in ones)",
@@ -318,7 +324,7 @@ static void check_technique(void)
 
 static void check_frames(const struct cmd_args *args)
 {
-    bool report = timed_frames || chosen.probe;
+    bool report = timed_frames || chosen.probe || chosen.needs;
     if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
         cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png");
     if (chosen.animate.count && frames < 2 && !chosen.window)
@@ -362,9 +368,9 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     make_table();
     program.rules = rules_make();
     cmd_begin(&program, argc, argv, args);
-    chosen.technique = show >= 0 ? show_techniques[show] : techniques[technique];
+    chosen.technique = chosen.needs ? &needs_technique : show >= 0 ? show_techniques[show] : techniques[technique];
     read_size();
-    chosen.script = parse_has_ending(args->output, "tsv") && !timed_frames && !chosen.probe;
+    chosen.script = parse_has_ending(args->output, "tsv") && !timed_frames && !chosen.probe && !chosen.needs;
     chosen.vectors = chosen.script || parse_has_ending(args->output, "svg");
     read_page();
     check_technique();

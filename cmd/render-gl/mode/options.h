@@ -84,7 +84,8 @@ struct options {
     uint32_t animation; /* index of the animation */
     bool animation_given;
     uint32_t timed_frames; /* --time; 0: not given */
-    bool probe, window;
+    bool probe, needs, window;
+    double tolerance;       /* --tolerance: mean difference of tone that --needs allows */
     bool vectors;           /* the output is a drawing: an SVG file or a stroke script */
     bool script;            /* the output is a stroke script */
     struct hatch_page page; /* of the drawing; its size is 0 without --page */

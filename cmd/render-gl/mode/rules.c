@@ -90,12 +90,16 @@ static const struct cmd_rule rules[] = {
     {"modulate", "!texture-tone", "give one of them"},
     {"turntable", "frames", NULL},
     {"animate", "!time !probe", NULL},
+    {"needs", "!technique !tam !show !time !probe !window", NULL},
+    {"samples lines line-width line-color crease haloes hatch-turn hatch-scale " LOOK_OPTIONS, "!needs",
+     "which draws nothing"},
+    {"tolerance", "needs", NULL},
     {"rate", "frames|window !turntable|animation|time-s", NULL},
-    {"json", "time|probe", NULL},
+    {"json", "time|probe|needs", NULL},
     {"time", "!probe !window", NULL},
     {"probe", "!window", NULL},
-    {"page margin pen hidden sort", "output=*.svg,*.tsv !time !probe", "it shapes a drawing"},
-    {"time probe " PICTURE_OPTIONS, "output!=*.svg", "a drawing consists of lines"},
+    {"page margin pen hidden sort", "output=*.svg,*.tsv !time !probe !needs", "it shapes a drawing"},
+    {"time probe needs " PICTURE_OPTIONS, "output!=*.svg", "a drawing consists of lines"},
     {PICTURE_OPTIONS, "output!=*.tsv|time|probe", "a drawing consists of lines"},
     {PATTERN_OPTIONS, patterned, "a drawing consists of lines"},
     {PATTERN_OPTIONS, patterned_script, "a drawing consists of lines"},
@@ -132,7 +136,7 @@ const struct cmd_rule *rules_make(void)
     make_condition(draws_looks, "|window", textured, sizeof textured);
     make_condition(draws_looks, "|look=watercolor|window", painted, sizeof painted);
     make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
-    make_condition(has_curves, "|output!=*.tsv|time|probe", scripted, sizeof scripted);
+    make_condition(has_curves, "|output!=*.tsv|time|probe|needs", scripted, sizeof scripted);
     make_condition(has_pattern, "|output!=*.svg", patterned, sizeof patterned);
     make_condition(has_pattern, "|output!=*.tsv|time|probe", patterned_script, sizeof patterned_script);
     return rules;

@@ -1,0 +1,45 @@
+/* Measures what views of a scene need: tones, the scale of surfaces in the picture, items and faces. Each view is drawn
+ * once with one sample per pixel, whatever technique draws its pictures. */
+#ifndef RENDER_MODE_NEEDS_MEASURE_H
+#define RENDER_MODE_NEEDS_MEASURE_H
+
+#include "needs/needs.h"
+#include "needs/tones.h"
+#include "render-gl/mode/job.h"
+#include "render-gl/mode/needs/technique.h"
+
+#define NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
+
+struct needs_item {
+    uint64_t pixels; /* that show it, in all views */
+    uint32_t faces;  /* of its surface */
+    uint8_t *seen;   /* per face: a pixel shows it */
+};
+
+/* Needs of the views so far. */
+struct needs_measure {
+    double tolerance;
+    uint32_t views, inks;           /* inks: 1 or 2 */
+    uint64_t pixels, drawn;         /* of all views; those that show the scene */
+    double darkest[2], lightest[2]; /* per ink: range of tones that a view needs; lightest over darkest: none does */
+    uint64_t tones[2][HATCH_NEEDS_TONES]; /* per ink and part of the scale: pixels */
+    uint64_t texels[NEEDS_OCTAVES];       /* pixels of items that have texture coordinates */
+    double unit_px[HATCH_NEEDS_TONES];    /* per part of the scale, of either ink: as in struct hatch_needs */
+    double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
+    struct needs_item *items; /* per item of the scene */
+    struct canvas canvas;     /* and the state of measuring */
+    float *texels_read[2];
+    struct hatch_needs_tones *view_tones; /* per ink: of the view that is measured */
+};
+
+/* Begins without views. Exits with a message when memory does not suffice. */
+void needs_begin(struct job *job, double tolerance, struct needs_measure *measure);
+
+/* Adds a view of the posed scene.
+ * The tones of the view stay in measure->view_tones; returns the number of its pixels that show the scene. */
+uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_measure *measure);
+
+/* Releases what the GPU holds. */
+void needs_end(struct needs_measure *measure);
+
+#endif

@@ -1,0 +1,104 @@
+/* --needs: reports what the views need, as TSV or JSON, needs(5); and the check of a map that was made for such
+ * needs. */
+#include <math.h>
+
+#include "render-gl/mode/modes.h"
+#include "render-gl/mode/needs/measure.h"
+#include "shared/report.h"
+
+#define LEEWAY 1.5 /* views between those that were measured may exceed the tolerance by this factor */
+
+static void report_row(struct cmd_report *report, const char *thing, uint32_t index, double value, const char *unit)
+{
+    cmd_report_text(report, thing);
+    cmd_report_integer(report, index);
+    cmd_report_number(report, value);
+    cmd_report_text(report, unit);
+}
+
+static uint32_t count_seen(const struct needs_item *item)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < item->faces; i++)
+        count += item->seen[i];
+    return count;
+}
+
+static void report_shares(struct cmd_report *report, const char *thing, const uint64_t *pixels, uint32_t count,
+                          double drawn)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (pixels[i])
+            report_row(report, thing, i, (double)pixels[i] / drawn, "of the scene's pixels");
+}
+
+static void report_all(struct cmd_report *report, const struct job *job, const struct needs_measure *measure)
+{
+    static const char *const tone[2] = {"tone", "tone-of-light-ink"};
+    double drawn = measure->drawn ? (double)measure->drawn : 1;
+    report_row(report, "tolerance", 0, measure->tolerance, "");
+    report_row(report, "views", 0, measure->views, "");
+    report_row(report, "width", 0, job->options->width, "px");
+    report_row(report, "height", 0, job->options->height, "px");
+    report_row(report, "drawn", 0, (double)measure->drawn / (double)measure->pixels, "of the picture's pixels");
+    report_row(report, "relative", 0, !job->options->tone_range_given, "");
+    for (uint32_t ink = 0; ink < measure->inks; ink++) {
+        report_row(report, "darkest", ink, measure->darkest[ink], "tone");
+        report_row(report, "lightest", ink, fmin(measure->lightest[ink], measure->darkest[ink]), "tone");
+        report_shares(report, tone[ink], measure->tones[ink], HATCH_NEEDS_TONES, drawn);
+    }
+    for (uint32_t i = 0; i < HATCH_NEEDS_TONES; i++)
+        if (measure->unit_px[i] > 0)
+            report_row(report, "unit-px", i, measure->unit_px[i], "px");
+    report_shares(report, "texels", measure->texels, NEEDS_OCTAVES, drawn);
+    for (uint32_t i = 0; i < job->scene.unit.item_count; i++) {
+        report_row(report, "item", i, (double)measure->items[i].pixels / drawn, "of the scene's pixels");
+        report_row(report, "faces", i, measure->items[i].faces, "");
+        report_row(report, "faces-seen", i, count_seen(&measure->items[i]), "");
+    }
+}
+
+void needs_report(struct job *job)
+{
+    static const char *const columns[] = {"thing", "index", "value", "unit", NULL};
+    struct needs_measure measure;
+    struct cmd_report report;
+    needs_begin(job, job->options->tolerance, &measure);
+    for (uint32_t frame = 0; frame < job->options->frames; frame++) {
+        struct hatch_view view;
+        cmd_progress("measuring", (double)frame / job->options->frames);
+        job_set_frame(job, frame, &view);
+        needs_add(job, &view, &measure);
+    }
+    needs_end(&measure);
+    cmd_report_begin(&report, &job->args, columns);
+    report_all(&report, job, &measure);
+    cmd_report_write(&report, job->outputs[0]);
+}
+
+void needs_check(struct job *job)
+{
+    const struct hatch_tam *map = &job->asset.map;
+    struct needs_measure measure;
+    struct hatch_view view;
+    struct hatch_err err;
+    if (!technique_asset(job->options->technique) || !asset_is_map(&job->asset) || map->whole.tones == map->tones)
+        return;
+    double last = (double)map->target[map->tones - 1], allowed = LEEWAY * (double)map->whole.tolerance;
+    needs_begin(job, (double)map->whole.tolerance, &measure);
+    for (uint32_t frame = 0; frame < job->options->frames; frame++) {
+        job_set_frame(job, frame, &view);
+        uint64_t drawn = needs_add(job, &view, &measure);
+        for (uint32_t ink = 0; ink < measure.inks; ink++) {
+            if (hatch_needs_excess(&measure.view_tones[ink], drawn, last) <= allowed)
+                continue;
+            double tone = hatch_needs_darkest(&measure.view_tones[ink], drawn, measure.tolerance);
+            hatch_fail(&err, HATCH_BAD_INPUT,
+                       "was made for tones up to %.3g, this view needs %.3g: make it again with the needs of this view",
+                       last, tone);
+            cmd_die(cmd_input_name(job->options->map_path), &err);
+        }
+    }
+    needs_end(&measure);
+    job_set_frame(job, 0, &view);
+}

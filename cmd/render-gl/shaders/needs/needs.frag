@@ -1,0 +1,16 @@
+// For --needs: writes the amounts of both inks, 1 / w and the item's index plus 1; and the number of the face in two
+// parts, with the binary logarithm of the pixels per unit of texture coordinates.
+#include "frame/amounts.glsl"
+
+in vec2 v_texcoord;
+layout(location = 0) out vec4 o_tone;
+layout(location = 1) out vec4 o_face;
+
+void main()
+{
+    vec2 asked = amounts(), x = dFdx(v_texcoord), y = dFdy(v_texcoord);
+    float area = abs(x.x * y.y - x.y * y.x);
+    base_holes();
+    o_tone = vec4(asked, gl_FragCoord.w, float(item + 1u));
+    o_face = vec4(float(gl_PrimitiveID & 0xfff), float(gl_PrimitiveID >> 12), -0.5 * log2(max(area, 1e-30)), 0.0);
+}

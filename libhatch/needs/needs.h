@@ -1,0 +1,35 @@
+/* The file in which render-gl --needs says what the views of a scene need, needs(5). */
+#ifndef HATCH_NEEDS_NEEDS_H
+#define HATCH_NEEDS_NEEDS_H
+
+#include <stdbool.h>
+
+#include "base/bytes.h"
+#include "curve/width.h"
+
+#define HATCH_NEEDS_TONES 64u /* parts of equal width of the scale of tones, from paper to ink */
+
+struct hatch_needs {
+    double tolerance;                  /* mean difference of tone that was allowed, over 0, at most 1 */
+    double darkest;                    /* darkest tone that a view needs, of either ink, 0 .. 1 */
+    bool relative;                     /* tones are shares of the darkest tone of the strokes, whatever it is */
+    double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale: most pixels that a unit of the scene's lengths covers
+                                          where a surface has such a tone; 0: none has */
+};
+
+/* Parses a file of needs. Rows of other things are passed over.
+ * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing. */
+enum hatch_status hatch_needs_parse(struct hatch_bytes file, struct hatch_needs *needs,
+                                    struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns how many columns of a map are needed: up to the first that is dark enough.
+ *   targets  tones of the columns, ascending
+ *   tones    number of columns, at least 1 */
+uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones);
+
+/* Returns how many traced strokes of a family are needed side by side per unit of the scene's lengths: what
+ * hatch_stroke_width_px calls wanted, at most.
+ *   families  number of families of strokes, at least 1 */
+double hatch_needs_strokes(const struct hatch_needs *needs, const struct hatch_stroke_pen *pen, uint32_t families);
+
+#endif

@@ -1,0 +1,143 @@
+# --needs: known scenes have known needs, tamgen and strokegen make no more, and a view that needs more is refused.
+. "${TOP:-.}/tests/tap.sh"
+
+meshgen plane --faces 200 --uv whole -o plane.glb
+meshgen torus --faces 3000 -o torus.glb
+unpack plane.glb plane
+
+# row FILE THING INDEX: prints a value
+row() {
+    awk -F"\t" -v thing="$2" -v at="$3" '$1 == thing && $2 == at {print $3}' "$1"
+}
+# near NAME GOT WANT OFF: checks that GOT is within OFF of WANT
+near() {
+    is "$1: $2 for $3" "$(awk -v got="$2" -v want="$3" -v off="$4" \
+        'BEGIN {print (got != "" && got >= want - off && got <= want + off)}')" 1
+}
+# The square of side 2 fills a square picture from this distance.
+front='--camera 0,0,3.7320508:0,0,0 --fov 30'
+
+# shellcheck disable=SC2086 # options are words
+render-gl plane.glb $front --size 300x300 --tone-range .5:.5 --needs -o tone.needs
+near "a plane of tone .5 needs .5 less the tolerance" "$(row tone.needs darkest 0)" .49 1e-6
+near "its lightest tone is not over the darkest" "$(row tone.needs lightest 0)" .49 1e-6
+near "all pixels show it" "$(row tone.needs drawn 0)" 1 0
+near "all of one tone" "$(row tone.needs tone 32)" 1 0
+near "in which a unit of length has 150 pixels" "$(row tone.needs unit-px 32)" 150 .01
+near "and a unit of texture coordinates, 300, over 2^8" "$(row tone.needs texels 8)" 1 0
+is "tones that are given are no shares" "$(row tone.needs relative 0)" 0
+# shellcheck disable=SC2086
+render-gl plane.glb $front --size 300x300 --tone-range .5:.5 --needs --tolerance .1 |
+    awk -F'\t' '$1 == "darkest" {print $3}' >darkest
+near "with ten times the tolerance" "$(cat darkest)" .4 1e-6
+# shellcheck disable=SC2086
+render-gl plane.glb $front --size 300x300 --tone-range .25:.25 --ink black,white --paper gray --needs -o two.needs
+near "of two inks the first" "$(row two.needs darkest 0)" .24 1e-6
+near "and the second" "$(row two.needs darkest 1)" .24 1e-6
+
+# A second plane behind the first, and one that is half out of the picture.
+sed 's/"nodes":\[0\]/"nodes":[0,1]/; s/"nodes":\[{/&"mesh":0,"translation":[0,0,-1]},{/' plane.gltf >behind.gltf
+# shellcheck disable=SC2086
+render-gl behind.gltf $front --size 250x250 --needs -o behind.needs
+is "faces of the hidden plane are not seen" "$(row behind.needs faces-seen 0) of $(row behind.needs faces 0)" "0 of 200"
+is "faces of the other are" "$(row behind.needs faces-seen 1) of $(row behind.needs faces 1)" "200 of 200"
+is "and it has all pixels" "$(row behind.needs item 0) $(row behind.needs item 1)" "0 1"
+render-gl plane.glb --camera 1,0,3.7320508:1,0,0 --fov 30 --size 250x250 --needs -o half.needs
+is "half of the faces are in the picture" "$(row half.needs faces-seen 0)" 100
+near "which has the plane on one half" "$(row half.needs drawn 0)" .5 .005
+# shellcheck disable=SC2086
+render-gl plane.glb $front --size 300x300 --tone-range .5:.5 --frames 2 --animate zoom=1..2 --needs -o zoom.needs
+is "both views count" "$(row zoom.needs views 0)" 2
+near "the nearer one needs twice the pixels" "$(row zoom.needs unit-px 32)" 300 .05
+
+# In tiles; with more threads; as JSON.
+render-gl plane.glb --camera 0,0,3.7320508:0,0,0 --fov 30 --size 4352x32 --needs -o wide.needs
+near "a picture of two tiles has all columns of pixels" "$(row wide.needs drawn 0)" "$(awk 'BEGIN {print 32 / 4352}')" .0001
+render-gl torus.glb --size 320x240 --needs -j 1 -o one.needs
+render-gl torus.glb --size 320x240 --needs -j 3 -o three.needs
+ok "the same bytes with any number of threads" cmp one.needs three.needs
+render-gl torus.glb --size 320x240 --needs --json -o one.json.needs
+is "the same table as JSON" "$(perl -MJSON::PP -0e 'print join "", map {"$_->{thing}\t$_->{index}\t$_->{value}\n"} @{decode_json <>}' one.json.needs | md5sum)" \
+    "$(tail -n +2 one.needs | cut -f1-3 | md5sum)"
+
+# Nothing in sight; one triangle.
+render-gl -q plane.glb --camera 0,0,4:0,0,8 --size 64x64 --needs -o none.needs
+is "paper alone needs no tone" "$(row none.needs darkest 0) $(row none.needs drawn 0) $(grep -c unit-px none.needs)" "0 0 0"
+tamgen -q --size 64 --needs none.needs -o none.exr
+is "and one column" "$(hatchstat tam none.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u)" 0
+ok "which draws the paper" render-gl -q plane.glb -T none.exr --camera 0,0,4:0,0,8 --size 64x64 -o none.png
+is "one level of strokes" "$(strokegen -v --needs none.needs plane.glb 2>&1 >none.glb | grep -o '^.* levels')" \
+    "strokegen: 1 of 6 levels"
+meshgen plane --faces 2 -o two.glb
+render-gl two.glb --camera .9,0,.1:.9,0,0 --size 64x64 --needs -o triangle.needs
+is "a view of one triangle sees one" "$(row triangle.needs faces-seen 0) of $(row triangle.needs faces 0)" "1 of 2"
+try render-gl -q none.glb.missing --needs -o x.needs
+refused "a scene that is missing" 4 1
+
+# A map that was cut: its columns are those of the whole map.
+light='--light 0:60 --size 320x240 --lines none'
+render-gl torus.glb --light 0:60 --size 320x240 --turntable --frames 4 --needs -o turn.needs
+tamgen -q --size 128 --tones 32 -o whole.exr
+tamgen -v --size 128 --tones 32 --needs turn.needs -o cut.exr 2>said
+columns=$(hatchstat tam cut.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
+is "some columns are left out" "$(awk -v n="$columns" 'BEGIN {print (n > 8 && n < 32)}')" 1
+ok "-v says how many" grep -q "^tamgen: $((32 - columns)) of 32 columns left out: tones over" said
+tampack -q --layout png whole.exr -o whole
+tampack -q --layout png cut.exr -o cut
+is "all columns that are made have the pixels of the whole map" "$(for file in cut.*.png; do
+    cmp "$file" "whole.${file#cut.}" 2>&1
+done)" ""
+is "of each column and level" "$(find . -name 'cut.*.png' | wc -l)" "$((8 * columns))"
+ok "fewer bytes" test "$(wc -c <cut.exr)" -lt "$(wc -c <whole.exr)"
+# darkness MAP FRAME: draws a frame of a turn of 12, and prints the mean darkness over the scene's pixels
+drawn=$(row turn.needs drawn 0)
+for map in whole cut; do
+    # shellcheck disable=SC2086
+    render-gl -q torus.glb -t tam-triple $light -T $map.exr --turntable --frames 9 -o $map.%d.exr
+done
+hatchstat frames whole.?.exr | awk 'NR > 1 {print $2}' >whole.light
+hatchstat frames cut.?.exr | awk 'NR > 1 {print $2}' >cut.light
+is "views between differ by at most the tolerance, and do differ" "$(paste whole.light cut.light |
+    awk -v drawn="$drawn" '{off = ($2 - $1) / drawn; sum += off; most = off > most ? off : most}
+        END {print (NR > 4 && most < .015 && sum > 0)}')" 1
+# shellcheck disable=SC2086
+try render-gl -q torus.glb -T cut.exr --light 180:-30 --size 320x240 -o x.png
+refused "a view that needs darker tones is refused" 3 1
+is "with what to do" "$(sed 's/[0-9.]* *, this/T, this/; s/needs [0-9.]*:/needs T:/' "$WORK/.err")" \
+    "render-gl: cut.exr: was made for tones up to T, this view needs T: make it again with the needs of this view"
+ok "and leaves no file" test ! -e x.png
+ok "a range of tones that the map has is drawn" \
+    render-gl -q torus.glb -T cut.exr --light 180:-30 --tone-range 0:.5 --size 64x48 -o x.png
+tamgen -q --size 64 --needs tone.needs --tones 4 -o four.exr
+for command in tamvol tamthresh; do
+    try $command four.exr -o x.ktx2
+    refused "$command refuses a map that is not whole" 3 1
+done
+tamgen -q --size 64 --tones 4 -o four.exr
+tamgen -q --size 64 --tones 4 --set 'darkest .4' -o whole4.exr
+tamgen -q --size 64 --tones 4 --set 'darkest .4' --needs tone.needs -o same4.exr
+ok "a map of which everything is needed is that of tamgen without --needs" cmp whole4.exr same4.exr
+
+# Strokes: as many levels as the picture's size asks for.
+for width in 80 160 320; do
+    render-gl torus.glb --size ${width}x$((width * 3 / 4)) --needs -o s.needs
+    strokegen -v --needs s.needs torus.glb -o strokes.$width.glb 2>&1 | sed -n 's/^strokegen: \([0-9]\) of 6 levels.*/\1/p'
+done >levels
+is "each doubling of the size asks for a level" "$(tr '\n' ' ' <levels)" "3 4 5 "
+strokegen -q --levels 3 torus.glb -o three.glb
+is "these levels are those of --levels" "$(numbers strokes.80.glb | md5sum)" "$(numbers three.glb | md5sum)"
+
+# Usage
+try render-gl torus.glb --needs --technique gouraud
+refused "--needs with a technique" 2 2
+try render-gl torus.glb --tolerance .1 -o x.png
+refused "--tolerance without --needs" 2 2
+try render-gl torus.glb --needs --samples 4
+refused "--needs with samples" 2 2
+try strokegen --needs s.needs --levels 3 torus.glb
+refused "strokegen: --needs with --levels" 2 2
+try tamgen --needs s.needs --replay x.svg
+refused "tamgen: --needs with --replay" 2 2
+try tamgen --needs torus.glb
+refused "tamgen: a file that is none of needs" 3 1
+finish

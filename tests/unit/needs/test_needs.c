@@ -1,0 +1,151 @@
+#include "arenas.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "needs/needs.h"
+#include "needs/tones.h"
+
+static struct hatch_needs_tones tones;
+
+/* Adds pixels of one tone. */
+static void add(double tone, int count)
+{
+    for (int i = 0; i < count; i++)
+        hatch_needs_add(&tones, tone);
+}
+
+START_TEST(one_tone_is_needed_up_to_the_tolerance)
+{
+    for (double tone = 0; tone <= 1; tone += 0.1) {
+        memset(&tones, 0, sizeof tones);
+        add(tone, 100);
+        ck_assert_double_eq_tol(hatch_needs_darkest(&tones, 100, 0.01), fmax(tone - 0.01, 0), 1e-6);
+        ck_assert_double_eq_tol(hatch_needs_lightest(&tones, 100, 0.01), fmin(tone + 0.01, 1), 1e-6);
+        ck_assert_double_eq_tol(hatch_needs_excess(&tones, 100, tone / 2), tone / 2, 1e-6);
+        ck_assert(hatch_needs_excess(&tones, 100, tone + 0.001) <= 0);
+    }
+}
+END_TEST
+
+/* Of 100 pixels, the mean falls by .01 if 5 get .2 less, or 10 get .1 less. */
+START_TEST(few_dark_pixels_are_given_up)
+{
+    add(0.2, 90);
+    add(0.7, 5);
+    add(0.9, 5);
+    ck_assert_double_eq_tol(hatch_needs_darkest(&tones, 100, 0.01), 0.7, 0.0003);
+    ck_assert_double_eq_tol(hatch_needs_darkest(&tones, 100, 0.02), 0.6, 0.0003);
+    ck_assert_double_eq_tol(hatch_needs_excess(&tones, 100, 0.6), 0.02, 1e-6);
+    ck_assert_double_eq_tol(hatch_needs_lightest(&tones, 100, 0.009), 0.21, 0.0003);
+}
+END_TEST
+
+START_TEST(no_pixel_needs_no_tone)
+{
+    ck_assert(hatch_needs_darkest(&tones, 0, 0.01) <= 0);
+    ck_assert(hatch_needs_lightest(&tones, 0, 0.01) <= 0);
+    ck_assert(hatch_needs_excess(&tones, 0, 0) <= 0);
+}
+END_TEST
+
+#define HEAD "thing\tindex\tvalue\tunit\n"
+#define ROWS "tolerance\t0\t0.02\t\nrelative\t0\t1\t\nother\tx\ty\tz\ndarkest\t0\t0.5\ttone\n"
+
+static enum hatch_status parse(const char *text, struct hatch_needs *needs)
+{
+    return hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, needs, &err);
+}
+
+START_TEST(a_file_is_read)
+{
+    struct hatch_needs needs;
+    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\n", &needs), &err);
+    ck_assert_double_eq_tol(needs.tolerance, 0.02, 1e-12);
+    ck_assert_double_eq_tol(needs.darkest, 0.75, 1e-12);
+    ck_assert(needs.relative);
+    ck_assert_double_eq_tol(needs.unit_px[63], 12.5, 1e-12);
+    ck_assert(needs.unit_px[0] <= 0 && needs.unit_px[62] <= 0);
+}
+END_TEST
+
+START_TEST(a_wrong_file_is_refused_with_its_row)
+{
+    static const char *const cases[][2] = {
+        {"", "no table of needs"},
+        {"[\n {\"thing\": \"tolerance\"}]\n", "no table of needs"},
+        {HEAD, "no row 'tolerance'"},
+        {HEAD "tolerance\t0\t0.01\t\nrelative\t0\t0\t\n", "no row 'darkest'"},
+        {HEAD ROWS "unit-px\t0\n", "row 6: fewer than 3 fields"},
+        {HEAD "tolerance\t0\t0\t\n", "row 2: tolerance: want a number from 1e-06 to 1"},
+        {HEAD "darkest\t0\tnan\t\n", "row 2: darkest: want a number from 0 to 1"},
+        {HEAD "darkest\t0\t1.5\t\n", "row 2: darkest: want a number from 0 to 1"},
+        {HEAD ROWS "unit-px\t64\t1\tpx\n", "row 6: unit-px: want an index from 0 to 63"},
+        {HEAD ROWS "unit-px\t0.5\t1\tpx\n", "row 6: unit-px: want an index from 0 to 63"},
+        {HEAD ROWS "unit-px\t0\t-1\tpx\n", "row 6: unit-px: want a number"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct hatch_needs needs = {.darkest = 7};
+        ck_assert_int_eq(parse(cases[i][0], &needs), HATCH_BAD_INPUT);
+        ck_assert_msg(strncmp(err.text, cases[i][1], strlen(cases[i][1])) == 0, "%s", err.text);
+        ck_assert(needs.darkest > 6);
+    }
+}
+END_TEST
+
+START_TEST(columns_reach_the_darkest_tone)
+{
+    static const float targets[] = {0.2f, 0.4f, 0.6f, 0.8f};
+    struct hatch_needs needs = {.darkest = 0};
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 1);
+    needs.darkest = 0.39;
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 2);
+    needs.darkest = 0.41;
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 3);
+    needs.relative = true; /* .41 of .8 */
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 2);
+    needs.darkest = 1;
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 4);
+    needs.relative = false;
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 4);
+}
+END_TEST
+
+/* With one family, even response and even width, t / width strokes per pixel make the tone t. */
+START_TEST(strokes_follow_the_law_of_widths)
+{
+    const struct hatch_stroke_pen pen = {
+        .width_px = 2, .thin = 1, .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f, 1}};
+    struct hatch_needs needs = {.darkest = 1};
+    needs.unit_px[31] = 100; /* tones up to .5 */
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 100 * 0.5 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    needs.unit_px[7] = 1000; /* up to .125 */
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 1000 * 0.125 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    needs.darkest = 0.0625; /* darker tones are drawn as this one */
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    ck_assert_double_le(hatch_needs_strokes(&needs, &pen, 2), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN + 1e-5);
+}
+END_TEST
+
+static void forget(void)
+{
+    begin();
+    memset(&tones, 0, sizeof tones);
+}
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("needs");
+    TCase *tests = tcase_create("needs");
+    tcase_add_checked_fixture(tests, forget, end);
+    tcase_add_test(tests, one_tone_is_needed_up_to_the_tolerance);
+    tcase_add_test(tests, few_dark_pixels_are_given_up);
+    tcase_add_test(tests, no_pixel_needs_no_tone);
+    tcase_add_test(tests, a_file_is_read);
+    tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
+    tcase_add_test(tests, columns_reach_the_darkest_tone);
+    tcase_add_test(tests, strokes_follow_the_law_of_widths);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
