@@ -11,8 +11,9 @@ struct job {
     struct hatch_style style;
     struct hatch_brush brush;
     uint32_t size_px, levels;
-    uint32_t tones;  /* columns that are made */
-    float tolerance; /* of --needs; else 0 */
+    uint32_t whole_size_px; /* size_px without --needs; 0: the same */
+    uint32_t tones;         /* columns that are made */
+    float tolerance;        /* of --needs; else 0 */
     bool color, ids;
     const char *sheet_path, *strokes_path; /* NULL: not written */
     struct hatch_tam_sheet sheet;

@@ -9,7 +9,7 @@
 static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
 static int64_t tones = 6, size_px = 256, levels;
 static double candidates[2], growth;
-static bool candidates_given;
+static bool candidates_given, levels_given;
 static int method;
 static struct replay_job replay = {.keep = 1};
 static bool ids;
@@ -25,7 +25,7 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX",
      "width of the finest level, a power of two (default 256)", &size_px, NULL, NULL},
-    {'l', "levels", CMD_INT, 1, 8, "N", "drawn levels (default: down to 32 px)", &levels, NULL, NULL},
+    {'l', "levels", CMD_INT, 1, 8, "N", "drawn levels (default: down to 32 px)", &levels, NULL, &levels_given},
     {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "candidates per stroke, in the lightest and darkest column",
      candidates, NULL, &candidates_given},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD",
@@ -105,7 +105,7 @@ static void read_style(struct job *job)
     }
 }
 
-/* Reads how many of the columns are needed. The others are left out. */
+/* Reads how many of the columns and how many levels are needed. The others are left out. */
 static void read_needs(struct job *job)
 {
     float targets[HATCH_TAM_TONES_MAX];
@@ -116,9 +116,19 @@ static void read_needs(struct job *job)
     hatch_style_targets(&job->style, whole, targets);
     job->tones = hatch_needs_columns(&needs, targets, whole);
     job->tolerance = (float)needs.tolerance;
+    job->whole_size_px = job->size_px;
+    if (!levels_given)
+        job->size_px = hatch_needs_size(&needs, job->size_px, HATCH_TAM_SIZE_MIN);
+    for (uint32_t size = job->size_px; size < job->whole_size_px; size *= 2)
+        job->levels--;
     if (job->tones < whole)
         cmd_note("%u of %u columns left out: tones over %.3g are not needed", whole - job->tones, whole,
                  (double)targets[job->tones - 1]);
+    if (job->size_px < job->whole_size_px)
+        cmd_note("levels finer than %u pixels left out", job->size_px);
+    double share =
+        job->tones * (double)job->size_px * job->size_px / (whole * (double)job->whole_size_px * job->whole_size_px);
+    cmd_note("%.3g of the texels are made", share);
 }
 
 /* Fills the map with strokes of the style and passes its columns to job->columns. */
@@ -130,6 +140,7 @@ static void fill_map(struct job *job)
                                       .size_px = job->size_px,
                                       .tones = (uint32_t)tones,
                                       .needed = job->tones,
+                                      .whole_size_px = job->whole_size_px,
                                       .tolerance = job->tolerance,
                                       .levels = job->levels,
                                       .method = (enum hatch_fill_method)method,

@@ -8,63 +8,66 @@
 #define HEADER "thing\tindex\tvalue\tunit"
 
 /* Things that generators read. */
-enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, THINGS };
+enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, THINGS };
 
 static const struct {
     const char *name;
+    uint32_t count; /* of indices */
     double low, high;
+    bool must; /* there must be a row */
 } things[THINGS] = {
-    [TOLERANCE] = {"tolerance", 1e-6, 1},
-    [RELATIVE] = {"relative", 0, 1},
-    [DARKEST] = {"darkest", 0, 1},
-    [UNIT_PX] = {"unit-px", 0, 1e30},
+    [TOLERANCE] = {"tolerance", 1, 1e-6, 1, true},
+    [RELATIVE] = {"relative", 1, 0, 1, true},
+    [DARKEST] = {"darkest", 2, 0, 1, true},
+    [UNIT_PX] = {"unit-px", HATCH_NEEDS_TONES, 0, 1e30, false},
+    [TEXELS] = {"texels", HATCH_NEEDS_OCTAVES, 0, 1, false},
 };
 
-/* Values that were read; below 0: not found. */
+/* Values that were read. */
 struct reading {
-    double values[THINGS]; /* of several rows of one thing, the greatest */
-    double unit_px[HATCH_NEEDS_TONES];
+    bool found[THINGS];
+    double values[THINGS][HATCH_NEEDS_TONES]; /* per thing and index */
 };
 
 static enum hatch_status parse_row(struct hatch_text line, struct reading *reading, struct hatch_err *err)
 {
     struct hatch_text thing, index, number;
-    double value, part;
+    double value, at;
+    int i = 0;
     if (!hatch_text_field(&line, &thing) || !hatch_text_field(&line, &index) || !hatch_text_field(&line, &number))
         return hatch_fail(err, HATCH_BAD_INPUT, "fewer than 3 fields");
-    for (int i = 0; i < THINGS; i++) {
-        if (!hatch_text_is(thing, things[i].name))
-            continue;
-        if (!hatch_text_number(number, &value) || !(value >= things[i].low && value <= things[i].high))
-            return hatch_fail(err, HATCH_BAD_INPUT, "%s: want a number from %g to %g", things[i].name, things[i].low,
-                              things[i].high);
-        reading->values[i] = fmax(reading->values[i], value);
-        if (i != UNIT_PX)
-            continue;
-        if (!hatch_text_number(index, &part) || !(part >= 0 && part < HATCH_NEEDS_TONES && part == floor(part)))
-            return hatch_fail(err, HATCH_BAD_INPUT, "unit-px: want an index from 0 to %u", HATCH_NEEDS_TONES - 1);
-        reading->unit_px[(int)part] = value;
-    }
+    while (i < THINGS && !hatch_text_is(thing, things[i].name))
+        i++;
+    if (i == THINGS)
+        return HATCH_OK;
+    if (!hatch_text_number(index, &at) || !(at >= 0 && at < things[i].count && at == floor(at)))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: want an index from 0 to %u", things[i].name, things[i].count - 1);
+    if (!hatch_text_number(number, &value) || !(value >= things[i].low && value <= things[i].high))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: want a number from %g to %g", things[i].name, things[i].low,
+                          things[i].high);
+    reading->found[i] = true;
+    reading->values[i][(int)at] = value;
     return HATCH_OK;
 }
 
 enum hatch_status hatch_needs_parse(struct hatch_bytes file, struct hatch_needs *needs, struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(file), line;
-    struct reading reading = {.values = {-1, -1, -1, 0}};
+    struct reading reading = {.found = {false}};
     if (!hatch_text_line(&rest, &line) || !hatch_text_is(line, HEADER))
         return hatch_fail(err, HATCH_BAD_INPUT, "no table of needs; render-gl SCENE --needs -o FILE makes one");
     for (uint32_t row = 2; hatch_text_line(&rest, &line); row++)
         if (line.length && parse_row(line, &reading, err) != HATCH_OK)
             return hatch_fail_at(err, "row %u: ", row);
     for (int i = 0; i < THINGS; i++)
-        if (reading.values[i] < 0)
+        if (things[i].must && !reading.found[i])
             return hatch_fail(err, HATCH_BAD_INPUT, "no row '%s'; render-gl SCENE --needs makes the file anew",
                               things[i].name);
-    *needs = (struct hatch_needs){.tolerance = reading.values[TOLERANCE],
-                                  .darkest = reading.values[DARKEST],
-                                  .relative = reading.values[RELATIVE] > 0};
-    memcpy(needs->unit_px, reading.unit_px, sizeof needs->unit_px);
+    *needs = (struct hatch_needs){.tolerance = reading.values[TOLERANCE][0],
+                                  .darkest = fmax(reading.values[DARKEST][0], reading.values[DARKEST][1]),
+                                  .relative = reading.values[RELATIVE][0] > 0};
+    memcpy(needs->unit_px, reading.values[UNIT_PX], sizeof needs->unit_px);
+    memcpy(needs->texels, reading.values[TEXELS], sizeof needs->texels);
     return HATCH_OK;
 }
 
@@ -75,6 +78,21 @@ uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targe
     while (count < tones && (double)targets[count - 1] < tone)
         count++;
     return count;
+}
+
+uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px)
+{
+    double finer = 0; /* share of the pixels that would read a finer level */
+    uint32_t octave = HATCH_NEEDS_OCTAVES;
+    while (octave > 0 && 1u << (octave - 1) >= size_px)
+        finer += needs->texels[--octave];
+    while (size_px / 2 >= size_min_px && octave > 0) {
+        finer += needs->texels[--octave];
+        if (finer > needs->tolerance)
+            break;
+        size_px /= 2;
+    }
+    return size_px;
 }
 
 double hatch_needs_strokes(const struct hatch_needs *needs, const struct hatch_stroke_pen *pen, uint32_t families)

@@ -7,14 +7,16 @@
 #include "base/bytes.h"
 #include "curve/width.h"
 
-#define HATCH_NEEDS_TONES 64u /* parts of equal width of the scale of tones, from paper to ink */
+#define HATCH_NEEDS_TONES 64u   /* parts of equal width of the scale of tones, from paper to ink */
+#define HATCH_NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
 
 struct hatch_needs {
-    double tolerance;                  /* mean difference of tone that was allowed, over 0, at most 1 */
-    double darkest;                    /* darkest tone that a view needs, of either ink, 0 .. 1 */
-    bool relative;                     /* tones are shares of the darkest tone of the strokes, whatever it is */
-    double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale: most pixels that a unit of the scene's lengths covers
-                                          where a surface has such a tone; 0: none has */
+    double tolerance;                   /* mean difference of tone that was allowed, over 0, at most 1 */
+    double darkest;                     /* darkest tone that a view needs, of either ink, 0 .. 1 */
+    bool relative;                      /* tones are shares of the darkest tone of the strokes, whatever it is */
+    double unit_px[HATCH_NEEDS_TONES];  /* per part of the scale: most pixels that a unit of the scene's lengths covers
+                                           where a surface has such a tone; 0: none has */
+    double texels[HATCH_NEEDS_OCTAVES]; /* per octave: share of the pixels whose finest mip level is of it */
 };
 
 /* Parses a file of needs. Rows of other things are passed over.
@@ -26,6 +28,10 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, struct hatch_needs 
  *   targets  tones of the columns, ascending
  *   tones    number of columns, at least 1 */
 uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones);
+
+/* Returns the side of the finest level that a map needs, size_px or a smaller power of two, at least size_min_px. A
+ * tile covers a unit of texture coordinates, or less. */
+uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px);
 
 /* Returns how many traced strokes of a family are needed side by side per unit of the scene's lengths: what
  * hatch_stroke_width_px calls wanted, at most.

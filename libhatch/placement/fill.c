@@ -230,8 +230,12 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     uint32_t columns = options->needed ? options->needed : options->tones;
     HATCH_TRY(
         hatch_column_metadata(style, columns, options->levels, options->seed, options->growth, arena, &metadata, err));
-    metadata.whole = (struct hatch_tam_whole){options->tones, f.targets[options->tones - 1],
-                                              columns < options->tones ? options->tolerance : 0};
+    if (columns < options->tones || options->whole_size_px > options->size_px)
+        metadata.whole =
+            (struct hatch_tam_whole){.size_px = options->whole_size_px ? options->whole_size_px : options->size_px,
+                                     .tones = options->tones,
+                                     .darkest = f.targets[options->tones - 1],
+                                     .tolerance = options->tolerance};
     const struct hatch_canvas_options canvas = {style,           options->brush, options->size_px,
                                                 options->levels, options->color, options->ids};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);

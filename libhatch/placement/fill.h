@@ -19,7 +19,8 @@ struct hatch_fill_options {
     uint32_t size_px;                /* HATCH_TAM_SIZE_MIN .. HATCH_TAM_SIZE_MAX, a power of two */
     uint32_t tones;                  /* number of columns, 1 .. HATCH_TAM_TONES_MAX */
     uint32_t needed;                 /* number of columns that are made, the first ones; 0: all */
-    float tolerance;                 /* that the map names if not all are made: struct hatch_tam_whole */
+    uint32_t whole_size_px;          /* size_px of the whole map of which this is a part; 0: the same */
+    float tolerance;                 /* that the map names if it is not whole: struct hatch_tam_whole */
     uint32_t levels;                 /* number of drawn levels, 1 upwards; the coarsest has at least 32 pixels */
     enum hatch_fill_method method;
     uint64_t seed; /* random seed */

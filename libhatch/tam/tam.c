@@ -13,8 +13,9 @@ void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t 
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)metadata->growth, HATCH_ATTRIBUTE_FLOAT);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, metadata->seed);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, metadata->style);
-    if (metadata->whole.tones <= metadata->tones)
+    if (!metadata->whole.tones)
         return;
+    hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_SIZE, metadata->whole.size_px, HATCH_ATTRIBUTE_INT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_TONES, metadata->whole.tones, HATCH_ATTRIBUTE_INT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_TONE, (double)metadata->whole.darkest, HATCH_ATTRIBUTE_FLOAT);
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_TOLERANCE, (double)metadata->whole.tolerance, HATCH_ATTRIBUTE_FLOAT);
@@ -128,25 +129,30 @@ static enum hatch_status read_whole(const struct hatch_mipmap *part, const char 
 static enum hatch_status find_whole(struct hatch_tam *tam, struct hatch_err *err)
 {
     const struct hatch_mipmap *part = &tam->columns[0];
-    double last = (double)tam->target[tam->tones - 1], tones, darkest, tolerance;
-    tam->whole = (struct hatch_tam_whole){.tones = tam->tones, .darkest = tam->target[tam->tones - 1]};
+    double last = (double)tam->target[tam->tones - 1], size, tones, darkest, tolerance;
+    tam->whole = (struct hatch_tam_whole){.size_px = tam->size_px, .tones = tam->tones, .darkest = (float)last};
     if (!hatch_mipmap_attribute(part, HATCH_TAM_ATTR_WHOLE_TONES))
         return HATCH_OK;
-    HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_WHOLE_TONES, HATCH_ATTRIBUTE_INT, tam->tones + 1.0, HATCH_TAM_TONES_MAX,
-                         &tones, err));
+    HATCH_TRY(
+        read_whole(part, HATCH_TAM_ATTR_WHOLE_SIZE, HATCH_ATTRIBUTE_INT, tam->size_px, HATCH_TAM_SIZE_MAX, &size, err));
+    HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_WHOLE_TONES, HATCH_ATTRIBUTE_INT, tam->tones, HATCH_TAM_TONES_MAX, &tones,
+                         err));
     HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_WHOLE_TONE, HATCH_ATTRIBUTE_FLOAT, last, 1, &darkest, err));
     HATCH_TRY(read_whole(part, HATCH_TAM_ATTR_TOLERANCE, HATCH_ATTRIBUTE_FLOAT, 0, 1, &tolerance, err));
-    tam->whole = (struct hatch_tam_whole){(uint32_t)tones, (float)darkest, (float)tolerance};
+    tam->whole = (struct hatch_tam_whole){(uint32_t)size, (uint32_t)tones, (float)darkest, (float)tolerance};
     return HATCH_OK;
+}
+
+bool hatch_tam_is_whole(const struct hatch_tam *tam)
+{
+    return tam->tones == tam->whole.tones && tam->size_px == tam->whole.size_px;
 }
 
 enum hatch_status hatch_tam_check_whole(const struct hatch_tam *tam, struct hatch_err *err)
 {
-    if (tam->tones == tam->whole.tones)
+    if (hatch_tam_is_whole(tam))
         return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT,
-                      "has only %u of %u columns, made for the needs of some views; make the map without --needs",
-                      tam->tones, tam->whole.tones);
+    return hatch_fail(err, HATCH_BAD_INPUT, "was made for the needs of some views; make the map without --needs");
 }
 
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,

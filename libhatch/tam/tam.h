@@ -13,11 +13,12 @@
 #define HATCH_TAM_SIZE_MIN 64u   /* pixels, finest level */
 #define HATCH_TAM_SIZE_MAX 4096u /* pixels, finest level */
 
-/* The whole map of one whose darkest columns were not made because no view needs them. */
+/* The whole map of one whose darkest columns or finest levels were not made because no view needs them. */
 struct hatch_tam_whole {
-    uint32_t tones;  /* number of its columns; a map that is whole has as many */
-    float darkest;   /* tone of its last column */
-    float tolerance; /* mean difference of tone that was allowed, 0 .. 1; 0 where the map is whole */
+    uint32_t size_px; /* width of its finest level */
+    uint32_t tones;   /* number of its columns; a map that is whole has as many */
+    float darkest;    /* tone of its last column */
+    float tolerance;  /* mean difference of tone that was allowed, 0 .. 1; 0 where the map is whole */
 };
 
 /* The channels of every image are Y, or R, G and B (reflectance, 1 = paper, 0 = ink), followed by id and t if ids is
@@ -29,7 +30,7 @@ struct hatch_tam {
     bool color;
     bool ids;
     float target[HATCH_TAM_TONES_MAX]; /* target tone of each column, 0 .. 1, never falling */
-    struct hatch_tam_whole whole;      /* the map whose first columns these are */
+    struct hatch_tam_whole whole;      /* equals the members above where nothing was left out */
     struct hatch_mipmap *columns;      /* one per tone, lightest first, each a full mip chain down to 1x1 */
 };
 
@@ -42,6 +43,7 @@ struct hatch_tam {
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
 #define HATCH_TAM_ATTR_STROKES "hatch:strokes" /* text: stroke script, in the last column of a map with ids */
 /* Of maps that are not whole */
+#define HATCH_TAM_ATTR_WHOLE_SIZE "hatch:whole-size"
 #define HATCH_TAM_ATTR_WHOLE_TONES "hatch:whole-tones"
 #define HATCH_TAM_ATTR_WHOLE_TONE "hatch:whole-tone"
 #define HATCH_TAM_ATTR_TOLERANCE "hatch:tolerance"
@@ -55,7 +57,10 @@ struct hatch_tam {
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Fails with HATCH_BAD_INPUT if columns of the map were left out: struct hatch_tam_whole. */
+/* Returns whether all columns and levels of a map were made. */
+bool hatch_tam_is_whole(const struct hatch_tam *tam);
+
+/* Fails with HATCH_BAD_INPUT if they were not. */
 enum hatch_status hatch_tam_check_whole(const struct hatch_tam *tam, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Checks that no pixel gets lighter from one column to the next, in any colour channel, by more than one step of 8
@@ -78,7 +83,7 @@ struct hatch_tam_metadata {
     const char *seed;             /* random seed, decimal */
     const char *style;            /* name of the style */
     float growth;                 /* as in struct hatch_fill_options */
-    struct hatch_tam_whole whole; /* zeroed, or with as many tones: the map is whole */
+    struct hatch_tam_whole whole; /* tones 0: the map is whole */
 };
 
 /* Sets the name and the attributes of a column, as tam(5) requires.

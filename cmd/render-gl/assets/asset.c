@@ -51,9 +51,19 @@ uint32_t asset_size_px(const struct asset *asset)
     return asset_is_map(asset) ? asset->map.size_px : asset->texture.size_px;
 }
 
-uint32_t asset_levels(const struct asset *asset)
+uint32_t asset_whole_size_px(const struct asset *asset)
 {
-    return asset_is_map(asset) ? asset->map.levels : asset->texture.levels;
+    return asset_is_map(asset) ? asset->map.whole.size_px : asset->texture.size_px;
+}
+
+uint32_t asset_whole_levels(const struct asset *asset)
+{
+    uint32_t finer = 0;
+    if (!asset_is_map(asset))
+        return asset->texture.levels;
+    while (asset->map.size_px << finer < asset->map.whole.size_px)
+        finer++;
+    return asset->map.levels + finer;
 }
 
 bool assets_have(const struct assets *assets, const struct asset_kind *kind)

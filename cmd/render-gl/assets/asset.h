@@ -66,7 +66,11 @@ void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 bool asset_is_map(const struct asset *asset);
 float asset_darkest(const struct asset *asset);
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
-uint32_t asset_levels(const struct asset *asset);  /* mip levels that hold strokes; 0: no asset */
+
+/* The side of the finest level and the number of levels that hold strokes; of a map that is not whole, those of the
+ * whole one, so that both repeat as often over a surface. 0: no asset. */
+uint32_t asset_whole_size_px(const struct asset *asset);
+uint32_t asset_whole_levels(const struct asset *asset);
 
 /* An asset and its uploads, each made on first use. */
 struct assets {

@@ -1,6 +1,7 @@
 #include "render-gl/mode/job.h"
 
 #include "math/angle.h"
+#include "render-gl/mode/needs/technique.h"
 #include "render-gl/scene/attributes.h"
 #include "render-gl/scene/material.h"
 #include "render-gl/scene/normals.h"
@@ -379,14 +380,15 @@ static void set_darkest(struct job *job)
         options->tone_range[1] = options->technique->darkest(instance);
 }
 
-/* Sets how often the map repeats over each surface. */
+/* Sets how often the map repeats over each surface; for --needs, how often one that is large enough does. */
 static enum hatch_status set_repeats(struct job *job, struct hatch_err *err)
 {
     const struct hatch_uv_repeat how = {.repeat = job->options->repeat,
                                         .view = &job->first_view,
                                         .height_px = job->options->height,
-                                        .size_px = asset_size_px(&job->asset),
-                                        .levels = asset_levels(&job->asset)};
+                                        .size_px =
+                                            job->options->needs ? NEEDS_SIZE_PX : asset_whole_size_px(&job->asset),
+                                        .levels = job->options->needs ? NEEDS_LEVELS : asset_whole_levels(&job->asset)};
     return scene_set_repeats(&job->scene, &how, &job->args.keep, &job->args.scratch, err);
 }
 
@@ -409,7 +411,7 @@ void job_prepare(struct job *job)
         cmd_check(hatch_auto_exposure(&job->scene.unit, &job->first_view, scratch, &options->exposure, &err), job->name,
                   &err);
     options_style(options, &job->frame.style);
-    if (options->map_path)
+    if (options->map_path || options->needs)
         cmd_check(set_repeats(job, &err), job->name, &err);
     job_use(job, options->technique);
 }

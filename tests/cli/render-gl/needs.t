@@ -82,6 +82,8 @@ tamgen -v --size 128 --tones 32 --needs turn.needs -o cut.exr 2>said
 columns=$(hatchstat tam cut.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
 is "some columns are left out" "$(awk -v n="$columns" 'BEGIN {print (n > 8 && n < 32)}')" 1
 ok "-v says how many" grep -q "^tamgen: $((32 - columns)) of 32 columns left out: tones over" said
+is "and what that saves" "$(sed -n 's/^tamgen: \(.*\) of the texels are made/\1/p' said)" \
+    "$(awk -v n="$columns" 'BEGIN {printf "%.3g", n / 32}')"
 tampack -q --layout png whole.exr -o whole
 tampack -q --layout png cut.exr -o cut
 is "all columns that are made have the pixels of the whole map" "$(for file in cut.*.png; do
@@ -117,6 +119,30 @@ tamgen -q --size 64 --tones 4 -o four.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' -o whole4.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' --needs tone.needs -o same4.exr
 ok "a map of which everything is needed is that of tamgen without --needs" cmp whole4.exr same4.exr
+
+# A map whose finest level no view reads: the smaller one looks alike, with the same tiles.
+view='--size 160x120 --lines none'
+render-gl torus.glb --size 160x120 --turntable --frames 4 --needs -o small.needs
+tamgen -q --tones 4 -o large.exr
+tamgen -v --tones 4 --needs small.needs -o small.exr 2>said
+is "finer levels are left out" "$(grep -c 'levels finer than 128 pixels left out' said)" 1
+tamgen -q --tones 4 --size 128 -o smaller.exr
+tampack -q --layout png small.exr -o small
+tampack -q --layout png smaller.exr -o smaller
+ok "as if --size were smaller" cmp small.003.00.png smaller.003.00.png
+tamgen -q --tones 4 --levels 4 --needs small.needs -o levels.exr
+ok "not if --levels is given" cmp large.exr levels.exr
+for map in large small; do
+    # shellcheck disable=SC2086
+    render-gl -q torus.glb $view -T $map.exr -o $map.png
+done
+is "pictures have the same tone, and at 64 pixels, too" "$(hatchstat diff small.png large.png |
+    awk 'NR == 2 {print ($3 > -.005 && $3 < .005 && $10 < .04)}')" 1
+# shellcheck disable=SC2086
+try render-gl -q torus.glb $view --zoom 2 -T small.exr -o near.png
+refused "a nearer view is refused" 3 1
+is "since it needs finer levels" "$(sed 's/: [0-9.]* of/: X of/' "$WORK/.err")" \
+    "render-gl: small.exr: was made for surfaces seen from farther away: X of this view needs finer levels; make it again with the needs of this view"
 
 # Strokes: as many levels as the picture's size asks for.
 for width in 80 160 320; do

@@ -75,6 +75,7 @@ START_TEST(a_wrong_file_is_refused_with_its_row)
         {"", "no table of needs"},
         {"[\n {\"thing\": \"tolerance\"}]\n", "no table of needs"},
         {HEAD, "no row 'tolerance'"},
+        {HEAD "darkest\t2\t0\t\n", "row 2: darkest: want an index from 0 to 1"},
         {HEAD "tolerance\t0\t0.01\t\nrelative\t0\t0\t\n", "no row 'darkest'"},
         {HEAD ROWS "unit-px\t0\n", "row 6: fewer than 3 fields"},
         {HEAD "tolerance\t0\t0\t\n", "row 2: tolerance: want a number from 1e-06 to 1"},
@@ -111,6 +112,27 @@ START_TEST(columns_reach_the_darkest_tone)
 }
 END_TEST
 
+/* Octave 7 has the pixels with 128 to 255 per tile, which read the level of 256. */
+START_TEST(a_map_is_as_large_as_pixels_read_it)
+{
+    struct hatch_needs needs = {.tolerance = 0.01};
+    needs.texels[5] = 0.9;
+    needs.texels[7] = 0.1;
+    ck_assert_uint_eq(hatch_needs_size(&needs, 512, 64), 256);
+    ck_assert_uint_eq(hatch_needs_size(&needs, 256, 64), 256);
+    ck_assert_uint_eq(hatch_needs_size(&needs, 128, 64), 128);
+    needs.texels[7] = 0.005; /* few enough */
+    ck_assert_uint_eq(hatch_needs_size(&needs, 512, 64), 64);
+    ck_assert_uint_eq(hatch_needs_size(&needs, 512, 128), 128);
+    needs.texels[6] = 0.006; /* together too many */
+    ck_assert_uint_eq(hatch_needs_size(&needs, 512, 64), 128);
+    needs.texels[5] = needs.texels[6] = needs.texels[7] = 0;
+    needs.texels[23] = 1;
+    ck_assert_uint_eq(hatch_needs_size(&needs, 512, 64), 512);
+    ck_assert_uint_eq(hatch_needs_size(&needs, 4096, 64), 4096);
+}
+END_TEST
+
 /* With one family, even response and even width, t / width strokes per pixel make the tone t. */
 START_TEST(strokes_follow_the_law_of_widths)
 {
@@ -144,6 +166,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_file_is_read);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
+    tcase_add_test(tests, a_map_is_as_large_as_pixels_read_it);
     tcase_add_test(tests, strokes_follow_the_law_of_widths);
     suite_add_tcase(suite, tests);
     return suite;

@@ -11,7 +11,10 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
     const struct options *options = job->options;
     struct hatch_arena *keep = &job->args.keep;
     struct hatch_err err;
-    *measure = (struct needs_measure){.tolerance = tolerance, .inks = options->inks.two ? 2 : 1, .lightest = {1, 1}};
+    *measure = (struct needs_measure){.map_px = asset_size_px(&job->asset),
+                                      .tolerance = tolerance,
+                                      .inks = options->inks.two ? 2 : 1,
+                                      .lightest = {1, 1}};
     cmd_check(picture_canvas(&job->frame, options->width, options->height, 1, &measure->canvas, &err), NULL, &err);
     for (int i = 0; i < 2; i++)
         cmd_check(HATCH_ALLOC(keep, &measure->texels_read[i], (size_t)4 * measure->canvas.width * BAND_PX, &err), NULL,
@@ -30,7 +33,9 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
 static void count_pixel(const struct job *job, const float tone[4], const float face[4], struct needs_measure *measure)
 {
     uint32_t index = (uint32_t)tone[3] - 1, number = (uint32_t)face[0] + 4096 * (uint32_t)face[1];
+    const struct hatch_unit_mesh *mesh = &job->scene.unit.meshes[job->scene.unit.items[index].mesh];
     struct needs_item *item = &measure->items[index];
+    double octave = (double)face[2];
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         double amount = fmin(fmax((double)tone[ink], 0), 1);
         hatch_needs_add(&measure->view_tones[ink], amount);
@@ -41,8 +46,12 @@ static void count_pixel(const struct job *job, const float tone[4], const float 
     item->pixels++;
     if (number < item->faces)
         item->seen[number] = 1;
-    if (hatch_mesh_find(job->scene.unit.meshes[job->scene.unit.items[index].mesh].surface, "TEXCOORD_0", 2))
-        measure->texels[(uint32_t)fmin(fmax((double)face[2], 0), NEEDS_OCTAVES - 1)]++;
+    if (mesh->patches) /* whose strokes are as large in the picture as the map is */
+        octave = HATCH_NEEDS_OCTAVES - 1;
+    if (mesh->patches || hatch_mesh_find(mesh->surface, "TEXCOORD_0", 2)) {
+        measure->texels[(uint32_t)fmin(fmax(octave, 0), HATCH_NEEDS_OCTAVES - 1)]++;
+        measure->finer += measure->map_px > 0 && octave > log2(measure->map_px) + 0.5;
+    }
 }
 
 /* Counts the pixels of a rectangle of the frame just drawn. Returns how many show the scene. */
@@ -85,6 +94,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     struct technique_instance *instance = job_use(job, &needs_technique);
     struct hatch_err err;
     uint64_t drawn = 0;
+    measure->finer = 0;
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
     for (uint32_t y = 0; y < options->height; y += canvas->height)

@@ -8,8 +8,6 @@
 #include "render-gl/mode/job.h"
 #include "render-gl/mode/needs/technique.h"
 
-#define NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
-
 struct needs_item {
     uint64_t pixels; /* that show it, in all views */
     uint32_t faces;  /* of its surface */
@@ -23,7 +21,9 @@ struct needs_measure {
     uint64_t pixels, drawn;         /* of all views; those that show the scene */
     double darkest[2], lightest[2]; /* per ink: range of tones that a view needs; lightest over darkest: none does */
     uint64_t tones[2][HATCH_NEEDS_TONES]; /* per ink and part of the scale: pixels */
-    uint64_t texels[NEEDS_OCTAVES];       /* pixels of items that have texture coordinates */
+    uint64_t texels[HATCH_NEEDS_OCTAVES]; /* pixels of items that have texture coordinates */
+    double map_px;                        /* side of the finest level of the map in use; 0: none */
+    uint64_t finer;                       /* of the last view: pixels that need a level finer by more than 0.5 */
     double unit_px[HATCH_NEEDS_TONES];    /* per part of the scale, of either ink: as in struct hatch_needs */
     double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
     struct needs_item *items; /* per item of the scene */

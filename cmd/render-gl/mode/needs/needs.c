@@ -50,7 +50,7 @@ static void report_all(struct cmd_report *report, const struct job *job, const s
     for (uint32_t i = 0; i < HATCH_NEEDS_TONES; i++)
         if (measure->unit_px[i] > 0)
             report_row(report, "unit-px", i, measure->unit_px[i], "px");
-    report_shares(report, "texels", measure->texels, NEEDS_OCTAVES, drawn);
+    report_shares(report, "texels", measure->texels, HATCH_NEEDS_OCTAVES, drawn);
     for (uint32_t i = 0; i < job->scene.unit.item_count; i++) {
         report_row(report, "item", i, (double)measure->items[i].pixels / drawn, "of the scene's pixels");
         report_row(report, "faces", i, measure->items[i].faces, "");
@@ -76,28 +76,43 @@ void needs_report(struct job *job)
     cmd_report_write(&report, job->outputs[0]);
 }
 
+/* Exits with a message if a view needs more than a map that was made for needs has.
+ *   measure  after needs_add of the view
+ *   drawn    number of the view's pixels that show the scene */
+static void check_view(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
+{
+    static const char again[] = "make it again with the needs of this view";
+    const char *name = cmd_input_name(job->options->map_path);
+    const struct hatch_tam *map = &job->asset.map;
+    double last = (double)map->target[map->tones - 1], allowed = LEEWAY * (double)map->whole.tolerance;
+    struct hatch_err err;
+    for (uint32_t ink = 0; ink < measure->inks && map->tones < map->whole.tones; ink++) {
+        const struct hatch_needs_tones *tones = &measure->view_tones[ink];
+        if (hatch_needs_excess(tones, drawn, last) <= allowed)
+            continue;
+        hatch_fail(&err, HATCH_BAD_INPUT, "was made for tones up to %.3g, this view needs %.3g: %s", last,
+                   hatch_needs_darkest(tones, drawn, measure->tolerance), again);
+        cmd_die(name, &err);
+    }
+    if (map->size_px < map->whole.size_px && (double)measure->finer > allowed * (double)drawn) {
+        hatch_fail(&err, HATCH_BAD_INPUT,
+                   "was made for surfaces seen from farther away: %.2g of this view needs finer levels; %s",
+                   (double)measure->finer / (double)drawn, again);
+        cmd_die(name, &err);
+    }
+}
+
 void needs_check(struct job *job)
 {
     const struct hatch_tam *map = &job->asset.map;
     struct needs_measure measure;
     struct hatch_view view;
-    struct hatch_err err;
-    if (!technique_asset(job->options->technique) || !asset_is_map(&job->asset) || map->whole.tones == map->tones)
+    if (!technique_asset(job->options->technique) || !asset_is_map(&job->asset) || hatch_tam_is_whole(map))
         return;
-    double last = (double)map->target[map->tones - 1], allowed = LEEWAY * (double)map->whole.tolerance;
     needs_begin(job, (double)map->whole.tolerance, &measure);
     for (uint32_t frame = 0; frame < job->options->frames; frame++) {
         job_set_frame(job, frame, &view);
-        uint64_t drawn = needs_add(job, &view, &measure);
-        for (uint32_t ink = 0; ink < measure.inks; ink++) {
-            if (hatch_needs_excess(&measure.view_tones[ink], drawn, last) <= allowed)
-                continue;
-            double tone = hatch_needs_darkest(&measure.view_tones[ink], drawn, measure.tolerance);
-            hatch_fail(&err, HATCH_BAD_INPUT,
-                       "was made for tones up to %.3g, this view needs %.3g: make it again with the needs of this view",
-                       last, tone);
-            cmd_die(cmd_input_name(job->options->map_path), &err);
-        }
+        check_view(job, &measure, needs_add(job, &view, &measure));
     }
     needs_end(&measure);
     job_set_frame(job, 0, &view);

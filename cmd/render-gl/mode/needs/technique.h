@@ -4,6 +4,10 @@
 
 #include "render-gl/technique/technique.h"
 
+/* A map that no view magnifies, with levels down to 32 pixels, as tamgen makes them. */
+#define NEEDS_SIZE_PX (1u << 20)
+#define NEEDS_LEVELS 16u
+
 extern const struct technique needs_technique;
 
 /* Returns what the last frame was drawn into: two outputs as shaders/needs/needs.frag writes them, single floats.
