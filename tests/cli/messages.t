@@ -32,7 +32,7 @@ says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wi
     tamgen --size 64 --levels 3
 says "--ink with a layout that ignores it" 2 2 "--ink needs --layout rgb, array, dds or png: in OpenEXR ink is always 0" tampack --layout exr --ink 1
 says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.7,.9" tamthresh --bins x map.exr
-says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of diff, field, frames, ink, lapped, mesh, seeds, solid, tam, tones" \
+says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of coarse, diff, field, frames, ink, lapped, mesh, seeds, solid, tam, tones" \
     hatchstat bunny
 says "a shape with a typing error" 2 2 "bump, helicoid, catenoid; perhaps teapot" meshgen teapto
 says "a style with a typing error" 2 2 "speckle, stipple, wash, woodcut, and not a file; perhaps pencil" tamgen --style penci

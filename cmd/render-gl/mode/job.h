@@ -34,6 +34,13 @@ struct job {
     double changes_ms;            /* total time of these calls */
 };
 
+/* Names the scene after its files, and reads these (mode/load.c). Exits with a message on failure.
+ *   notes  in: zeroed; out: what is doubtful about the meshes */
+void job_load(struct job *job, struct hatch_mesh_notes *notes);
+
+/* Exits with a message if no node of the scene has a face. */
+void job_check_faces(const struct job *job, const struct hatch_mesh_notes *notes);
+
 /* Reads the scene, the asset and the files of techniques, and checks them. Exits with a message on failure. */
 void job_read(struct job *job);
 

@@ -68,8 +68,8 @@ START_TEST(a_box_keeps_its_twelve_faces)
 }
 END_TEST
 
-/* A sphere of radius 1 whose surface may move by e has faces of circumradius r with r² / 2 = e: about 4 π / (3 √3 / 4
- * r²) of them, if they were all equilateral. */
+/* A sphere of radius 1 whose surface may move by e has faces of circumradius r with r^2 / 2 = e: about 4 pi / (3
+ * sqrt(3) / 4 r^2) of them, if they were all equilateral. */
 START_TEST(a_sphere_follows_the_sagitta)
 {
     struct hatch_mesh sphere = bare_shape(HATCH_SHAPE_SPHERE, 30000);
