@@ -1,4 +1,5 @@
 /* meshfit: makes the meshes of a scene as coarse as its views allow. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -8,13 +9,15 @@
 
 static struct cmd_view_options chosen = CMD_VIEW_OPTIONS;
 static double error_px = 0.5;
-static int64_t faces;
+static int64_t faces, level_count = 1;
 
 static const struct cmd_option options[] = {
     {'e', "error", CMD_REAL, 1e-3, 1000, "PX", "how far the surface may move in the pictures, in pixels (default 0.5)",
      &error_px, NULL, NULL},
     {'n', "faces", CMD_INT, 4, 4294967295, "N", "keep N faces at most, with an error as small as possible", &faces,
      NULL, NULL},
+    {'l', "levels", CMD_INT, 1, MESHFIT_LEVELS_MAX, "N",
+     "levels of detail, each with twice the error of the one before (default 1)", &level_count, NULL, NULL},
     {0, "size", CMD_PAIR, 1, 65536, "WxH", "width and height of the pictures in pixels (default 1280x720)",
      chosen.size_px, NULL, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "see the scene from this azimuth and elevation only (default: all sides)",
@@ -23,6 +26,11 @@ static const struct cmd_option options[] = {
     {0, "zoom", CMD_REAL, 1e-3, 0x1p40, "X", "move X times nearer to the middle of the picture (default 1)",
      &chosen.zoom, NULL, NULL},
     {0},
+};
+
+static const struct cmd_rule rules[] = {
+    {"error levels", "!faces", "which determines the error"},
+    {NULL, NULL, NULL},
 };
 
 static const char *const examples[] = {
@@ -37,6 +45,7 @@ static const struct cmd_program program = {
     .summary = "make the meshes of a scene as coarse as its pictures allow",
     .examples = examples,
     .options = options,
+    .rules = rules,
     .operands_min = 0,
     .operands_max = 1,
     .binary = true,
@@ -52,7 +61,7 @@ static void report(struct meshfit *fit, struct meshfit_level *level, uint64_t be
              "normals %.3g degrees in the mean",
              (unsigned long long)level->faces, (unsigned long long)before, f->displacement_px, f->displacement_p999_px,
              f->outline_px, f->normal_deg);
-    if (level->faces == before)
+    if (level->faces == before && level_count == 1)
         cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
 }
 
@@ -72,9 +81,9 @@ static void drop_computed_normals(struct hatch_scene *scene)
 int main(int argc, char **argv)
 {
     struct cmd_args args;
-    struct hatch_scene scene;
+    struct hatch_scene scene, out;
     struct meshfit fit = {.args = &args, .scene = &scene};
-    struct meshfit_level level;
+    struct meshfit_level levels[MESHFIT_LEVELS_MAX];
     struct hatch_err err;
     uint64_t before = 0;
     cmd_begin(&program, argc, argv, &args);
@@ -87,19 +96,20 @@ int main(int argc, char **argv)
         before += scene.meshes[m].mesh.face_count;
     drop_computed_normals(&scene);
     meshfit_begin(&fit, &chosen);
-    if (faces > 0)
-        meshfit_by_faces(&fit, (uint64_t)faces, &level);
-    else
-        meshfit_by_error(&fit, error_px, &level);
-    report(&fit, &level, before);
-    for (uint32_t m = 0; m < scene.mesh_count; m++)
-        scene.meshes[m].mesh = level.meshes[m];
+    for (int64_t i = 0; i < level_count; i++) {
+        if (faces > 0)
+            meshfit_by_faces(&fit, (uint64_t)faces, &levels[i]);
+        else
+            meshfit_by_error(&fit, ldexp(error_px, (int)i), &levels[i]);
+        report(&fit, &levels[i], before);
+    }
+    meshfit_join_levels(&fit, levels, (uint32_t)level_count, &out);
 
     char comment[128];
-    snprintf(comment, sizeof comment, "meshfit --error %g --size %gx%g --fov %g --zoom %g", error_px, chosen.size_px[0],
-             chosen.size_px[1], chosen.fov_deg, chosen.zoom);
+    snprintf(comment, sizeof comment, "meshfit --error %g --levels %d --size %gx%g --fov %g --zoom %g", error_px,
+             (int)level_count, chosen.size_px[0], chosen.size_px[1], chosen.fov_deg, chosen.zoom);
     struct hatch_buffer file = {.arena = &args.keep};
-    cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), fit.name, &err);
+    cmd_check(hatch_glb_write_scene(&out, comment, &args.scratch, &file, &err), fit.name, &err);
     cmd_write(output, file.data, file.size);
     return cmd_end(&args, HATCH_OK);
 }

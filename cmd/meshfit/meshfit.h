@@ -38,4 +38,12 @@ void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level 
 /* Measures all figures; the functions above leave those of outlines and normals 0. */
 void meshfit_measure_all(struct meshfit *fit, struct meshfit_level *level);
 
+#define MESHFIT_LEVELS_MAX 8
+
+/* Makes a scene with the meshes of one level, or with several levels of detail: each node with meshes gets a child that
+ * draws them, with coarser nodes that stand for it. Dies on failure.
+ *   scene  out: its arrays are in args->keep */
+void meshfit_join_levels(struct meshfit *fit, const struct meshfit_level *levels, uint32_t count,
+                         struct hatch_scene *scene);
+
 #endif

@@ -4,7 +4,9 @@
 #include "coarse/scene.h"
 #include "meshfit.h"
 
-#define TRIES 8       /* tolerances for one error */
+#define TRIES 12      /* runs for one error */
+#define LOCAL_TRIES 5 /* those of them after which the tolerance is lowered only near places with a larger error */
+#define LOWER 0.7     /* factor of the tolerance everywhere after each later run */
 #define FACE_TRIES 14 /* tolerances for one number of faces */
 #define CLOSE 0.97    /* share of the number of faces that is near enough */
 #define CAUTION 0.85  /* factor of the tolerance that should lead to the error */
@@ -75,8 +77,9 @@ static void measure(struct meshfit *fit, bool all, struct meshfit_level *level)
     hatch_arena_rewind(&args->keep, mark);
 }
 
-/* Lowers the tolerance at the vertices of faces that are displaced by more than the error. */
-static void tighten(struct meshfit *fit, double error_px)
+/* Lowers the tolerance at the vertices of faces that are displaced by more than the error.
+ *   everywhere  at all others, too */
+static void tighten(struct meshfit *fit, double error_px, bool everywhere)
 {
     struct hatch_arena *scratch = &fit->args->scratch;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -90,6 +93,8 @@ static void tighten(struct meshfit *fit, double error_px)
     for (uint32_t v = 0; v < fit->full.vertex_count; v++)
         if (worst[v] > error_px)
             fit->share[v] *= (float)(CAUTION * error_px / worst[v]);
+        else if (everywhere)
+            fit->share[v] *= (float)LOWER;
     hatch_arena_rewind(scratch, mark);
 }
 
@@ -107,7 +112,7 @@ void meshfit_by_error(struct meshfit *fit, double error_px, struct meshfit_level
         measure(fit, false, level);
         if (level->figures.displacement_px <= error_px)
             return;
-        tighten(fit, error_px);
+        tighten(fit, error_px, i >= LOCAL_TRIES);
     }
     hatch_arena_rewind(&fit->args->keep, mark);
     take_scene(fit, level);

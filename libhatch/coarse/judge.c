@@ -104,35 +104,44 @@ static bool face_allows(struct hatch_coarse_work *work, const struct hatch_coars
     return true;
 }
 
-/* Returns the smallest tolerance at the corners of a face of the full meshes. */
+/* Returns the smallest tolerance at the corners of a face of the full meshes. A face with a repeated point has no wedge
+ * at its first corner. */
 static double full_tolerance(const struct hatch_coarse_work *work, uint32_t face)
 {
     double tolerance = INFINITY;
-    for (size_t c = 0; c < 3; c++)
-        tolerance = fmin(tolerance, work->tolerance[work->point_of[work->full_corner[3 * (size_t)face + c]]]);
+    for (size_t c = 0; c < 3; c++) {
+        uint32_t wedge = work->full_corner[3 * (size_t)face + c];
+        if (wedge != HATCH_COARSE_NONE)
+            tolerance = fmin(tolerance, work->tolerance[work->point_of[wedge]]);
+    }
     return tolerance;
 }
 
-/* Tests that a face lies near the full surface: a grid of places on it, which is finer where the face is larger. The
- * samples alone do not see a face that stands out between them.
- *   hint  in, out: a face of the full meshes that may be near */
+/* Tests that a face lies near the full surface: at places in rows along its longest side. The samples alone do not see
+ * a face that stands out between them. hint  in, out: a face of the full meshes that may be near */
 static bool lies_near(const struct hatch_coarse_work *work, double corners[3][3], double tolerance, uint32_t *hint)
 {
-    double longest = 0;
-    for (int c = 0; c < 3; c++)
-        longest = fmax(longest, hatch_vec_distance(corners[c], corners[(c + 1) % 3]));
-    double rows = ceil(longest / (GRID_TOLERANCES * tolerance));
-    int n = rows >= GRID_MAX ? GRID_MAX : rows >= 2 ? (int)rows : 2;
-    for (int i = 0; i <= n; i++)
-        for (int j = i == 0 || i == n ? 1 : 0; i + j <= n - (i == 0); j++) {
-            double b = (double)i / n, c = (double)j / n, at[3];
+    double base = 0, normal[3], step = GRID_TOLERANCES * tolerance;
+    int first = 0;
+    for (int c = 0; c < 3; c++) {
+        double length = hatch_vec_distance(corners[c], corners[(c + 1) % 3]);
+        first = length > base ? c : first;
+        base = fmax(base, length);
+    }
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    double rows = fmin(fmax(ceil(hatch_vec_length(normal) / (base * step)), 2), GRID_MAX);
+    const double *a = corners[first], *b = corners[(first + 1) % 3], *apex = corners[(first + 2) % 3];
+    for (double row = 0; row < rows; row++) {
+        double columns = fmin(fmax(ceil(base * (1 - row / rows) / step), 2), GRID_MAX), at[3];
+        for (double column = row == 0 ? 1 : 0; column <= columns - (row == 0); column++) {
             for (int k = 0; k < 3; k++)
-                at[k] = work->middle[k] + corners[0][k] + b * (corners[1][k] - corners[0][k]) +
-                        c * (corners[2][k] - corners[0][k]);
+                at[k] = work->middle[k] + a[k] + row / rows * (apex[k] - a[k]) +
+                        (1 - row / rows) * column / columns * (b[k] - a[k]);
             if (!hatch_nearest_within(&work->full, at, tolerance, hint) ||
                 !hatch_nearest_within(&work->full, at, full_tolerance(work, *hint), hint))
                 return false;
         }
+    }
     return true;
 }
 

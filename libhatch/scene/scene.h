@@ -120,6 +120,14 @@ struct hatch_animation {
     float duration_s; /* time of the last key of all channels */
 };
 
+/* Levels of detail of a node's meshes, for writing: nodes with coarser meshes that stand for the node when it is small
+ * in the picture (the extension MSFT_lod). They are not part of the scene; hatch_gltf_read does not read them. */
+struct hatch_lod {
+    uint32_t node;
+    uint32_t first, count; /* the coarser nodes, which have no parent */
+    const float *coverage; /* count + 1: share of the picture down to which the node and each coarser one are drawn */
+};
+
 struct hatch_scene {
     uint32_t mesh_count, node_count, material_count, texture_count;
     uint32_t camera_count, light_count, skin_count, animation_count;
@@ -131,6 +139,8 @@ struct hatch_scene {
     struct hatch_light *lights;
     struct hatch_skin *skins;
     struct hatch_animation *animations;
+    struct hatch_lod *lods; /* ascending by node */
+    uint32_t lod_count;
     bool up_undefined; /* from a format that does not define which axis points up: one node with one mesh */
 };
 

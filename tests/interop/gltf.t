@@ -34,6 +34,11 @@ if [ -x "$BUILD/tests/interop/samples" ]; then
     strokegen -q --levels 3 scene.glb -o strokes.glb
     validated strokes.glb
     kept strokegen scene.glb strokes.glb
+    meshfit -q --size 320x180 --error 3 scene.glb -o fit.glb
+    validated fit.glb
+    kept meshfit scene.glb fit.glb
+    meshfit -q --size 320x180 --levels 3 scene.glb -o levels.glb
+    validated levels.glb
 else
     skip "a scene with every kind of object" "make check builds it"
 fi

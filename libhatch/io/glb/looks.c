@@ -164,11 +164,21 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
             hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
         placed = placed || (use && use->has_transform);
     }
-    if (!placed && scene->light_count == 0)
-        return HATCH_OK;
-    return hatch_buffer_print(&glb->json, glb->err, ",\"extensionsUsed\":[%s%s%s]",
-                              placed ? "\"KHR_texture_transform\"" : "", placed && scene->light_count ? "," : "",
-                              scene->light_count ? "\"KHR_lights_punctual\"" : "");
+    const struct {
+        bool used;
+        const char *name;
+    } extensions[] = {{placed, "KHR_texture_transform"},
+                      {scene->light_count > 0, "KHR_lights_punctual"},
+                      {scene->lod_count > 0, "MSFT_lod"}};
+    bool any = false;
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++) {
+        if (!extensions[i].used)
+            continue;
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, any ? ",\"%s\"" : ",\"extensionsUsed\":[\"%s\"",
+                                     extensions[i].name));
+        any = true;
+    }
+    return hatch_glb_put(glb, any ? "]" : "");
 }
 
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)

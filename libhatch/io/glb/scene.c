@@ -26,11 +26,17 @@ struct children {
 static enum hatch_status find_children(struct hatch_glb *glb, struct children *children)
 {
     uint32_t count = glb->scene->node_count;
+    uint8_t *coarser; /* per node: 1 for one that stands for another */
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &coarser, count, glb->err));
+    for (uint32_t i = 0; i < glb->scene->lod_count; i++)
+        memset(coarser + glb->scene->lods[i].first, 1, glb->scene->lods[i].count);
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &children->first, (size_t)count + 1, glb->err));
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &children->next, count, glb->err));
     for (uint32_t i = 0; i <= count; i++)
         children->first[i] = HATCH_NONE;
     for (uint32_t i = count; i-- > 0;) {
+        if (coarser[i])
+            continue;
         uint32_t parent = glb->scene->nodes[i].parent;
         uint32_t *first = &children->first[parent == HATCH_NONE ? count : parent];
         children->next[i] = *first;
@@ -66,6 +72,30 @@ static enum hatch_status print_transform(struct hatch_glb *glb, const struct hat
     return HATCH_OK;
 }
 
+/* Prints the light and the levels of detail of a node. */
+static enum hatch_status print_node_extensions(struct hatch_glb *glb, uint32_t index)
+{
+    const struct hatch_scene *scene = glb->scene;
+    const struct hatch_lod *lod = NULL;
+    uint32_t light = scene->nodes[index].light;
+    for (uint32_t i = 0; i < scene->lod_count && !lod; i++)
+        lod = scene->lods[i].node == index ? &scene->lods[i] : NULL;
+    if (light == HATCH_NONE && !lod)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{"));
+    if (light != HATCH_NONE)
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\"KHR_lights_punctual\":{\"light\":%u}", light));
+    if (!lod)
+        return hatch_glb_put(glb, "}");
+    HATCH_TRY(hatch_glb_put(glb, light != HATCH_NONE ? ",\"MSFT_lod\":{" : "\"MSFT_lod\":{"));
+    HATCH_TRY(hatch_glb_open_array(glb, "ids"));
+    for (uint32_t i = 0; i < lod->count; i++)
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, i ? ",%u" : "%u", lod->first + i));
+    HATCH_TRY(hatch_glb_put(glb, "]}},\"extras\":{"));
+    HATCH_TRY(hatch_glb_numbers(glb, "MSFT_screencoverage", lod->coverage, lod->count + 1));
+    return hatch_glb_put(glb, "}");
+}
+
 static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const struct children *children)
 {
     const struct hatch_node *node = &glb->scene->nodes[index];
@@ -84,10 +114,7 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
     }
     if (node->camera != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "camera", node->camera));
-    if (node->light != HATCH_NONE) {
-        HATCH_TRY(hatch_glb_key(glb, "extensions"));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"KHR_lights_punctual\":{\"light\":%u}}", node->light));
-    }
+    HATCH_TRY(print_node_extensions(glb, index));
     return hatch_glb_put(glb, "}");
 }
 

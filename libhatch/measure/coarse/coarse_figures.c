@@ -6,7 +6,7 @@
 #include "mesh/nearest/nearest.h"
 
 #define SPACING_PX 3.0 /* between samples on a face */
-#define ROWS_MAX 200u  /* rows of samples on a face */
+#define ROWS_MAX 400.0 /* rows of samples on a face, and samples of a row */
 #define BINS 4096u     /* of the histogram of displacements */
 #define BINS_PER_PX 256.0
 #define PIECES 64u /* of the faces of a mesh: sums do not depend on the threads */
@@ -83,23 +83,32 @@ static void add_sample(const struct survey *survey, uint32_t face, double corner
     sums->angle_deg += DEGREES * acos(fmin(fmax(hatch_vec_dot(own, other), -1), 1));
 }
 
-/* Samples a face: its corners' mean where it is small, else a grid of such triangles; and the
- * vertices of which it is the first face. */
+/* Samples a face: rows along its longest side, and the vertices of which it is the first face.
+ *   hint  in, out: as for add_sample */
 static void add_face(const struct survey *survey, uint32_t face, uint32_t *hint, struct sums *sums)
 {
-    double corners[3][3], longest = 0;
+    double corners[3][3], normal[3], base = 0;
+    size_t first = 0;
     hatch_mesh_corners(survey->from, face, corners);
-    for (int c = 0; c < 3; c++)
-        longest = fmax(longest, hatch_vec_distance(corners[c], corners[(c + 1) % 3]));
-    double rows = ceil(longest * survey->pixels[survey->from->indices[3 * (size_t)face]] / SPACING_PX);
-    uint32_t n = rows >= ROWS_MAX ? ROWS_MAX : rows >= 1 ? (uint32_t)rows : 1;
-    for (uint32_t i = 0; i < n; i++)
-        for (uint32_t j = 0; i + j < n; j++) {
-            double b = (i + 1.0 / 3) / n, c = (j + 1.0 / 3) / n;
-            add_sample(survey, face, corners, (const double[3]){1 - b - c, b, c}, hint, sums);
+    for (size_t c = 0; c < 3; c++) {
+        double length = hatch_vec_distance(corners[c], corners[(c + 1) % 3]);
+        first = length > base ? c : first;
+        base = fmax(base, length);
+    }
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    double pixels = survey->pixels[survey->from->indices[3 * (size_t)face]] / SPACING_PX;
+    double rows = fmin(fmax(ceil(base > 0 ? pixels * hatch_vec_length(normal) / base : 0), 1), ROWS_MAX);
+    for (double row = 1.0 / 3; row < rows; row++) {
+        double columns = fmin(fmax(ceil(pixels * base * (1 - row / rows)), 1), ROWS_MAX), share[3];
+        for (double column = 0.5; column < columns; column++) {
+            share[(first + 2) % 3] = row / rows;
+            share[(first + 1) % 3] = (1 - row / rows) * column / columns;
+            share[first] = 1 - share[(first + 1) % 3] - share[(first + 2) % 3];
+            add_sample(survey, face, corners, share, hint, sums);
         }
-    for (int c = 0; c < 3; c++)
-        if (survey->first_face[survey->from->indices[3 * (size_t)face + (size_t)c]] == face)
+    }
+    for (size_t c = 0; c < 3; c++)
+        if (survey->first_face[survey->from->indices[3 * (size_t)face + c]] == face)
             add_sample(survey, face, corners, (const double[3]){c == 0, c == 1, c == 2}, hint, sums);
 }
 

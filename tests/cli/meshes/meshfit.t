@@ -70,7 +70,29 @@ try meshfit $small -v torus.glb -o /dev/null
 is "-v reports faces and errors" "$(grep -cE '^meshfit: [0-9]+ of [0-9]+ faces; displacement 0\.[0-9]+ px at most, 99\.9 % within 0\.[0-9]+ px; outlines [0-9.]+ px at most; normals [0-9.]+ degrees in the mean$' .err)" 1
 try meshfit $small torus.glb -o /dev/null
 is "without it, nothing is said" "$(cat .err)" ""
-is "the options are in the file" "$(grep -ac '"meshfit --error 0.5 --size 320x180 --fov 30 --zoom 1"' fit.glb)" 1
+is "the options are in the file" "$(grep -ac '"meshfit --error 0.5 --levels 1 --size 320x180 --fov 30 --zoom 1"' fit.glb)" 1
+
+# json FILE: the JSON of a GLB file
+json() {
+    tail -c +21 "$1" | head -c "$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')"
+}
+meshfit $small --levels 3 torus.glb -o levels.glb
+is "--levels writes coarser nodes that are not part of the scene" \
+    "$(json levels.glb | grep -o '"scenes":.*"meshes"')" \
+    '"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,"extensions":{"MSFT_lod":{"ids":[2,3]}},"extras":{"MSFT_screencoverage":[0.212500006,0.0531250015,0]}},{"mesh":1},{"mesh":2}],"meshes"'
+is "and names the extension" "$(json levels.glb | grep -c '"extensionsUsed":\["MSFT_lod"\]')" 1
+meshfit $small torus.glb -o first.glb
+is "others read the first level" "$(faces levels.glb)" "$(faces first.glb)"
+counts=$(json levels.glb | grep -o '"componentType":512[35],"count":[0-9]*,"type":"SCALAR"' | sed 's/.*count"://; s/,.*//')
+# shellcheck disable=SC2086
+set -- $counts
+ok "each level has fewer faces" test $# -eq 3 -a "$1" -gt "$2" -a "$2" -gt "$3"
+try meshfit --faces 100 --levels 2 torus.glb
+refused "--levels with --faces" 2 2
+try meshfit --faces 100 --error 1 torus.glb
+refused "--error with --faces" 2 2
+try meshfit --levels 9 torus.glb
+refused "--levels 9" 2 2
 
 for option in "--error 0" "--error nan" "--size 0x1" "--faces 3" "--zoom 0" "--fov 180"; do
     try meshfit $option torus.glb

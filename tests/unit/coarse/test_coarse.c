@@ -171,6 +171,12 @@ START_TEST(faces_without_points_apart_are_left_out)
     static const uint32_t faces[] = {0, 1, 2, 0, 3, 1};
     struct hatch_mesh mesh = mesh_of(positions, 4, faces, 2);
     ck_assert_uint_eq(coarse_of(&mesh, 0.1).face_count, 1);
+    /* Such a face may be the nearest to a place on a new one. */
+    struct hatch_mesh plane = sheet(12, 0);
+    for (uint32_t f = 0; f < plane.face_count; f += 16)
+        plane.indices[3 * f] = plane.indices[3 * f + 1];
+    plane.indices[0] = 0;
+    ck_assert_uint_lt(coarse_of(&plane, 1e-3).face_count, plane.face_count / 2);
 }
 END_TEST
 

@@ -1,0 +1,112 @@
+/* Levels of detail: the nodes that carry coarser meshes. */
+#include <string.h>
+
+#include "meshfit.h"
+
+/* The scene that is being made. */
+struct making {
+    struct meshfit *fit;
+    struct hatch_scene *scene; /* its nodes, meshes and animations are copies with room for more */
+    uint32_t levels;
+    uint32_t *carrier; /* per node of the first scene: the node that draws its meshes; HATCH_NONE: it draws none */
+    float *coverage;   /* per level */
+};
+
+/* Returns a node that draws the meshes of another at its place. */
+static struct hatch_node carrier_of(const struct hatch_node *from, uint32_t first_mesh)
+{
+    struct hatch_node node = {.rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}, .camera = HATCH_NONE, .light = HATCH_NONE};
+    node.parent = HATCH_NONE;
+    node.first_mesh = first_mesh;
+    node.mesh_count = from->mesh_count;
+    node.weights = from->weights;
+    node.skin = from->skin;
+    return node;
+}
+
+/* Moves the meshes of each node to a child of it, so that its other children and its animation are at all levels. */
+static void add_nodes(struct making *making, uint32_t node_count, uint32_t mesh_count)
+{
+    struct hatch_scene *scene = making->scene;
+    for (uint32_t n = 0; n < node_count; n++) {
+        struct hatch_node *node = &scene->nodes[n];
+        making->carrier[n] = HATCH_NONE;
+        if (node->mesh_count == 0)
+            continue;
+        making->carrier[n] = scene->node_count;
+        scene->lods[scene->lod_count++] =
+            (struct hatch_lod){scene->node_count, scene->node_count + 1, making->levels - 1, making->coverage};
+        for (uint32_t level = 0; level < making->levels; level++)
+            scene->nodes[scene->node_count++] = carrier_of(node, node->first_mesh + level * mesh_count);
+        /* A skinned mesh ignores the transforms of its parents, and should have none. */
+        scene->nodes[making->carrier[n]].parent = node->skin == HATCH_NONE ? n : HATCH_NONE;
+        node->mesh_count = 0;
+        node->weights = NULL;
+        node->skin = HATCH_NONE;
+    }
+}
+
+/* Lets the channels of morph targets' weights act on the carriers of all levels. */
+static void add_channels(struct making *making, struct hatch_animation *animation)
+{
+    struct hatch_err err;
+    struct hatch_animation_channel *channels;
+    size_t most = (size_t)animation->channel_count * making->levels;
+    uint32_t count = 0;
+    cmd_check(HATCH_ALLOC(&making->fit->args->keep, &channels, most, &err), making->fit->name, &err);
+    for (uint32_t c = 0; c < animation->channel_count; c++) {
+        uint32_t node = animation->channels[c].node;
+        bool moves = animation->channels[c].path == HATCH_PATH_WEIGHTS && making->carrier[node] != HATCH_NONE;
+        for (uint32_t level = 0; level < (moves ? making->levels : 1); level++) {
+            channels[count] = animation->channels[c];
+            channels[count++].node = moves ? making->carrier[node] + level : node;
+        }
+    }
+    animation->channels = channels;
+    animation->channel_count = count;
+}
+
+static void allocate(struct making *making, const struct hatch_scene *from)
+{
+    struct hatch_arena *keep = &making->fit->args->keep;
+    const char *name = making->fit->name;
+    struct hatch_scene *scene = making->scene;
+    struct hatch_err err;
+    size_t nodes = from->node_count, levels = making->levels;
+    if (levels * from->mesh_count > UINT32_MAX || nodes * (levels + 1) > UINT32_MAX)
+        cmd_check(hatch_fail(&err, HATCH_LIMIT, "too many nodes and meshes for %u levels", making->levels), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &scene->nodes, nodes * (levels + 1), &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &scene->meshes, levels * from->mesh_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &scene->animations, from->animation_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &scene->lods, nodes, &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &making->carrier, nodes, &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &making->coverage, levels, &err), name, &err);
+    memcpy(scene->nodes, from->nodes, nodes * sizeof *from->nodes);
+    if (from->animation_count > 0)
+        memcpy(scene->animations, from->animations, from->animation_count * sizeof *from->animations);
+}
+
+void meshfit_join_levels(struct meshfit *fit, const struct meshfit_level *levels, uint32_t count,
+                         struct hatch_scene *scene)
+{
+    const struct hatch_scene *from = fit->scene;
+    struct making making = {.fit = fit, .scene = scene, .levels = count};
+    *scene = *from;
+    allocate(&making, from);
+    /* A framed scene fills nearly all of the picture; at half the size, a quarter, twice the error is as small. */
+    float share = 0.85f;
+    for (uint32_t level = 0; level < count; level++) {
+        share /= 4;
+        making.coverage[level] = level + 1 < count ? share : 0;
+        for (uint32_t m = 0; m < from->mesh_count; m++) {
+            scene->meshes[level * from->mesh_count + m] = from->meshes[m];
+            scene->meshes[level * from->mesh_count + m].mesh = levels[level].meshes[m];
+        }
+    }
+    scene->mesh_count = count * from->mesh_count;
+    if (count > 1) {
+        add_nodes(&making, from->node_count, from->mesh_count);
+        for (uint32_t a = 0; a < scene->animation_count; a++)
+            add_channels(&making, &scene->animations[a]);
+    }
+}
