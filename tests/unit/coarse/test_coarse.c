@@ -154,6 +154,31 @@ START_TEST(borders_of_parts_stay_closed)
 }
 END_TEST
 
+/* A border between parts that winds on a flat sheet: the shape alone would allow a straight one. */
+START_TEST(borders_on_flat_sheets_keep_their_course)
+{
+    struct hatch_mesh all = sheet(24, 0), halves[2] = {all, all}, out[2];
+    struct hatch_coarse_part parts[2];
+    double *tolerances = HATCH_NEW(&keep, double, all.vertex_count, &err);
+    for (uint32_t v = 0; v < all.vertex_count; v++) {
+        float *at = &all.attributes[0].data[3 * (size_t)v];
+        tolerances[v] = 0.004;
+        at[1] += (float)(0.2 * (double)(at[1] * (1 - at[1])) * sin(2 * PI * (double)at[0]));
+    }
+    for (int i = 0; i < 2; i++) {
+        halves[i].face_count /= 2;
+        halves[i].indices += i * 3 * (int)halves[i].face_count;
+        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances};
+    }
+    HATCH_TEST_OK(hatch_coarse_make(parts, 2, &keep, &scratch, out, &err), &err);
+    ck_assert_uint_lt(out[0].face_count, 60);
+    ck_assert_uint_gt(out[0].vertex_count, 8);
+    /* The area under the winding border is half of the sheet's. */
+    ck_assert_double_eq_tol(area_of(&out[0]), 0.5, 0.004);
+    ck_assert_double_eq_tol(area_of(&out[0]) + area_of(&out[1]), 1, 1e-5);
+}
+END_TEST
+
 START_TEST(scale_and_place_do_not_matter)
 {
     struct hatch_mesh torus = bare_shape(HATCH_SHAPE_TORUS, 4000);
@@ -215,6 +240,7 @@ static Suite *suite(void)
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);
     tcase_add_test(tests, borders_of_parts_stay_closed);
+    tcase_add_test(tests, borders_on_flat_sheets_keep_their_course);
     tcase_add_test(tests, scale_and_place_do_not_matter);
     tcase_add_test(tests, faces_without_points_apart_are_left_out);
     tcase_add_test(tests, allocations_may_fail);
