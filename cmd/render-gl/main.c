@@ -35,6 +35,7 @@ int main(int argc, char **argv)
     job.open_window = job.options->window ? window_open : NULL;
     open_outputs(&job);
     job_read(&job);
+    needs_check_mode(&job);
     if (job.options->vectors && !job.options->technique->curves) {
         job_prepare_without_gpu(&job);
         vectors_write(&job);

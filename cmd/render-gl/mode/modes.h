@@ -11,7 +11,9 @@ void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
 void needs_report(struct job *job);  /* --needs */
 
-/* Exits with a message if the map was made for needs (needs(5)) that a view of the job exceeds. */
+/* Exit with a message if the map was made for needs (needs(5)): the first one if the mode is a window, which shows any
+ * view, the second one if a view of the job exceeds these needs. The job need not be prepared for the first. */
+void needs_check_mode(const struct job *job);
 void needs_check(struct job *job);
 
 /* Encodes a picture: as OpenEXR if the path ends in .exr, else as PNG.

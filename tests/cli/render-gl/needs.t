@@ -51,8 +51,8 @@ is "both views count" "$(row zoom.needs views 0)" 2
 near "the nearer one needs twice the pixels" "$(row zoom.needs unit-px 32)" 300 .05
 
 # In tiles; with more threads; as JSON.
-render-gl plane.glb --camera 0,0,3.7320508:0,0,0 --fov 30 --size 4352x32 --needs -o wide.needs
-near "a picture of two tiles has all columns of pixels" "$(row wide.needs drawn 0)" "$(awk 'BEGIN {print 32 / 4352}')" .0001
+render-gl plane.glb --camera 0,0,3.7320508:0,0,0 --fov 30 --size 8192x32 --needs -o wide.needs
+near "a plane on both of two tiles of a picture is seen on both" "$(row wide.needs drawn 0)" "$(awk 'BEGIN {print 32 / 8192}')" .0001
 render-gl torus.glb --size 320x240 --needs -j 1 -o one.needs
 render-gl torus.glb --size 320x240 --needs -j 3 -o three.needs
 ok "the same bytes with any number of threads" cmp one.needs three.needs
@@ -111,6 +111,10 @@ ok "and leaves no file" test ! -e x.png
 ok "a range of tones that the map has is drawn" \
     render-gl -q torus.glb -T cut.exr --light 180:-30 --tone-range 0:.5 --size 64x48 -o x.png
 tamgen -q --size 64 --needs tone.needs --tones 4 -o four.exr
+try render-gl -q torus.glb -T four.exr --window
+refused "a window, which shows any view, refuses a map that is not whole" 3 1
+is "before it opens" "$(cat "$WORK/.err")" \
+    "render-gl: four.exr: was made for the needs of some views; make the map without --needs"
 for command in tamvol tamthresh; do
     try $command four.exr -o x.ktx2
     refused "$command refuses a map that is not whole" 3 1

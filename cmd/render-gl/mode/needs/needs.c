@@ -102,6 +102,13 @@ static void check_view(const struct job *job, const struct needs_measure *measur
     }
 }
 
+void needs_check_mode(const struct job *job)
+{
+    struct hatch_err err;
+    if (job->options->window && asset_is_map(&job->asset))
+        cmd_check(hatch_tam_check_whole(&job->asset.map, &err), cmd_input_name(job->options->map_path), &err);
+}
+
 void needs_check(struct job *job)
 {
     const struct hatch_tam *map = &job->asset.map;
