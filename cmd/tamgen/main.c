@@ -5,6 +5,8 @@
 #include "job.h"
 
 #define SMALLEST_LEVEL_PX 32u
+#define LEVELS_DIFFER                                                                                                  \
+    0.01 /* tolerance from which on a level of a map may stand for that of another, docs/notes/needs.md */
 
 static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
 static int64_t tones = 6, size_px = 256, levels;
@@ -117,7 +119,7 @@ static void read_needs(struct job *job)
     job->tones = hatch_needs_columns(&needs, targets, whole);
     job->tolerance = (float)needs.tolerance;
     job->whole_size_px = job->size_px;
-    if (!levels_given)
+    if (!levels_given && needs.tolerance >= LEVELS_DIFFER)
         job->size_px = hatch_needs_size(&needs, job->size_px, HATCH_TAM_SIZE_MIN);
     for (uint32_t size = job->size_px; size < job->whole_size_px; size *= 2)
         job->levels--;

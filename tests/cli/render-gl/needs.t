@@ -136,6 +136,9 @@ tampack -q --layout png smaller.exr -o smaller
 ok "as if --size were smaller" cmp small.003.00.png smaller.003.00.png
 tamgen -q --tones 4 --levels 4 --needs small.needs -o levels.exr
 ok "not if --levels is given" cmp large.exr levels.exr
+sed 's/^tolerance	0	0.01/tolerance	0	0.009/' small.needs >exact.needs
+tamgen -q --tones 4 --needs exact.needs -o exact.exr
+ok "nor for a tolerance that levels exceed" cmp large.exr exact.exr
 for map in large small; do
     # shellcheck disable=SC2086
     render-gl -q torus.glb $view -T $map.exr -o $map.png
