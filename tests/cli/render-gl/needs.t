@@ -71,8 +71,10 @@ is "one level of strokes" "$(strokegen -v --needs none.needs plane.glb 2>&1 >non
 meshgen plane --faces 2 -o two.glb
 render-gl two.glb --camera .9,0,.1:.9,0,0 --size 64x64 --needs -o triangle.needs
 is "a view of one triangle sees one" "$(row triangle.needs faces-seen 0) of $(row triangle.needs faces 0)" "1 of 2"
-try render-gl -q none.glb.missing --needs -o x.needs
-refused "a scene that is missing" 4 1
+echo '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"x"}]}' >empty.gltf
+try render-gl -q empty.gltf --needs -o x.needs
+refused "an empty scene is refused" 3 1
+ok "and leaves no file of needs" test ! -e x.needs
 
 # A map that was cut: its columns are those of the whole map.
 light='--light 0:60 --size 320x240 --lines none'

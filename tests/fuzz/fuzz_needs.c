@@ -1,0 +1,29 @@
+#include "fuzz.h"
+
+#include "needs/needs.h"
+
+/* Numbers must be in their ranges, and never ask for more than the whole map. */
+static void check(const struct hatch_needs *needs)
+{
+    static const float targets[] = {0.25f, 0.5f, 0.75f};
+    const struct hatch_stroke_pen pen = {
+        .width_px = 2, .thin = 0.5f, .join = 0.4f, .response = {1, 1, 1, 1, 1, 1, 1, 1}};
+    uint32_t columns = hatch_needs_columns(needs, targets, 3), size_px = hatch_needs_size(needs, 256, 64);
+    bool tones = needs->tolerance > 0 && needs->tolerance <= 1 && needs->darkest >= 0 && needs->darkest <= 1;
+    if (!tones || columns < 1 || columns > 3 || size_px < 64 || size_px > 256 ||
+        !(hatch_needs_strokes(needs, &pen, 2) >= 0))
+        abort();
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct fuzz_arenas arenas = fuzz_arenas_make();
+    struct hatch_needs needs;
+    struct hatch_err err;
+    enum hatch_status status = hatch_needs_parse((struct hatch_bytes){data, size}, &needs, &err);
+    if (status == HATCH_OK)
+        check(&needs);
+    fuzz_check(status, &err, &arenas);
+    fuzz_arenas_free(&arenas);
+    return 0;
+}
