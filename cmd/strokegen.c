@@ -80,24 +80,36 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
     return count;
 }
 
-/* Sets the number of levels to what views need: their strokes need not get wider than render-gl lets them before it
- * traces finer ones. Strokes have the default width of pictures.
- *   diagonal  of the scene */
-static void read_needs(struct cmd_args *args, uint32_t families, double diagonal)
+/* Finds how many levels views need: their strokes need not get wider than render-gl lets them before it traces finer
+ * ones. Strokes have the default width of pictures.
+ *   diagonal  of the scene
+ *   counts    out: per mesh */
+static void read_needs(struct cmd_args *args, uint32_t families, double diagonal, uint32_t mesh_count, uint32_t *counts)
 {
     struct hatch_needs needs;
     struct hatch_style style;
     struct hatch_err err;
-    int64_t whole = levels;
-    cmd_check(hatch_needs_parse(cmd_read(args, needs_path), &needs, &err), cmd_input_name(needs_path), &err);
+    double *mesh_px;
+    uint32_t least = (uint32_t)levels, most = 1;
+    cmd_check(HATCH_ALLOC(&args->keep, &mesh_px, mesh_count, &err), NULL, &err);
+    cmd_check(hatch_needs_parse(cmd_read(args, needs_path), mesh_px, mesh_count, &needs, &err),
+              cmd_input_name(needs_path), &err);
     hatch_style_default(&style);
     style.pen.width_px = style.width_px;
-    double wanted = hatch_needs_strokes(&needs, &style.pen, families) * gap * diagonal;
-    levels = 1;
-    while (levels < whole && wanted > HATCH_FINER_START * STROKES_PER_GAP * ldexp(1, (int)levels - 1))
-        levels++;
-    cmd_note("%d of %d levels: the views need %.3g strokes over a gap of the coarsest", (int)levels, (int)whole,
-             wanted);
+    for (uint32_t i = 0; i < mesh_count; i++) {
+        double wanted = hatch_needs_strokes(&needs, mesh_px[i], &style.pen, families) * gap * diagonal;
+        uint32_t count = 1;
+        while (count < levels && wanted > HATCH_FINER_START * STROKES_PER_GAP * ldexp(1, (int)count - 1))
+            count++;
+        counts[i] = count;
+        least = count < least ? count : least;
+        most = count > most ? count : most;
+    }
+    if (least < most)
+        cmd_note("%u to %u of %d levels are needed", least, most, (int)levels);
+    else
+        cmd_note("%u of %d levels are needed", most, (int)levels);
+    levels = most;
 }
 
 static void report_share(void *context, double share)
@@ -143,24 +155,27 @@ int main(int argc, char **argv)
     float angle_rad[HATCH_CURVE_FAMILIES_MAX];
     const struct hatch_progress progress = {report_share, NULL};
     cmd_begin(&program, argc, argv, &args);
-    uint32_t families = read_angles(angle_rad), strokes = 0, points = 0;
+    uint32_t families = read_angles(angle_rad), strokes = 0, points = 0, *counts;
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     const struct hatch_surface *surfaces = cmd_make_surfaces(&args, input, &scene);
     cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args.keep, &counts, scene.mesh_count, &err), name, &err);
+    for (uint32_t i = 0; i < scene.mesh_count; i++)
+        counts[i] = (uint32_t)levels;
     if (needs_path)
-        read_needs(&args, families, extent.diagonal);
-    const struct hatch_trace_options how = {.family_count = families,
-                                            .angle_rad = angle_rad,
-                                            .gap = gap * extent.diagonal,
-                                            .levels = (uint32_t)levels,
-                                            .length = length,
-                                            .hard_rad = hard_deg * (PI / 180),
-                                            .seed = args.seed,
-                                            .progress = &progress};
+        read_needs(&args, families, extent.diagonal, scene.mesh_count, counts);
+    struct hatch_trace_options how = {.family_count = families,
+                                      .angle_rad = angle_rad,
+                                      .gap = gap * extent.diagonal,
+                                      .length = length,
+                                      .hard_rad = hard_deg * (PI / 180),
+                                      .seed = args.seed,
+                                      .progress = &progress};
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
+        how.levels = counts[i];
         trace(&args, name, &surfaces[i], extent.scale[i], &how, &scene.meshes[i]);
         strokes += scene.meshes[i].curves.count;
         points += scene.meshes[i].curves.point_count;

@@ -114,7 +114,8 @@ static void read_needs(struct job *job)
     struct hatch_needs needs;
     struct hatch_err err;
     uint32_t whole = job->tones;
-    cmd_check(hatch_needs_parse(cmd_read(&job->args, needs_path), &needs, &err), cmd_input_name(needs_path), &err);
+    cmd_check(hatch_needs_parse(cmd_read(&job->args, needs_path), NULL, 0, &needs, &err), cmd_input_name(needs_path),
+              &err);
     hatch_style_targets(&job->style, whole, targets);
     job->tones = hatch_needs_columns(&needs, targets, whole);
     job->tolerance = (float)needs.tolerance;

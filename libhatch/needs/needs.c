@@ -8,7 +8,7 @@
 #define HEADER "thing\tindex\tvalue\tunit"
 
 /* Things that generators read. */
-enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, THINGS };
+enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, MESH_PX, THINGS };
 
 static const struct {
     const char *name;
@@ -21,12 +21,15 @@ static const struct {
     [DARKEST] = {"darkest", 2, 0, 1, true},
     [UNIT_PX] = {"unit-px", HATCH_NEEDS_TONES, 0, 1e30, false},
     [TEXELS] = {"texels", HATCH_NEEDS_OCTAVES, 0, 1, false},
+    [MESH_PX] = {"mesh-unit-px", UINT32_MAX, 0, 1e30, false},
 };
 
 /* Values that were read. */
 struct reading {
     bool found[THINGS];
-    double values[THINGS][HATCH_NEEDS_TONES]; /* per thing and index */
+    double values[MESH_PX][HATCH_NEEDS_TONES]; /* per thing and index */
+    double *mesh_px;                           /* per mesh */
+    uint32_t mesh_count;
 };
 
 static enum hatch_status parse_row(struct hatch_text line, struct reading *reading, struct hatch_err *err)
@@ -46,14 +49,20 @@ static enum hatch_status parse_row(struct hatch_text line, struct reading *readi
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: want a number from %g to %g", things[i].name, things[i].low,
                           things[i].high);
     reading->found[i] = true;
-    reading->values[i][(int)at] = value;
+    if (i != MESH_PX)
+        reading->values[i][(int)at] = value;
+    else if (at < reading->mesh_count)
+        reading->mesh_px[(uint32_t)at] = value;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_needs_parse(struct hatch_bytes file, struct hatch_needs *needs, struct hatch_err *err)
+enum hatch_status hatch_needs_parse(struct hatch_bytes file, double *mesh_px, uint32_t mesh_count,
+                                    struct hatch_needs *needs, struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(file), line;
-    struct reading reading = {.found = {false}};
+    struct reading reading = {.mesh_px = mesh_px, .mesh_count = mesh_count};
+    for (uint32_t i = 0; i < mesh_count; i++)
+        mesh_px[i] = 0;
     if (!hatch_text_line(&rest, &line) || !hatch_text_is(line, HEADER))
         return hatch_fail(err, HATCH_BAD_INPUT, "no table of needs; render-gl SCENE --needs -o FILE makes one");
     for (uint32_t row = 2; hatch_text_line(&rest, &line); row++)
@@ -95,7 +104,8 @@ uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uin
     return size_px;
 }
 
-double hatch_needs_strokes(const struct hatch_needs *needs, const struct hatch_stroke_pen *pen, uint32_t families)
+double hatch_needs_strokes(const struct hatch_needs *needs, double mesh_px, const struct hatch_stroke_pen *pen,
+                           uint32_t families)
 {
     double most = 0, darkest = hatch_stroke_darkest(pen, families);
     for (uint32_t f = 0; f < families; f++) {
@@ -104,7 +114,8 @@ double hatch_needs_strokes(const struct hatch_needs *needs, const struct hatch_s
         for (uint32_t i = 0; i < HATCH_NEEDS_TONES; i++) {
             double ink = fmin((i + 1.0) / HATCH_NEEDS_TONES, needs->darkest) * (needs->relative ? darkest : 1);
             double tone = (double)tones[(uint32_t)ceil(ink * (HATCH_STROKE_TONES - 1))];
-            most = fmax(most, needs->unit_px[i] * tone / (HATCH_STROKE_GAIN * hatch_stroke_whole_px(pen, tone)));
+            double covered = fmin(needs->unit_px[i], mesh_px) * tone / HATCH_STROKE_GAIN;
+            most = fmax(most, covered / hatch_stroke_whole_px(pen, tone));
         }
     }
     return most;

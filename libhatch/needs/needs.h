@@ -20,9 +20,12 @@ struct hatch_needs {
 };
 
 /* Parses a file of needs. Rows of other things are passed over.
+ *   mesh_px     out: per mesh of the scene, the most pixels that a unit of the scene's lengths covers on it; 0: it is
+ *               not seen; unset on failure
+ *   mesh_count  number of meshes; rows of further ones are passed over
  * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing. */
-enum hatch_status hatch_needs_parse(struct hatch_bytes file, struct hatch_needs *needs,
-                                    struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_needs_parse(struct hatch_bytes file, double *mesh_px, uint32_t mesh_count,
+                                    struct hatch_needs *needs, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns how many columns of a map are needed: up to the first that is dark enough.
  *   targets  tones of the columns, ascending
@@ -35,7 +38,9 @@ uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uin
 
 /* Returns how many traced strokes of a family are needed side by side per unit of the scene's lengths: what
  * hatch_stroke_width_px calls wanted, at most.
+ *   mesh_px   of the mesh that has the strokes
  *   families  number of families of strokes, at least 1 */
-double hatch_needs_strokes(const struct hatch_needs *needs, const struct hatch_stroke_pen *pen, uint32_t families);
+double hatch_needs_strokes(const struct hatch_needs *needs, double mesh_px, const struct hatch_stroke_pen *pen,
+                           uint32_t families);
 
 #endif

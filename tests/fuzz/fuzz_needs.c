@@ -11,7 +11,7 @@ static void check(const struct hatch_needs *needs)
     uint32_t columns = hatch_needs_columns(needs, targets, 3), size_px = hatch_needs_size(needs, 256, 64);
     bool tones = needs->tolerance > 0 && needs->tolerance <= 1 && needs->darkest >= 0 && needs->darkest <= 1;
     if (!tones || columns < 1 || columns > 3 || size_px < 64 || size_px > 256 ||
-        !(hatch_needs_strokes(needs, &pen, 2) >= 0))
+        !(hatch_needs_strokes(needs, 1e30, &pen, 2) >= 0))
         abort();
 }
 
@@ -19,8 +19,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct fuzz_arenas arenas = fuzz_arenas_make();
     struct hatch_needs needs;
+    double mesh_px[2];
     struct hatch_err err;
-    enum hatch_status status = hatch_needs_parse((struct hatch_bytes){data, size}, &needs, &err);
+    enum hatch_status status = hatch_needs_parse((struct hatch_bytes){data, size}, mesh_px, 2, &needs, &err);
     if (status == HATCH_OK)
         check(&needs);
     fuzz_check(status, &err, &arenas);

@@ -162,6 +162,24 @@ is "each doubling of the size asks for a level" "$(tr '\n' ' ' <levels)" "3 4 5 
 strokegen -q --levels 3 torus.glb -o three.glb
 is "these levels are those of --levels" "$(numbers strokes.80.glb | md5sum)" "$(numbers three.glb | md5sum)"
 
+# Of two meshes, one far behind the other and one out of sight.
+meshgen sphere --faces 600 -o ball.glb
+unpack ball.glb ball
+perl -MJSON::PP -0e '
+    my $scene = decode_json <>;
+    push @{$scene->{meshes}}, $scene->{meshes}[0], $scene->{meshes}[0];
+    push @{$scene->{nodes}}, {mesh => 1, translation => [0, 0, -9]}, {mesh => 2, translation => [0, 9, 0]};
+    $scene->{scenes}[0]{nodes} = [0, 1, 2];
+    print encode_json $scene' ball.gltf >balls.gltf
+render-gl balls.gltf --camera 3,0,3:0,0,-4 --size 160x120 --needs -o balls.needs
+is "a mesh that is not seen has no row" "$(awk -F'\t' '$1 == "mesh-unit-px" {print $2}' balls.needs | tr '\n' ' ')" "0 1 "
+is "a mesh that is nearer has more pixels" "$(awk -v a="$(row balls.needs mesh-unit-px 0)" \
+    -v b="$(row balls.needs mesh-unit-px 1)" 'BEGIN {print (a > 2 * b)}')" 1
+strokegen -v --needs balls.needs balls.gltf -o balls.glb 2>said
+is "it gets more levels" "$(grep -c '^strokegen: 1 to [2-6] of 6 levels are needed' said)" 1
+strokegen -q --levels "$(sed -n 's/^strokegen: 1 to \(.\) of .*/\1/p' said)" balls.gltf -o more.glb
+ok "and the others fewer" test "$(wc -c <balls.glb)" -lt "$(wc -c <more.glb)"
+
 # Usage
 try render-gl torus.glb --needs --technique gouraud
 refused "--needs with a technique" 2 2

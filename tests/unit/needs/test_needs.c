@@ -52,15 +52,22 @@ END_TEST
 #define HEAD "thing\tindex\tvalue\tunit\n"
 #define ROWS "tolerance\t0\t0.02\t\nrelative\t0\t1\t\nother\tx\ty\tz\ndarkest\t0\t0.5\ttone\n"
 
+static double mesh_px[2];
+
 static enum hatch_status parse(const char *text, struct hatch_needs *needs)
 {
-    return hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, needs, &err);
+    return hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, mesh_px, 2, needs, &err);
 }
 
 START_TEST(a_file_is_read)
 {
     struct hatch_needs needs;
-    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\n", &needs), &err);
+    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\nmesh-unit-px\t1\t7\tpx\n"
+                                  "mesh-unit-px\t2\t9\tpx\n",
+                        &needs),
+                  &err);
+    ck_assert(mesh_px[0] <= 0);
+    ck_assert_double_eq_tol(mesh_px[1], 7, 1e-12);
     ck_assert_double_eq_tol(needs.tolerance, 0.02, 1e-12);
     ck_assert_double_eq_tol(needs.darkest, 0.75, 1e-12);
     ck_assert(needs.relative);
@@ -140,12 +147,14 @@ START_TEST(strokes_follow_the_law_of_widths)
         .width_px = 2, .thin = 1, .response = {0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f, 1}};
     struct hatch_needs needs = {.darkest = 1};
     needs.unit_px[31] = 100; /* tones up to .5 */
-    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 100 * 0.5 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, 1e6, &pen, 1), 100 * 0.5 / 2 / HATCH_STROKE_GAIN, 1e-5);
     needs.unit_px[7] = 1000; /* up to .125 */
-    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 1000 * 0.125 / 2 / HATCH_STROKE_GAIN, 1e-5);
-    needs.darkest = 0.0625; /* darker tones are drawn as this one */
-    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, &pen, 1), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN, 1e-5);
-    ck_assert_double_le(hatch_needs_strokes(&needs, &pen, 2), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN + 1e-5);
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, 1e6, &pen, 1), 1000 * 0.125 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, 50, &pen, 1), 50 * 0.5 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    ck_assert(hatch_needs_strokes(&needs, 0, &pen, 1) <= 0); /* the mesh is not seen */
+    needs.darkest = 0.0625;                                  /* darker tones are drawn as this one */
+    ck_assert_double_eq_tol(hatch_needs_strokes(&needs, 1e6, &pen, 1), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN, 1e-5);
+    ck_assert_double_le(hatch_needs_strokes(&needs, 1e6, &pen, 2), 1000 * 0.0625 / 2 / HATCH_STROKE_GAIN + 1e-5);
 }
 END_TEST
 

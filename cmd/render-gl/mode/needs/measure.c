@@ -43,6 +43,7 @@ static void count_pixel(const struct job *job, const float tone[4], const float 
         measure->tones[ink][part]++;
         measure->unit_px[part] = fmax(measure->unit_px[part], (double)tone[2] * measure->unit_w_px);
     }
+    item->unit_px = fmax(item->unit_px, (double)tone[2] * measure->unit_w_px);
     item->pixels++;
     if (number < item->faces)
         item->seen[number] = 1;

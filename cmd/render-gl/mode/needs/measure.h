@@ -12,6 +12,7 @@ struct needs_item {
     uint64_t pixels; /* that show it, in all views */
     uint32_t faces;  /* of its surface */
     uint8_t *seen;   /* per face: a pixel shows it */
+    double unit_px;  /* most pixels that a unit of the scene's lengths covers on it */
 };
 
 /* Needs of the views so far. */

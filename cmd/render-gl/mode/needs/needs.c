@@ -32,7 +32,22 @@ static void report_shares(struct cmd_report *report, const char *thing, const ui
             report_row(report, thing, i, (double)pixels[i] / drawn, "of the scene's pixels");
 }
 
-static void report_all(struct cmd_report *report, const struct job *job, const struct needs_measure *measure)
+/* Reports the scale of each mesh that is seen: that of its largest item. */
+static void report_meshes(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
+{
+    const struct hatch_unit_scene *unit = &job->scene.unit;
+    uint32_t count = job->values.mesh_count;
+    struct hatch_err err;
+    double *most;
+    cmd_check(HATCH_ALLOC(&job->args.keep, &most, count, &err), NULL, &err);
+    for (uint32_t i = 0; i < unit->item_count; i++)
+        most[unit->items[i].mesh] = fmax(most[unit->items[i].mesh], measure->items[i].unit_px);
+    for (uint32_t mesh = 0; mesh < count; mesh++)
+        if (most[mesh] > 0)
+            report_row(report, "mesh-unit-px", mesh, most[mesh], "px");
+}
+
+static void report_all(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
 {
     static const char *const tone[2] = {"tone", "tone-of-light-ink"};
     double drawn = measure->drawn ? (double)measure->drawn : 1;
@@ -50,6 +65,7 @@ static void report_all(struct cmd_report *report, const struct job *job, const s
     for (uint32_t i = 0; i < HATCH_NEEDS_TONES; i++)
         if (measure->unit_px[i] > 0)
             report_row(report, "unit-px", i, measure->unit_px[i], "px");
+    report_meshes(report, job, measure);
     report_shares(report, "texels", measure->texels, HATCH_NEEDS_OCTAVES, drawn);
     for (uint32_t i = 0; i < job->scene.unit.item_count; i++) {
         report_row(report, "item", i, (double)measure->items[i].pixels / drawn, "of the scene's pixels");
