@@ -28,6 +28,7 @@ static inline void random_map(uint32_t size_px, uint32_t tones, struct hatch_are
                 image->pixels[i] = hatch_random_unit(7, t * 16 + level, i);
         }
     }
+    map->whole = (struct hatch_tam_whole){.size_px = size_px, .tones = tones, .darkest = map->target[tones - 1]};
 }
 
 #endif

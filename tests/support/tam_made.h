@@ -34,7 +34,7 @@ static inline struct hatch_tam made_map(uint32_t size_px, uint32_t tones, float 
                         pixel(((float)(i % size) + 0.5f) / (float)size, ((float)(i / size) + 0.5f) / (float)size, level,
                               target, c);
         }
-        const struct hatch_tam_metadata metadata = {tones, drawn, "1", "made", 0};
+        const struct hatch_tam_metadata metadata = {.tones = tones, .levels = drawn, .seed = "1", .style = "made"};
         hatch_tam_set_metadata(&metadata, tone, target, column);
     }
     HATCH_TEST_OK(hatch_tam_from_mipmaps(columns, tones, &tam, &map_err), &map_err);
