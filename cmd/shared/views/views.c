@@ -8,8 +8,8 @@ void cmd_make_views(struct cmd_args *args, const char *name, const struct hatch_
 {
     const struct hatch_pose_span rest = {HATCH_NONE, 0, 0, 1};
     const struct hatch_view_choice choice = {.kind = HATCH_VIEW_FRAMED,
-                                             .azimuth_rad = options->from_deg[0] * HATCH_RADIANS,
-                                             .elevation_rad = options->from_deg[1] * HATCH_RADIANS,
+                                             .azimuth_rad = options->alone ? options->from_deg[0] * HATCH_RADIANS : 0,
+                                             .elevation_rad = options->alone ? options->from_deg[1] * HATCH_RADIANS : 0,
                                              .fov_rad = options->fov_deg * HATCH_RADIANS};
     struct hatch_err err;
     cmd_check(hatch_pose_make(scene, &args->keep, pose, &err), name, &err);

@@ -5,7 +5,7 @@
 #include "shared/cmd.h"
 #include "view/around.h"
 
-/* Values of the options --size, --from, --fov and --zoom. */
+/* Values of the options --size, --from, --fov and --zoom; from_deg is out of range where it is not given. */
 struct cmd_view_options {
     double size_px[2], from_deg[2], fov_deg, zoom;
     bool alone; /* --from was given: one view */
@@ -13,7 +13,7 @@ struct cmd_view_options {
 
 #define CMD_VIEW_OPTIONS                                                                                               \
     {                                                                                                                  \
-        .size_px = {1280, 720}, .from_deg = {30, 20}, .fov_deg = 30, .zoom = 1                                         \
+        .size_px = {1280, 720}, .from_deg = {-1000, -1000}, .fov_deg = 30, .zoom = 1                                   \
     }
 
 /* Poses a scene at rest and makes its views, in args->keep. Dies on failure.
