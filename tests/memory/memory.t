@@ -26,6 +26,7 @@ mkdir in
     tamthresh -q fine.exr -o steps.ktx2
     tamthresh --exact fine.exr -o exact.ktx2
     meshgen torus --faces 60 -o torus.glb
+    render-gl torus.glb --size 32x24 --needs -o torus.needs
     dirfield torus.glb -o field.glb
     lapped-param --mask-size 64 field.glb -o lapped.glb
     strokegen -g 0.5 -l 2 torus.glb -o strokes.glb
