@@ -133,6 +133,31 @@ static void save_counts(const char *folder)
     save(folder, "count-is-text");
 }
 
+/* Writes what a map says of the whole one into its first column.
+ *   tolerance  below 0: left out */
+static void set_whole(double size_px, double tones, double darkest, double tolerance)
+{
+    hatch_mipmap_set_number(&map[0], HATCH_TAM_ATTR_WHOLE_SIZE, size_px, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(&map[0], HATCH_TAM_ATTR_WHOLE_TONES, tones, HATCH_ATTRIBUTE_INT);
+    hatch_mipmap_set_number(&map[0], HATCH_TAM_ATTR_WHOLE_TONE, darkest, HATCH_ATTRIBUTE_FLOAT);
+    if (tolerance >= 0)
+        hatch_mipmap_set_number(&map[0], HATCH_TAM_ATTR_TOLERANCE, tolerance, HATCH_ATTRIBUTE_FLOAT);
+}
+
+static void save_wholes(const char *folder)
+{
+    set_whole(SIZE / 2, TONES, 1, 0.01);
+    save(folder, "whole-is-smaller");
+    set_whole(SIZE, TONES - 1, 1, 0.01);
+    save(folder, "whole-has-fewer-tones");
+    set_whole(SIZE, TONES + 1, 0.5, 0.01);
+    save(folder, "whole-is-lighter");
+    set_whole(SIZE, TONES + 1, 1, 2);
+    save(folder, "tolerance-above-1");
+    set_whole(SIZE, TONES + 1, 1, -1);
+    save(folder, "no-tolerance");
+}
+
 static void save_pixels(const char *folder)
 {
     map[2].levels[1].pixels[5] = NAN;
@@ -195,6 +220,7 @@ int main(int argc, char **argv)
     save_parts_missing(argv[1]);
     save_tones(argv[1]);
     save_counts(argv[1]);
+    save_wholes(argv[1]);
     save_pixels(argv[1]);
     save_broken_nesting(argv[1]);
     save_unequal(argv[1], "sizes-unequal", 2, "Y");

@@ -39,6 +39,11 @@ reason() {
     a-part-too-many) echo "tone.000: hatch:tones 3, but the file has 4 parts" ;;
     counts-unequal) echo "tone.003: hatch:tones 5, but the file has 4 parts" ;;
     count-is-text) echo "tone.001: hatch:tones is not a whole number" ;;
+    whole-is-smaller) echo "tone.000: hatch:whole-size 8, want 16 to 4096" ;;
+    whole-has-fewer-tones) echo "tone.000: hatch:whole-tones 3, want 4 to 256" ;;
+    whole-is-lighter) echo "tone.000: hatch:whole-tone 0.5, want 1 to 1" ;;
+    tolerance-above-1) echo "tone.000: hatch:tolerance 2, want 0 to 1" ;;
+    no-tolerance) echo "tone.000: no attribute hatch:tolerance of its type" ;;
     pixel-nan) echo "tone.002: level 1: a pixel is not a finite number" ;;
     pixel-infinite) echo "tone.003: level 0: a pixel is not a finite number" ;;
     last-pixel-infinite) echo "tone.000: level 4: a pixel is not a finite number" ;;
