@@ -35,7 +35,7 @@ static const struct cmd_rule rules[] = {
 
 static const char *const examples[] = {
     "meshgen teapot --faces 100000 | meshfit -o teapot.glb",
-    "meshfit --size 960x720 scan.glb -o scan-coarse.glb",
+    "meshfit --size 960x720 model.glb -o model-coarse.glb",
     NULL,
 };
 

@@ -60,7 +60,7 @@ static const struct cmd_option rest[] = {
     {0, "samples", CMD_INT, 1, 64, "N",
      "samples per pixel, a square number (default 4; more if the technique needs them)", &samples, NULL,
      &samples_given},
-    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "turn the strokes on the surface, counter-clockwise (default 0)",
+    {0, "hatch-turn", CMD_REAL, -360, 360, "DEGREES", "+turn the strokes on the surface, counter-clockwise (default 0)",
      &chosen.hatch_turn_deg, NULL, NULL},
     {0, "hatch-scale", CMD_REAL, 0.01, 100, "X", "+factor for the size of the strokes' pattern (default 1)",
      &chosen.hatch_scale, NULL, NULL},
