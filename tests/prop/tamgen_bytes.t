@@ -34,7 +34,8 @@ build() {
     rm -f objects/*
     (cd "$TOP" && ls cmd/tamgen/*.c cmd/shared/*.c cmd/shared/rules/*.c libhatch/base/*.c libhatch/image/*.c \
         libhatch/filter/*.c libhatch/stroke/*.c libhatch/tam/*.c libhatch/placement/*.c libhatch/io/exr/*.c \
-        libhatch/io/svg/*.c libhatch/io/png/*.c libhatch/io/foreign/*.c libhatch/curve/stroke_look.c) |
+        libhatch/io/svg/*.c libhatch/io/png/*.c libhatch/io/foreign/*.c libhatch/curve/stroke_look.c \
+        libhatch/curve/width.c libhatch/needs/*.c) |
         grep -vE 'shared/(scene|surface|field|texels)' >files
     TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
         -I"$TOP"/cmd -ffp-contract=off -pthread -w -c "$TOP"/{} -o objects/$(echo {} | tr / _).o' \
