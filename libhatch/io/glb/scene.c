@@ -82,7 +82,8 @@ static enum hatch_status print_node_extensions(struct hatch_glb *glb, uint32_t i
         lod = scene->lods[i].node == index ? &scene->lods[i] : NULL;
     if (light == HATCH_NONE && !lod)
         return HATCH_OK;
-    HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{"));
+    HATCH_TRY(hatch_glb_key(glb, "extensions"));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
     if (light != HATCH_NONE)
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\"KHR_lights_punctual\":{\"light\":%u}", light));
     if (!lod)
