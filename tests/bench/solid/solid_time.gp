@@ -1,4 +1,5 @@
 # Time of a frame of each look and blend over that of gouraud in the same run.
+set datafile separator "\t"
 set title "render-gl -t solid at 1280x720, relative to gouraud in the same run"
 set style data histograms
 set style fill solid 0.8 noborder
