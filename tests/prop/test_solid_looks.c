@@ -5,7 +5,9 @@
 #include "render-gl/scene/material.h"
 #include "solid/facing.h"
 
-enum { WIDTH = 640, HEIGHT = 400, SMALL = 60 };
+enum { WIDTH = 640, HEIGHT = 400, SMALL = 60, SPECKS_MOST = 12 };
+
+#define WHITE 0.6f /* between the paper and the borders of strips */
 
 static struct test_frame frame;
 static struct hatch_mesh mesh;
@@ -72,49 +74,53 @@ static double mean_of(const struct hatch_image *image, const double x[2], const 
 
 static const double whole[2] = {0, 1};
 
-/* Counts regions of white pixels of at most SMALL pixels that touch by their sides. */
+/* Counts regions of 2 to SMALL pixels that are all white, or none of them, and touch by their sides or corners. */
 static int count_specks(const struct hatch_image *image)
 {
     static int region[WIDTH * HEIGHT], queue[WIDTH * HEIGHT];
     int specks = 0, regions = 0;
     memset(region, 0, sizeof region);
     for (int start = 0; start < WIDTH * HEIGHT; start++) {
+        const bool white = image->pixels[3 * start] >= WHITE;
         int done = 0, found = 0;
-        if (region[start] || image->pixels[3 * start] < 0.97f)
+        if (region[start])
             continue;
         region[queue[found++] = start] = ++regions;
         for (; done < found; done++) {
             const int x = queue[done] % WIDTH, y = queue[done] / WIDTH;
-            const int near[4][2] = {{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}};
-            for (int k = 0; k < 4; k++) {
-                int at = near[k][1] * WIDTH + near[k][0];
-                if (near[k][0] < 0 || near[k][0] >= WIDTH || near[k][1] < 0 || near[k][1] >= HEIGHT || region[at] ||
-                    image->pixels[3 * at] < 0.97f)
+            for (int k = 0; k < 9; k++) {
+                const int i = x + k % 3 - 1, j = y + k / 3 - 1, at = j * WIDTH + i;
+                if (i < 0 || i >= WIDTH || j < 0 || j >= HEIGHT || region[at] ||
+                    white != (image->pixels[3 * at] >= WHITE))
                     continue;
                 region[queue[found++] = at] = regions;
             }
         }
-        specks += found <= SMALL;
+        specks += found > 1 && found <= SMALL;
     }
     return specks;
 }
 
-/* The papers are darker than the borders, so that white is a border or the background. */
+/* Some are left at tips, where no wide strip is near. If narrow strips stay there are over sixty. */
 START_TEST(borders_of_strips_leave_no_specks)
 {
     static const double distances[] = {1, 2, 4};
     struct hatch_image image;
+    int specks = 0;
     begin();
     solid_use_look(&frame, &solid, 64, LOOK_COLLAGE);
     look_options =
         (struct look_options){.kind = LOOK_COLLAGE, .bands = 5, .wobble_px = 3, .border_px = 2.5, .period_px = 64};
+    for (int k = 0; k < 3; k++)
+        frame.shown.style.inks.paper[k] = 0.5f;
     for (int i = 0; i < 3; i++) {
         struct hatch_view view = frame_view(&frame, (double)WIDTH / HEIGHT);
         for (int k = 0; k < 3; k++)
             view.eye[k] *= distances[i];
         frame_draw(&frame, "solid", &view, WIDTH, HEIGHT, 2, &image);
-        ck_assert_msg(count_specks(&image) == 0, "at %g: %d specks", distances[i], count_specks(&image));
+        specks += count_specks(&image);
     }
+    ck_assert_msg(specks <= SPECKS_MOST, "%d specks", specks);
     end();
 }
 END_TEST

@@ -73,6 +73,7 @@
 /* Uniforms of a pass that draws no items */
 #define UNIFORM_A 0
 #define UNIFORM_B 1
+#define UNIFORM_C 2
 #define UNIFORM_MARK_WIDTH 8
 #define UNIFORM_LINE_SAMPLES 24 /* these three beside the uniforms of an item, which lights need */
 #define UNIFORM_LINE_PLACE 25   /* four vectors, 25 .. 28 */

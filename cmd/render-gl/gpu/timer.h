@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define GPU_TIMER_PASSES_MAX 12u
+#define GPU_TIMER_PASSES_MAX 24u
 
 struct gpu_timer {
     GLuint queries[GPU_TIMER_PASSES_MAX + 1]; /* time stamps: start of the frame, end of each pass */

@@ -35,7 +35,7 @@ void look_choose(struct look *look, enum look_kind kind)
     } looks[] = {[LOOK_PLAIN] = {"plain", "solid/plain.frag", FRAME_PATCHES_BLEND},
                  [LOOK_BINARY] = {"binary", "solid/binary.frag", FRAME_PATCHES_BLEND},
                  [LOOK_WATERCOLOR] = {"marks", "solid/marks.frag", FRAME_PATCHES_COVER},
-                 [LOOK_COLLAGE] = {"strips", "solid/collage.frag", FRAME_PATCHES_COVER}};
+                 [LOOK_COLLAGE] = {"strips", "collage/bands.frag", FRAME_PATCHES_COVER}};
     bool flat = look->files.flat;
     look->kind = kind;
     look->shading = (struct frame_shading){
@@ -86,7 +86,7 @@ static struct solids_form wanted_form(const struct look *look, uint32_t side)
     bool ranks = look->kind == LOOK_BINARY || look->kind == LOOK_WATERCOLOR;
     double period_px = look_options.period_px > 0 ? look_options.period_px : 2.0 * look->files.solids[0].size;
     return (struct solids_form){.period_px = period_px,
-                                .samples = side,
+                                .samples = look->kind == LOOK_COLLAGE ? 1 : side, /* its papers are drawn for pixels */
                                 .grey = ranks,
                                 .blend = ranks ? HATCH_ZOOM_RANK : (enum hatch_zoom_blend)look_options.blend};
 }
@@ -124,6 +124,7 @@ enum hatch_status look_prepare(struct look *look, struct frame *frame, const str
              look_options.colors ? "#define COLORS 1\n" : "");
     if (strcmp(defines, look->defines) != 0) {
         memset(&look->shader, 0, sizeof look->shader);
+        memset(&look->papers, 0, sizeof look->papers);
         memcpy(look->defines, defines, sizeof defines);
     }
     HATCH_TRY(look_passes_prepare(look, frame, err));

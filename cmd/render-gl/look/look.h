@@ -52,6 +52,7 @@ struct look {
     bool paints;                      /* it paints the pictures of a technique; false: it draws the items */
     struct frame_shading shading;     /* of the pass over the items */
     struct frame_shader shader;       /* likewise */
+    struct frame_shader papers;       /* of a collage: of the pass that draws the papers on the items */
     char defines[LOOK_DEFINES_BYTES]; /* #define lines of the shader */
     struct solid_files files;
     struct solids solids;
@@ -88,8 +89,7 @@ uint32_t look_reach_px(enum look_kind kind);
 void look_free(struct look *look);
 
 /* Compiles the programs of a look's passes over the image (look/passes.c). */
-enum hatch_status look_passes_prepare(const struct look *look, struct frame *frame,
-                                      struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status look_passes_prepare(struct look *look, struct frame *frame, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws the items and runs these passes, after the uniform block and the textures have been bound. */
 enum hatch_status look_passes_draw(struct look *look, struct frame *frame, struct hatch_err *err) HATCH_MUST_USE;
