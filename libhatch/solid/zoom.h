@@ -6,7 +6,12 @@
  *     B_s(p) = a1 T(p / 2) + a2 T(p) + a3 T(2 p) + a4 T(4 p)
  * with the weights of hatch_zoom_weights. They are linear in s, so that the blend is one of two scales of one texture:
  *     B_s(p) = (1 - s) A(p) + s A(p / 2),    A(p) = T(p) / 2 + T(2 p) / 3 + T(4 p) / 6
- * A is made once (hatch_zoom_make); shaders read it twice per fragment instead of T four times. */
+ * A is made once (hatch_zoom_make); shaders read it twice per fragment instead of T four times.
+ *
+ * Sums of octaves blur marks such as dots. HATCH_ZOOM_UNION keeps them: A is T, whose values are thresholds, and
+ *     B_s(p) = min(A(p) + s, A(p / 2) + 1 - s) / 1.5
+ * so that a place is inked where it is in a mark of either octave, while those of the finer one shrink to nothing and
+ * those of the coarser one grow. */
 #ifndef HATCH_SOLID_ZOOM_H
 #define HATCH_SOLID_ZOOM_H
 
@@ -22,6 +27,16 @@
  *   weights  out: their sum is 1 */
 void hatch_zoom_weights(double s, double weights[HATCH_ZOOM_OCTAVES]);
 
+/* How blended values are changed to make up for the contrast that blending loses. */
+enum hatch_zoom_blend {
+    HATCH_ZOOM_LINEAR,    /* the paper's blend, unchanged */
+    HATCH_ZOOM_CONTRAST,  /* deviations from the mean are scaled to those of T, and clamped */
+    HATCH_ZOOM_HISTOGRAM, /* the values' distribution becomes that of T, in the spirit of Heitz & Neyret, "High-
+                             Performance By-Example Noise using a Histogram-Preserving Blending Operator", 2018 */
+    HATCH_ZOOM_UNION,     /* marks of two octaves; a value becomes the share of lower values: thresholds for tones */
+    HATCH_ZOOM_RANK       /* the paper's blend as such thresholds */
+};
+
 /* The texture A of a solid texture. Its values are coordinates along axes without correlation (principal components of
  * the texels of T), so that channels can be changed one by one: the colour of a texel with values v_c, 0 .. 1, is
  * offset + the sum of v_c axes[c]. */
@@ -35,20 +50,13 @@ struct hatch_zoom {
  *   size  texels along a side of A: a power of two, HATCH_SOLID_SIZE_MIN to four times the size of T; octaves that are
  *         finer than its texels are averaged
  *   grey  the luminance of a coloured texture is used
+ *   blend it is made for
  *   zoom  out: in arena; one channel if grey
  * HATCH_LIMIT when the memory does not suffice. */
-enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size, bool grey, struct hatch_pool *pool,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_zoom *zoom,
+enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size, bool grey,
+                                  enum hatch_zoom_blend blend, struct hatch_pool *pool, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_zoom *zoom,
                                   struct hatch_err *err) HATCH_MUST_USE;
-
-/* How blended values are changed to make up for the contrast that blending loses. */
-enum hatch_zoom_blend {
-    HATCH_ZOOM_LINEAR,    /* the paper's blend, unchanged */
-    HATCH_ZOOM_CONTRAST,  /* deviations from the mean are scaled to those of T, and clamped */
-    HATCH_ZOOM_HISTOGRAM, /* the values' distribution becomes that of T, in the spirit of Heitz & Neyret, "High-
-                             Performance By-Example Noise using a Histogram-Preserving Blending Operator", 2018 */
-    HATCH_ZOOM_RANK       /* a value becomes the share of lower values: thresholds for tones */
-};
 
 /* Makes the mip chain of A. With LINEAR a texel is the mean of eight; otherwise deviations from the mean are then
  * scaled to those of the finest level, at most HATCH_ZOOM_GAIN_MAX times, so that slanted surfaces keep their contrast.
@@ -88,6 +96,7 @@ void hatch_zoom_sample(const struct hatch_texels *mips, float level, const float
  *   s      progress within the cycle, 0 .. 1
  *   level  mip level for A(p); A(p / 2) is read one level finer
  *   value  out: one per channel */
-void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, float level, float value[3]);
+void hatch_zoom_blend_at(const struct hatch_texels *mips, enum hatch_zoom_blend blend, const float place[3], float s,
+                         float level, float value[3]);
 
 #endif

@@ -137,7 +137,7 @@ static enum hatch_status upload_one(const struct solid_files *files, uint32_t in
         HATCH_SOLID_SIZE_MIN; /* until its texels are no larger than pixels, or those of the finest octave */
     while (size < 0.75 * form->period_px && size < 4 * solid->size && size < HATCH_SOLID_SIZE_MAX)
         size *= 2;
-    HATCH_TRY(hatch_zoom_make(solid, size, form->grey, pool, arena, scratch, &zoom, err));
+    HATCH_TRY(hatch_zoom_make(solid, size, form->grey, form->blend, pool, arena, scratch, &zoom, err));
     HATCH_TRY(hatch_zoom_mips(&zoom, form->blend, arena, &mips, err));
     HATCH_TRY(hatch_zoom_table_make(&zoom, &mips, form->blend, log2(size / (form->period_px * form->samples)), arena,
                                     scratch, &table, err));

@@ -57,6 +57,11 @@ struct look *look_read(struct cmd_args *args, enum look_kind kind, bool paints, 
     if (look->files.flat && paints)
         cmd_usage("--solid %s: a 2D texture paints no pictures of a technique; want a 3D one, which solidgen makes",
                   look_options.files);
+    if (kind == LOOK_BINARY &&
+        (look_options.blend == HATCH_ZOOM_CONTRAST || look_options.blend == HATCH_ZOOM_HISTOGRAM))
+        cmd_usage("--blend: --look binary draws thresholds; want linear or union");
+    if (kind != LOOK_BINARY && look_options.blend == HATCH_ZOOM_UNION)
+        cmd_usage("--blend union needs --look binary");
     read_inks(&look->block);
     look->paints = paints;
     look_choose(look, kind);
@@ -83,12 +88,19 @@ static void turn_textures(const struct solid_files *files, struct scene *scene)
 
 static struct solids_form wanted_form(const struct look *look, uint32_t side)
 {
+    static const enum hatch_zoom_blend usual[] = {[LOOK_PLAIN] = HATCH_ZOOM_HISTOGRAM,
+                                                  [LOOK_BINARY] = HATCH_ZOOM_UNION,
+                                                  [LOOK_WATERCOLOR] = HATCH_ZOOM_RANK,
+                                                  [LOOK_COLLAGE] = HATCH_ZOOM_HISTOGRAM};
     bool ranks = look->kind == LOOK_BINARY || look->kind == LOOK_WATERCOLOR;
+    enum hatch_zoom_blend blend = look_options.blend < 0 || look->kind == LOOK_WATERCOLOR
+                                      ? usual[look->kind]
+                                      : (enum hatch_zoom_blend)look_options.blend;
     double period_px = look_options.period_px > 0 ? look_options.period_px : 2.0 * look->files.solids[0].size;
     return (struct solids_form){.period_px = period_px,
                                 .samples = look->kind == LOOK_COLLAGE ? 1 : side, /* its papers are drawn for pixels */
                                 .grey = ranks,
-                                .blend = ranks ? HATCH_ZOOM_RANK : (enum hatch_zoom_blend)look_options.blend};
+                                .blend = ranks && blend == HATCH_ZOOM_LINEAR ? HATCH_ZOOM_RANK : blend};
 }
 
 static enum hatch_status upload(struct look *look, uint32_t side, struct cmd_args *args, struct hatch_err *err)
@@ -119,8 +131,9 @@ enum hatch_status look_prepare(struct look *look, struct frame *frame, const str
         scene_set_rest(frame->scene);
     }
     turn_textures(&look->files, frame->scene);
-    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s", look->solids.count,
+    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s%s", look->solids.count,
              look->solids.channels, look->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "",
+             look->form.blend == HATCH_ZOOM_UNION ? "#define UNION 1\n" : "",
              look_options.colors ? "#define COLORS 1\n" : "");
     if (strcmp(defines, look->defines) != 0) {
         memset(&look->shader, 0, sizeof look->shader);

@@ -18,7 +18,7 @@ struct look_options {
     const char *inks;   /* --inks; NULL: not given */
     const char *turn;   /* --solid-turn; NULL: not given */
     int kind;           /* --look: enum look_kind */
-    int blend;          /* --blend: enum hatch_zoom_blend */
+    int blend;          /* --blend: enum hatch_zoom_blend; -1: as suits the look */
     double period_px;   /* --solid-size; 0: two pixels per texel */
     double grain;       /* --grain, 0 .. 1 */
     int64_t bands;      /* --bands */

@@ -2,7 +2,7 @@
 #include "render-gl/look/look.h"
 
 struct look_options look_options = {.files = "paper",
-                                    .blend = HATCH_ZOOM_HISTOGRAM,
+                                    .blend = -1,
                                     .grain = 1,
                                     .bands = 5,
                                     .wobble_px = 3,
@@ -13,7 +13,7 @@ struct look_options look_options = {.files = "paper",
                                     .border_px = 2.5};
 
 static const char *const looks[] = {"plain", "binary", "watercolor", "collage", NULL};
-static const char *const blends[] = {"linear", "contrast", "histogram", NULL}; /* enum hatch_zoom_blend */
+static const char *const blends[] = {"linear", "contrast", "histogram", "union", NULL}; /* enum hatch_zoom_blend */
 
 const struct cmd_option look_option_table[] = {
     {0, "solid", CMD_TEXT, 0, 0, "FILE",
@@ -31,8 +31,8 @@ const struct cmd_option look_option_table[] = {
      "+solid: turn the texture against the mesh, degrees around x, y, z (default: 0,0,0, or as suits)",
      &look_options.turn, NULL, NULL},
     {0, "blend", CMD_CHOICE, 0, 0, "HOW",
-     "+looks: how octaves are blended: linear, contrast or histogram (default histogram)", &look_options.blend, blends,
-     NULL},
+     "+looks: how octaves are blended: linear, contrast, histogram or union (default: as suits)", &look_options.blend,
+     blends, NULL},
     {0, "grain", CMD_REAL, 0, 1, "X", "+looks: strength of the texture (default 1)", &look_options.grain, NULL, NULL},
     {0, "bands", CMD_INT, 1, 15, "N", "+looks: tones of watercolor and collage (default 5)", &look_options.bands, NULL,
      NULL},

@@ -73,7 +73,7 @@ static const struct cmd_rule rules[] = {
     {"bands wobble", "look=watercolor,collage", NULL},
     {"dry wet edge-darkening paper-grain", "look=watercolor", NULL},
     {"border", "look=collage", NULL},
-    {"blend", "look=plain,collage", "the other looks draw ranks"},
+    {"blend", "look=plain,binary,collage", NULL},
     {"grain texture-color", "look=plain,watercolor,collage", NULL},
     {"grain", painted, NULL},
     {"texture-color", "!inks", "give one of them"},

@@ -54,14 +54,23 @@ void hatch_zoom_sample(const struct hatch_texels *mips, float level, const float
         value[c] += (within - (float)finer) * (coarser[c] - value[c]);
 }
 
-void hatch_zoom_blend_at(const struct hatch_texels *mips, const float place[3], float s, float level, float value[3])
+/* Returns the blended value of two scales. */
+static double blended(enum hatch_zoom_blend blend, double fine, double coarse, double s)
+{
+    if (blend == HATCH_ZOOM_UNION)
+        return fmin(fine + s, coarse + 1 - s) / 1.5;
+    return fine + s * (coarse - fine);
+}
+
+void hatch_zoom_blend_at(const struct hatch_texels *mips, enum hatch_zoom_blend blend, const float place[3], float s,
+                         float level, float value[3])
 {
     const float half[3] = {0.5f * place[0], 0.5f * place[1], 0.5f * place[2]};
     float coarse[3];
     hatch_zoom_sample(mips, level, place, value);
     hatch_zoom_sample(mips, level - 1, half, coarse);
     for (uint32_t c = 0; c < mips->channels; c++)
-        value[c] += s * (coarse[c] - value[c]);
+        value[c] = (float)blended(blend, (double)value[c], (double)coarse[c], (double)s);
 }
 
 static void add(struct spread *spread, double value)
@@ -127,8 +136,8 @@ static enum hatch_status take_samples(const struct hatch_texels *mips, double le
 
 /* Measures a channel of the blend.
  *   level  of A(p) */
-static void spread_of_blend(const struct samples *samples, uint32_t channel, double s, double level,
-                            struct spread *spread)
+static void spread_of_blend(const struct samples *samples, enum hatch_zoom_blend blend, uint32_t channel, double s,
+                            double level, struct spread *spread)
 {
     uint32_t from = level - samples->level >= 1;
     double share = level - samples->level - from;
@@ -137,7 +146,7 @@ static void spread_of_blend(const struct samples *samples, uint32_t channel, dou
         double fine = samples->fine[from][i][channel], coarse = samples->coarse[from][i][channel];
         fine += share * (samples->fine[from + 1][i][channel] - fine);
         coarse += share * (samples->coarse[from + 1][i][channel] - coarse);
-        add(spread, fine + s * (coarse - fine));
+        add(spread, blended(blend, fine, coarse, s));
     }
     finish(spread, POINTS);
 }
@@ -175,6 +184,7 @@ static double changed(enum hatch_zoom_blend blend, const struct spread *base, co
         return base->mean + gain * (value - now->mean);
     case HATCH_ZOOM_HISTOGRAM:
         return now->deviation > 1e-6 ? value_at(base, share_below(now, value)) : value;
+    case HATCH_ZOOM_UNION:
     case HATCH_ZOOM_RANK:
         break;
     }
@@ -202,7 +212,7 @@ static enum hatch_status fill(const struct hatch_zoom *zoom, const struct hatch_
         spread_of_texels(zoom->base.texels, &zoom->base, c, &spreads[0]);
         for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
             double s = (double)step / (HATCH_ZOOM_STEPS - 1);
-            spread_of_blend(&samples, c, s, level + s, &spreads[1]);
+            spread_of_blend(&samples, blend, c, s, level + s, &spreads[1]);
             fill_row(blend, &spreads[0], &spreads[1], table->entries[c][step]);
         }
     }

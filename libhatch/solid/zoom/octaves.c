@@ -35,16 +35,14 @@ struct summing {
     float *rows; /* 2 * out->size * channels floats per slice */
 };
 
-static enum hatch_status make_octave(const struct hatch_texels *mips, uint32_t size, uint32_t index,
+static enum hatch_status make_octave(const struct hatch_texels *mips, uint32_t size, uint32_t index, double weight,
                                      struct hatch_arena *arena, struct octave *octave, struct hatch_err *err)
 {
-    double weights[HATCH_ZOOM_OCTAVES]; /* at the beginning of a cycle, where the first is 0 */
     uint32_t level = 0;
-    hatch_zoom_weights(0, weights);
     while (level + 1 < mips->level_count && ((mips->width >> level) << index) > size)
         level++;
-    *octave = (struct octave){
-        mips->texels[level], mips->width >> level, mips->depth == 1, (float)weights[index + 1], {NULL, NULL, NULL}};
+    *octave =
+        (struct octave){mips->texels[level], mips->width >> level, mips->depth == 1, (float)weight, {NULL, NULL, NULL}};
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.first, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.second, size, err));
     HATCH_TRY(HATCH_ALLOC(arena, &octave->taps.share, size, err));
@@ -107,17 +105,21 @@ static void sum_slice(void *context, uint32_t z)
     }
 }
 
-static enum hatch_status sum_octaves(const struct hatch_solid *solid, uint32_t size, struct hatch_pool *pool,
-                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_solid *out,
-                                     struct hatch_err *err)
+static enum hatch_status sum_octaves(const struct hatch_solid *solid, uint32_t size, enum hatch_zoom_blend blend,
+                                     struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct hatch_solid *out, struct hatch_err *err)
 {
+    double weights[HATCH_ZOOM_OCTAVES]; /* at the beginning of a cycle, where the first is 0 */
     struct hatch_texels mips;
     struct octave octaves[3];
     struct summing summing = {octaves, out, NULL};
     HATCH_TRY(hatch_solid_make_like(arena, solid, size, solid->channels, out, err));
     HATCH_TRY(hatch_solid_mips(solid, scratch, &mips, err));
-    for (uint32_t i = 0; i < 3; i++)
-        HATCH_TRY(make_octave(&mips, size, i, scratch, &octaves[i], err));
+    hatch_zoom_weights(0, weights);
+    for (uint32_t i = 0; i < 3; i++) {
+        double weight = blend == HATCH_ZOOM_UNION ? i == 0 : weights[i + 1];
+        HATCH_TRY(make_octave(&mips, size, i, weight, scratch, &octaves[i], err));
+    }
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &summing.rows, 2 * (size_t)size * out->depth * solid->channels, err));
     hatch_parallel_for(pool, out->depth, sum_slice, &summing);
     return HATCH_OK;
@@ -136,9 +138,9 @@ static enum hatch_status make_grey(const struct hatch_solid *solid, struct hatch
     return HATCH_OK;
 }
 
-enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size, bool grey, struct hatch_pool *pool,
-                                  struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_zoom *zoom,
-                                  struct hatch_err *err)
+enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size, bool grey,
+                                  enum hatch_zoom_blend blend, struct hatch_pool *pool, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_zoom *zoom, struct hatch_err *err)
 {
     assert(size >= HATCH_SOLID_SIZE_MIN && size <= 4 * solid->size && (size & (size - 1)) == 0);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -149,7 +151,7 @@ enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size
     else
         made.base = *solid;
     if (status == HATCH_OK)
-        status = sum_octaves(&made.base, size, pool, arena, scratch, &made.octaves, err);
+        status = sum_octaves(&made.base, size, blend, pool, arena, scratch, &made.octaves, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *zoom = made;

@@ -94,7 +94,7 @@ static struct figures measure(const struct hatch_texels *mips, const struct hatc
         for (uint32_t i = 0; i < POINTS; i++) {
             float place[3], value[3];
             place_of(i, place);
-            hatch_zoom_blend_at(mips, place, (float)s, (float)level, value);
+            hatch_zoom_blend_at(mips, HATCH_ZOOM_LINEAR, place, (float)s, (float)level, value);
             blended[i] = (float)changed(table, s, (double)value[0]);
         }
         spread(blended, &mean, &now);
@@ -131,7 +131,7 @@ static void print_exemplar(const char *name, const struct hatch_solid *solid)
         struct hatch_zoom zoom;
         struct hatch_texels mips;
         struct hatch_zoom_table table;
-        check(hatch_zoom_make(solid, 2 * solid->size, false, NULL, &keep, &scratch, &zoom, &err));
+        check(hatch_zoom_make(solid, 2 * solid->size, false, HATCH_ZOOM_LINEAR, NULL, &keep, &scratch, &zoom, &err));
         check(hatch_zoom_mips(&zoom, (enum hatch_zoom_blend)blend, &keep, &mips, &err));
         check(hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, -1, &keep, &scratch, &table, &err));
         double deviation = measure_texture(&zoom);

@@ -112,7 +112,7 @@ for names in , waves.ktx2, ,waves.ktx2 waves.ktx2,,grey.ktx2; do
 done
 refuses "standard input twice" 2 2 "two inputs come from standard input" --solid -,- <waves.ktx2
 refuses "a look that does not exist" 2 2 "--look: 'oil' is not one of plain, binary, watercolor, collage" --look oil
-refuses "a blend that is none" 2 2 "--blend: 'rank' is not one of linear, contrast, histogram" --blend rank
+refuses "a blend that is none" 2 2 "--blend: 'rank' is not one of linear, contrast, histogram, union" --blend rank
 for range in solid-size:3:4:4096 grain:1.5:0:1 wobble:33:0:32 dry:-1:0:1 edge-darkening:2:0:1 paper-grain:2:0:1 \
     border:17:0:16; do
     IFS=: read -r option value low high <<END
@@ -174,8 +174,20 @@ draw="render-gl --size 32x24 -o picture.png torus.glb -t solid"
 
 refuses "colours in ink alone" 2 2 "--texture-color needs --look plain, watercolor or collage" --look binary --texture-color
 
-refuses "--blend with ranks" 2 2 "--blend needs --look plain or collage: the other looks draw ranks" \
-    --solid waves.ktx2 --look binary --blend linear
+refuses "--blend with washes" 2 2 "--blend needs --look plain, binary or collage" \
+    --solid waves.ktx2 --look watercolor --blend linear
+for how in contrast histogram; do
+    refuses "--blend $how with thresholds" 2 2 "--blend: --look binary draws thresholds; want linear or union" \
+        --solid waves.ktx2 --look binary --blend $how
+done
+for look in plain collage; do
+    refuses "--blend union with the look $look" 2 2 "--blend union needs --look binary" \
+        --solid waves.ktx2 --look $look --blend union
+done
+$draw --solid waves.ktx2 --look binary -o usual.png
+$draw --solid waves.ktx2 --look binary --blend union -o union.png
+is "binary blends by union" "$(cmp -s usual.png union.png; echo $?)" 0
+rm -f usual.png union.png
 
 # Which options a look takes: each of the others is refused, by name, and each that it takes changes the picture.
 draw="render-gl --size 96x72 torus.glb -t solid --tone-range .2:.6"
@@ -196,7 +208,7 @@ for look in plain binary watercolor collage; do
 done >taken
 is "looks and their options" "$(tr '\n' ';' <taken)" "$(tr -d '\n' <<'END'
 plain blend;plain grain;plain solid-size;
-binary solid-size;
+binary blend;binary solid-size;
 watercolor grain;watercolor bands;watercolor wobble;watercolor dry;watercolor wet;watercolor edge-darkening;watercolor paper-grain;
 watercolor solid-size;
 collage blend;collage grain;collage bands;collage wobble;collage border;collage solid-size;

@@ -24,7 +24,7 @@ static void make_noise(uint32_t channels)
 
 static void make_zoom(uint32_t size, enum hatch_zoom_blend blend, struct hatch_zoom *zoom, struct hatch_texels *mips)
 {
-    HATCH_TEST_OK(hatch_zoom_make(&solid, size, false, NULL, &keep, &scratch, zoom, &err), &err);
+    HATCH_TEST_OK(hatch_zoom_make(&solid, size, false, blend, NULL, &keep, &scratch, zoom, &err), &err);
     HATCH_TEST_OK(hatch_zoom_mips(zoom, blend, &keep, mips, &err), &err);
 }
 
@@ -71,7 +71,7 @@ START_TEST(two_scales_of_a_are_four_octaves_of_t)
                 hatch_zoom_sample(&base, 0, scaled, texel);
                 sum += weights[octave] * (double)texel[0];
             }
-            hatch_zoom_blend_at(&mips, place, (float)s, 0, value);
+            hatch_zoom_blend_at(&mips, HATCH_ZOOM_LINEAR, place, (float)s, 0, value);
             ck_assert_double_eq_tol((double)value[0], sum, 0.51 / 255);
         }
 }
@@ -109,7 +109,7 @@ START_TEST(flat_textures_are_the_same_at_every_depth)
             for (int c = 0; c < 3; c++)
                 sum[c] += weights[octave] * base[c];
         }
-        hatch_zoom_blend_at(&mips, place, 0, 0, value);
+        hatch_zoom_blend_at(&mips, HATCH_ZOOM_LINEAR, place, 0, 0, value);
         for (int c = 0; c < 3; c++)
             ck_assert_float_eq_tol(value[c], sum[c], 0.51f / 255);
     }
@@ -120,26 +120,53 @@ START_TEST(a_cycle_ends_where_the_next_begins)
 {
     struct hatch_zoom zoom;
     struct hatch_texels mips;
+    const enum hatch_zoom_blend blend = _i ? HATCH_ZOOM_UNION : HATCH_ZOOM_LINEAR;
     make_noise(3);
-    make_zoom(2 * SIZE, HATCH_ZOOM_HISTOGRAM, &zoom, &mips);
+    make_zoom(2 * SIZE, blend, &zoom, &mips);
     for (uint32_t i = 0; i < 500; i++) {
         float end[3], begin[3], place[3], half[3];
         for (uint32_t k = 0; k < 3; k++) {
             place[k] = 9 * hatch_random_unit(4, k, i);
             half[k] = place[k] / 2;
         }
-        hatch_zoom_blend_at(&mips, place, 1, 2, end);
-        hatch_zoom_blend_at(&mips, half, 0, 1, begin);
+        hatch_zoom_blend_at(&mips, blend, place, 1, 2, end);
+        hatch_zoom_blend_at(&mips, blend, half, 0, 1, begin);
         for (int c = 0; c < 3; c++)
             ck_assert_float_eq_tol(end[c], begin[c], 1e-6f);
     }
 }
 END_TEST
 
+/* A place is inked up to a threshold just where it is within the texture's marks of one of two sizes, whose own
+ * thresholds fall and rise with s: marks keep their shape, and at the ends of a cycle only those of one size are left.
+ */
+START_TEST(a_union_shows_the_marks_of_two_octaves)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    make_noise(1);
+    make_zoom(SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
+    ck_assert_mem_eq(zoom.octaves.texels, solid.texels, SIZE * SIZE * SIZE);
+    for (uint32_t i = 0; i < 2000; i++) {
+        float place[3], half[3], fine[3], coarse[3], value[3];
+        const float s = (float)(i % 9) / 8, threshold = hatch_random_unit(4, 3, i);
+        for (uint32_t k = 0; k < 3; k++) {
+            place[k] = 9 * hatch_random_unit(4, k, i);
+            half[k] = place[k] / 2;
+        }
+        hatch_zoom_sample(&mips, 0, place, fine);
+        hatch_zoom_sample(&mips, -1, half, coarse);
+        hatch_zoom_blend_at(&mips, HATCH_ZOOM_UNION, place, s, 0, value);
+        bool in_fine = fine[0] < 1.5f * threshold - s, in_coarse = coarse[0] < 1.5f * threshold - (1 - s);
+        ck_assert_int_eq(value[0] < threshold, in_fine || in_coarse);
+    }
+}
+END_TEST
+
 /* Mean and deviation of blended values at random points, changed by the table's row for s.
  *   level  at the beginning of the cycle */
-static void measure(const struct hatch_texels *mips, const struct hatch_zoom_table *table, uint32_t step, float level,
-                    double *mean, double *deviation, double below[10])
+static void measure(const struct hatch_texels *mips, enum hatch_zoom_blend blend, const struct hatch_zoom_table *table,
+                    uint32_t step, float level, double *mean, double *deviation, double below[10])
 {
     const float s = (float)step / (HATCH_ZOOM_STEPS - 1);
     double sum = 0, squares = 0;
@@ -149,7 +176,7 @@ static void measure(const struct hatch_texels *mips, const struct hatch_zoom_tab
         float place[3], value[3];
         for (uint32_t k = 0; k < 3; k++)
             place[k] = 2 * hatch_random_unit(5, k, i);
-        hatch_zoom_blend_at(mips, place, s, level + s, value);
+        hatch_zoom_blend_at(mips, blend, place, s, level + s, value);
         uint32_t entry = (uint32_t)fminf(value[0] * HATCH_ZOOM_VALUES, HATCH_ZOOM_VALUES - 1);
         double changed = table->entries[0][step][entry] / 65535.0;
         sum += changed / POINTS;
@@ -189,7 +216,7 @@ START_TEST(tables_give_back_mean_and_contrast)
         HATCH_TEST_OK(
             hatch_zoom_table_make(&zoom, &mips, (enum hatch_zoom_blend)blend, -1, &keep, &scratch, &table, &err), &err);
         for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step += 4) {
-            measure(&mips, &table, step, -1, &now_mean, &now_deviation, below);
+            measure(&mips, (enum hatch_zoom_blend)blend, &table, step, -1, &now_mean, &now_deviation, below);
             ck_assert_double_eq_tol(now_mean, mean, blend == HATCH_ZOOM_CONTRAST ? 0.02 : 0.006);
             ck_assert_double_le(now_deviation, most[blend] * deviation);
             ck_assert_double_ge(now_deviation, least[blend] * deviation);
@@ -202,16 +229,18 @@ END_TEST
 START_TEST(ranks_cover_what_tones_ask_for)
 {
     static const float levels[] = {-2.5f, -1, 0, 0.6f, 1.3f};
+    static const enum hatch_zoom_blend blends[] = {HATCH_ZOOM_UNION, HATCH_ZOOM_RANK};
+    const enum hatch_zoom_blend blend = blends[_i % 2];
+    const float level = levels[_i / 2];
     struct hatch_zoom zoom;
     struct hatch_texels mips;
     struct hatch_zoom_table table;
     double mean, deviation, below[10];
     make_noise(1);
-    make_zoom(2 * SIZE, HATCH_ZOOM_RANK, &zoom, &mips);
-    HATCH_TEST_OK(
-        hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_RANK, (double)levels[_i], &keep, &scratch, &table, &err), &err);
+    make_zoom(2 * SIZE, blend, &zoom, &mips);
+    HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, blend, (double)level, &keep, &scratch, &table, &err), &err);
     for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
-        measure(&mips, &table, step, levels[_i], &mean, &deviation, below);
+        measure(&mips, blend, &table, step, level, &mean, &deviation, below);
         for (int t = 0; t < 10; t++)
             ck_assert_double_eq_tol(below[t], t / 10.0, 0.02);
     }
@@ -228,7 +257,7 @@ START_TEST(axes_keep_colors)
         solid.texels[3 * i + 1] = hatch_unorm8(0.1f + 0.4f * mix);
         solid.texels[3 * i + 2] = hatch_unorm8(0.5f + 0.05f * hatch_random_unit(8, 1, i));
     }
-    HATCH_TEST_OK(hatch_zoom_make(&solid, SIZE, false, NULL, &keep, &scratch, &zoom, &err), &err);
+    HATCH_TEST_OK(hatch_zoom_make(&solid, SIZE, false, HATCH_ZOOM_LINEAR, NULL, &keep, &scratch, &zoom, &err), &err);
     for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
         for (int k = 0; k < 3; k++) {
             float color = zoom.offset[k];
@@ -269,7 +298,7 @@ static enum hatch_status make_all(void *context, struct hatch_arena *keeping, st
 {
     struct hatch_zoom zoom;
     struct hatch_texels mips;
-    HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, NULL, keeping, working, &zoom, error));
+    HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, HATCH_ZOOM_HISTOGRAM, NULL, keeping, working, &zoom, error));
     HATCH_TRY(hatch_zoom_mips(&zoom, HATCH_ZOOM_HISTOGRAM, keeping, &mips, error));
     return hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, 0, keeping, working, context, error);
 }
@@ -290,9 +319,10 @@ static Suite *suite(void)
     tcase_add_test(tests, weights_meet_the_papers_constraints);
     tcase_add_test(tests, two_scales_of_a_are_four_octaves_of_t);
     tcase_add_test(tests, flat_textures_are_the_same_at_every_depth);
-    tcase_add_test(tests, a_cycle_ends_where_the_next_begins);
+    tcase_add_loop_test(tests, a_cycle_ends_where_the_next_begins, 0, 2);
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
-    tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 5);
+    tcase_add_test(tests, a_union_shows_the_marks_of_two_octaves);
+    tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 10);
     tcase_add_test(tests, axes_keep_colors);
     tcase_add_test(tests, one_value_stays_one_value);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);

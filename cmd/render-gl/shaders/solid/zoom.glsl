@@ -1,5 +1,6 @@
 // The infinite zoom on solid textures: Dynamic Solid Textures (2009), section 3, as solid/zoom.h writes it. SOLIDS is
-// the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values.
+// the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values; UNION is
+// HATCH_ZOOM_UNION.
 // With FLAT they are 2D textures, whose places are texture coordinates.
 #ifdef PIECES
 #include "frame/fixed.glsl"
@@ -95,7 +96,12 @@ vec3 raw_values(int solid, Cycle cycle, vec3 shift, float coarser)
 {
     float level = cycle.level + log2(colors[solid].axes[0].w) - coarser;
     vec3 place = exp2(-coarser) * cycle.place + shift;
-    return mix(octaves_at(solid, place, level), octaves_at(solid, 0.5 * place, level - 1.0), cycle.s);
+    vec3 fine = octaves_at(solid, place, level), coarse = octaves_at(solid, 0.5 * place, level - 1.0);
+#ifdef UNION
+    return min(fine + cycle.s, coarse + 1.0 - cycle.s) / 1.5;
+#else
+    return mix(fine, coarse, cycle.s);
+#endif
 }
 
 // Returns the texture's first value as a variation around its mean, -1 .. 1. smoother: mip levels above that of a
