@@ -24,6 +24,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <unwind.h>
 
 #define FRAMES_MAX 200
 #define NEW_BYTES 256u /* size of the code of operator new, at most */
@@ -65,25 +66,27 @@ static enum owner owner_of(void *address)
     return *name ? OTHER : COMMAND;
 }
 
+/* Called for each frame of the stack, innermost first: stops at the first that tells whose allocation it is. */
+static _Unwind_Reason_Code find_owner(struct _Unwind_Context *context, void *found)
+{
+    enum owner *owner = found;
+    *owner = owner_of((void *)_Unwind_GetIP(context));
+    return *owner == EITHER ? _URC_NO_REASON : _URC_NORMAL_STOP;
+}
+
 /* Returns whether an allocation counts. Looking for its origin takes time, and nothing but what a command has loaded
  * since it began makes others. */
 static bool counts(void *caller)
 {
     if (!last_linked->l_next)
         return !walking;
-    void *frames[FRAMES_MAX];
     enum owner owner = owner_of(caller);
     if (owner != EITHER || walking)
         return owner == COMMAND;
     walking = true;
-    int depth = backtrace(frames, FRAMES_MAX);
+    _Unwind_Backtrace(find_owner, &owner);
     walking = false;
-    for (int i = 0; i < depth; i++) {
-        owner = owner_of(frames[i]);
-        if (owner != EITHER)
-            return owner == COMMAND;
-    }
-    return false;
+    return owner == COMMAND;
 }
 
 static bool fails(void *caller)
