@@ -22,6 +22,7 @@ draw() {
     case $method in
     tam) set -- --tam "$work/map.exr" --tone-range 0.5:0.5 "$@" ;;
     binary) set -- -t solid --solid "$work/perlin.ktx2" --look binary --tone-range 0.5:0.5 "$@" ;;
+    binary-linear) set -- -t solid --solid "$work/perlin.ktx2" --look binary --blend linear --tone-range 0.5:0.5 "$@" ;;
     *) set -- -t solid --solid "$work/perlin.ktx2" --blend "$method" --tone-range 0:0 "$@" ;;
     esac
     render-gl -q "$scene" --lines none --size 960x720 "$@"
@@ -36,7 +37,7 @@ row() {
     printf '%s\t%s\t%s\t%s\n' "$1" "$3" "$moved" "$screen" |
         awk -F'\t' -v OFS='\t' '{print $1, $2, $3, $5, $5 / $3, $4}'
 }
-for method in linear contrast histogram binary tam; do
+for method in linear contrast histogram binary binary-linear tam; do
     row teapot "$work/teapot.glb" $method '|30 1 20' '--animate from=30:20..34:20'
     for name in CesiumMan BoxAnimated; do
         [ -e "$gltf/$name.glb" ] || continue
