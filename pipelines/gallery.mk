@@ -109,7 +109,7 @@ $(OUT)/solid-watercolor.png: $(foreach s,teapot torus cone,$(call shape,$(s))) $
 	render-gl $(filter %.glb,$^) --ground 4 --technique solid --solid $(call solid,paper) --look watercolor \
 	    --inks '#8a2a10,#184a7a,#3a6a20,#c0a050' --shadows 0.03 --light -50:40 --from 20:14 --size 960x540 -o $@
 $(OUT)/solid-binary.png: $(call shape,teapot) $(call solid,stipple)
-	render-gl $< -t solid --look binary --solid $(call solid,stipple) --solid-size 90 --size 640x400 -o $@
+	render-gl $< -t solid --look binary --solid $(call solid,stipple) --solid-size 66 --size 640x400 -o $@
 $(OUT)/solid-collage.png: $(call shape,teapot) $(foreach s,$(papers),$(call solid,$(s)))
 	render-gl $< -t solid --look collage --solid $(subst $() ,$(comma),$(filter %.ktx2,$^)) --bands 4 \
 	    --paper '#c4b493' --ink '#182040' --size 640x400 -o $@

@@ -54,11 +54,20 @@ void hatch_zoom_sample(const struct hatch_texels *mips, float level, const float
         value[c] += (within - (float)finer) * (coarser[c] - value[c]);
 }
 
+#define RANK_LEAST (1.0 / 510.0) /* half of a texel's step: u(0, 1) is undefined */
+
+/* Returns u(rank, s) of solid/zoom.h. */
+static double appears(double rank, double s)
+{
+    double above = 1 - fmax(rank, RANK_LEAST);
+    return (1 - above * above) / (1 + above * (1 - 2 * s));
+}
+
 /* Returns the blended value of two scales. */
 static double blended(enum hatch_zoom_blend blend, double fine, double coarse, double s)
 {
     if (blend == HATCH_ZOOM_UNION)
-        return fmin(fine + s, coarse + 1 - s) / 1.5;
+        return fmin(appears(fine, s), appears(coarse, 1 - s));
     return fine + s * (coarse - fine);
 }
 

@@ -58,7 +58,7 @@ choose() {
     file=$(bare "$2") asset='' options=''
     case $1 in
     traced) file=$2.strokes.glb options='--stroke-width 2' ;;
-    solid) asset=solid.ktx2 options="--solid $work/solid.ktx2 --look binary --solid-size 75" ;;
+    solid) asset=solid.ktx2 options="--solid $work/solid.ktx2 --look binary --solid-size 77" ;;
     gouraud) ;;
     *) [ ! -e "$work/$2.lapped.glb" ] || file=$2.lapped.glb ;;
     esac

@@ -137,28 +137,43 @@ START_TEST(a_cycle_ends_where_the_next_begins)
 }
 END_TEST
 
-/* A place is inked up to a threshold just where it is within the texture's marks of one of two sizes, whose own
- * thresholds fall and rise with s: marks keep their shape, and at the ends of a cycle only those of one size are left.
- */
+/* Ranks are shares of lower values and half of the equal ones. */
+START_TEST(a_union_takes_ranks)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    HATCH_TEST_OK(hatch_solid_make(&keep, SIZE, 1, &solid, &err), &err);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
+        solid.texels[i] = i % 4 == 0 ? 30 : i % 4 == 1 ? 31 : 200;
+    make_zoom(SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
+    for (size_t i = 0; i < 8; i++)
+        ck_assert_uint_eq(zoom.base.texels[i], i % 4 == 0 ? 32 : i % 4 == 1 ? 96 : 191);
+    ck_assert_uint_eq(solid.texels[0], 30);
+}
+END_TEST
+
+/* A place is inked at a tone just where it is in the texture's marks of one of two sizes. They cover f and c of the
+ * surface: marks keep their shape, and at the ends of a cycle only those of one size are left. */
 START_TEST(a_union_shows_the_marks_of_two_octaves)
 {
     struct hatch_zoom zoom;
     struct hatch_texels mips;
     make_noise(1);
     make_zoom(SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
-    ck_assert_mem_eq(zoom.octaves.texels, solid.texels, SIZE * SIZE * SIZE);
-    for (uint32_t i = 0; i < 2000; i++) {
+    for (uint32_t i = 0; i < 4000; i++) {
         float place[3], half[3], fine[3], coarse[3], value[3];
-        const float s = (float)(i % 9) / 8, threshold = hatch_random_unit(4, 3, i);
+        const double s = (i % 9) / 8.0, tone = (double)hatch_random_unit(4, 3, i);
+        const double d = (1 - 2 * s) * tone, c = 1 - 0.5 * (d + sqrt(d * d + 4 * (1 - tone))), f = c + d;
         for (uint32_t k = 0; k < 3; k++) {
             place[k] = 9 * hatch_random_unit(4, k, i);
             half[k] = place[k] / 2;
         }
         hatch_zoom_sample(&mips, 0, place, fine);
         hatch_zoom_sample(&mips, -1, half, coarse);
-        hatch_zoom_blend_at(&mips, HATCH_ZOOM_UNION, place, s, 0, value);
-        bool in_fine = fine[0] < 1.5f * threshold - s, in_coarse = coarse[0] < 1.5f * threshold - (1 - s);
-        ck_assert_int_eq(value[0] < threshold, in_fine || in_coarse);
+        hatch_zoom_blend_at(&mips, HATCH_ZOOM_UNION, place, (float)s, 0, value);
+        ck_assert_double_eq_tol(1 - (1 - f) * (1 - c), tone, 1e-12);
+        if (fmin(fabs((double)fine[0] - f), fabs((double)coarse[0] - c)) > 0.003)
+            ck_assert_int_eq((double)value[0] < tone, (double)fine[0] < f || (double)coarse[0] < c);
     }
 }
 END_TEST
@@ -321,6 +336,7 @@ static Suite *suite(void)
     tcase_add_test(tests, flat_textures_are_the_same_at_every_depth);
     tcase_add_loop_test(tests, a_cycle_ends_where_the_next_begins, 0, 2);
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
+    tcase_add_test(tests, a_union_takes_ranks);
     tcase_add_test(tests, a_union_shows_the_marks_of_two_octaves);
     tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 10);
     tcase_add_test(tests, axes_keep_colors);

@@ -90,6 +90,13 @@ vec3 octaves_at(int solid, vec3 place, float level)
     return texel;
 }
 
+// Returns the tones at which places of such ranks appear: u of solid/zoom.h.
+vec3 appears(vec3 rank, float s)
+{
+    vec3 above = 1.0 - max(rank, 1.0 / 510.0);
+    return (1.0 - above * above) / (1.0 + above * (1.0 - 2.0 * s));
+}
+
 // Returns blended values, one per channel, that the tables have not changed. shift: of the place, in periods; coarser:
 // octaves by which the texture is larger
 vec3 raw_values(int solid, Cycle cycle, vec3 shift, float coarser)
@@ -98,7 +105,7 @@ vec3 raw_values(int solid, Cycle cycle, vec3 shift, float coarser)
     vec3 place = exp2(-coarser) * cycle.place + shift;
     vec3 fine = octaves_at(solid, place, level), coarse = octaves_at(solid, 0.5 * place, level - 1.0);
 #ifdef UNION
-    return min(fine + cycle.s, coarse + 1.0 - cycle.s) / 1.5;
+    return min(appears(fine, cycle.s), appears(coarse, 1.0 - cycle.s));
 #else
     return mix(fine, coarse, cycle.s);
 #endif
