@@ -1,6 +1,6 @@
 # Angle to the nearer principal axis against time, clean and noisy, for 10,000 faces and, for dirfield's default, other
-# sizes; below on the right, time against faces. Other methods (tests/bench/peers.c): quadric / rings; tensor / rings, mu;
-# smoothest; "told" stands for constants chosen for the size and the noise.
+# sizes; below on the right, time against faces. Other methods, in the same run (tests/bench/programs/peers.c): quadric /
+# rings; tensor / rings, mu; smoothest; "told" stands for constants chosen for the size and the noise.
 set multiplot layout 2,2 title "angle to the nearer principal axis: one thread, twelve shapes, 10,000 faces unless stated otherwise"
 set grid
 set logscale xy

@@ -1,5 +1,5 @@
 # Singularities against the angle to the nearer principal axis of a three-ring quadric, a point for each value of
-# --smooth, and on the bunny for each strength of the method of Knöppel et al. (tests/bench/peers.c).
+# --smooth, and on the bunny for each strength of the method of Knöppel et al. (tests/bench/programs/peers.c).
 set title "dirfield --smooth: singularities against alignment"
 set grid
 set logscale y
