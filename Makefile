@@ -3,7 +3,7 @@
 # make bench chart  measurements, their charts   make install      PREFIX, DESTDIR
 # make dist         a reproducible source tar    make fuzz         fuzzers, with clang
 # make mutants      random mutations of the code that no test sees: N=80 of them, drawn with SEED=1
-# make check-interop  other projects' readers, from npm, on our files
+# make check-interop  other projects' readers, from npm, on our files      make limits: docs/limits.md
 # SANITIZE=1 builds and tests under AddressSanitizer and UBSan, in build/sanitize.
 CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
 CXX := $(if $(filter default,$(origin CXX)),g++,$(CXX))
@@ -170,13 +170,13 @@ dist:
 TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability/test_*.c)
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
-include tests/steps.mk tests/memory/library.mk
-$(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom prop/test_strokes_% prop/test_solid_% stability/test_rptam_limits stability/test_solid_% bench/programs/%): GL := $(libs_gl)
-$(TESTS) $(BENCHES): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
+include tests/steps.mk tests/memory/library.mk tests/stability/limits/limits.mk
+$(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom prop/test_strokes_% prop/test_solid_% stability/limits/% stability/test_rptam_limits stability/test_solid_% bench/programs/%): GL := $(libs_gl)
+$(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
-$(call obj,$(TEST_SRC) $(BENCHES:$(B)/%=%.c)): BASE += -Itests/support
+$(call obj,$(TEST_SRC) $(patsubst $(B)/%,%.c,$(BENCHES) $(LIMITS))): BASE += -Itests/support
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/meshes cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))

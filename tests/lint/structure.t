@@ -16,7 +16,7 @@ is "no folder of sources with more than 22 files" "$(find libhatch cmd tests -pa
 is "the Makefile has at most 220 lines" "$(wc -l <Makefile | awk '$1 > 220')" ""
 
 texts=$(find . -path ./build -prune -o -path ./.git -prune -o -path ./tests/lint -prune -o -type f \
-    \( -name '*.[ch1-7]' -o -name '*.cc' -o -name '*.sh' -o -name '*.t' -o -name '*.md' -o -name '*.mk' \
+    \( -name '*.[ch1-7]' -o -name '*.cc' -o -name '*.sh' -o -name '*.t' -o -name '*.limit' -o -name '*.md' -o -name '*.mk' \
     -o -name '*.glsl' -o -name '*.vert' -o -name '*.frag' -o -name Makefile -o -name bootstrap \) -print)
 is "no marks of unfinished work" \
     "$(grep -nwE 'TODO|FIXME|XXX' $texts
