@@ -3,6 +3,7 @@
 . "${TOP:-.}/tests/tap.sh"
 here=$TOP/tests/stability/limits
 PATH=$BUILD/tests/stability/limits/programs:$PATH
+[ -z "$SANITIZE" ] || { skip "the table of limits" "only run without sanitizers"; finish; }
 command -v limits_picture >/dev/null || { skip "the table of limits" "its programs were not built"; finish; }
 
 sh "$here/run.sh" "$WORK/table" >table.tsv 2>said

@@ -37,7 +37,7 @@ for entry in "$@"; do
                 right = right && within($4) && !within($3)
             for (i = 3; i <= 4; i++)
                 if (number($i))
-                    $i = sprintf("%.3g", $i)
+                    $i = sprintf($i >= 100 ? "%.0f" : "%.3g", $i)
             print $1, $2, $3, $4, right ? "right" : "wrong"
         }'
 done

@@ -1,5 +1,5 @@
 /* Figures of pictures for the table of limits, beside those of hatchstat, and small copies for its page. Darkness is 1
- * - luminance, in linear light. limits_picture small IN.png OUT.png   copies a picture with 16 values per channel
+ * - luminance, in linear light. limits_picture small IN.png OUT.png   copies a picture with 32 values per channel
  *     limits_picture ink IN X Y W H         mean darkness in a rectangle
  *     limits_picture deviation IN           standard deviation of darkness
  *     limits_picture repeat IN X Y          correlation of darkness with itself, X to the right and Y below
@@ -8,11 +8,13 @@
  *                                           the pixels around which both have one direction
  *     limits_picture outside IN OTHER.png   percent of the darkness that is where OTHER.png, of the same size, is white
  *     limits_picture pieces IN              mean number of pixels of connected ink: D > .5, over four neighbours
- *     limits_picture cut IN X               mean |difference| of darkness between the columns X - 1 and X, over that of
- *                                           all neighbouring columns
- *     limits_picture width IN               mean width of strokes in pixels: 2 sum of D / sum of |grad D|, where D is
- *                                           darkness, of the pixels with D > .1 or such a neighbour
- *     limits_picture widths IN N            the same in windows of N x N pixels: 90th over 10th percentile */
+ *     limits_picture alike IN OTHER.png     correlation of the darkness of two pictures of one size
+ *     limits_picture seams IN PATCHES.png   mean |difference| of darkness between neighbours of which PATCHES.png, of
+ * the same size, shows two greys, over that between those of one grey limits_picture cut IN X               mean
+ * |difference| of darkness between the columns X - 1 and X, over that of all neighbouring columns limits_picture width
+ * IN               mean width of strokes in pixels: 2 sum of D / sum of |grad D|, where D is darkness, of the pixels
+ * with D > .1 or such a neighbour limits_picture widths IN N            the same in windows of N x N pixels: 90th over
+ * 10th percentile */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +26,7 @@
 #include "shared/cmd.h"
 #include "shared/picture.h"
 
-#define GREYS 15.0f   /* values of a small picture, less one */
+#define GREYS 31.0f      /* values of a small picture, less one */
 #define INK_LEAST 0.1 /* darkness of strokes */
 #define REACH 5       /* pixels to each side that tell the direction of strokes */
 #define AGREEING_LEAST 0.3
@@ -61,6 +63,16 @@ static void read_darkness(void)
         const bool grey = image.channel_count < 3;
         darkness[i] = 1 - (grey ? (double)pixel[0] : (double)hatch_color_luminance(pixel));
     }
+}
+
+/* Reads another picture, of the same size, in place of the first. */
+static void read_other(const char *path)
+{
+    const uint32_t width = image.width, height = image.height;
+    cmd_read_picture(&args, path, 1, &args.keep, &image);
+    if (image.width != width || image.height != height)
+        cmd_usage("'%s' has another size", path);
+    read_darkness();
 }
 
 /* Mean of (D(x, y) - mean) (D(x + dx, y + dy) - mean) over the pixels that have both. */
@@ -124,10 +136,7 @@ static double angle_to(const char *other)
     double *ways[2] = {directions()}, sum = 0;
     const size_t count = (size_t)image.width * image.height;
     size_t compared = 0;
-    cmd_read_picture(&args, other, 1, &args.keep, &image);
-    if ((size_t)image.width * image.height != count)
-        cmd_usage("'%s' has another size", other);
-    read_darkness();
+    read_other(other);
     ways[1] = directions();
     for (size_t i = 0; i < count; i++) {
         const double *a = &ways[0][2 * i], *b = &ways[1][2 * i];
@@ -137,6 +146,39 @@ static double angle_to(const char *other)
         compared++;
     }
     return compared ? sum / (double)compared * 180 / 3.14159265358979 : 0;
+}
+
+static double likeness_to(const char *other)
+{
+    const double *first = darkness, own = covariance(0, 0);
+    const size_t count = (size_t)image.width * image.height;
+    double sum[2] = {0, 0}, product = 0;
+    read_other(other);
+    for (size_t i = 0; i < count; i++) {
+        sum[0] += first[i];
+        sum[1] += darkness[i];
+        product += first[i] * darkness[i];
+    }
+    return (product - sum[0] * sum[1] / (double)count) / (double)count / sqrt(own * covariance(0, 0));
+}
+
+static double seams_of(const char *patches)
+{
+    const double *ink = darkness;
+    double change[2] = {0, 0};
+    size_t count[2] = {0, 0};
+    read_other(patches);
+    for (int i = (int)image.width; i < (int)(image.width * image.height); i++) {
+        const int before[2] = {i - 1, i - (int)image.width};
+        for (int k = 0; k < 2; k++) {
+            if (darkness[i] <= 0 || darkness[before[k]] <= 0)
+                continue;
+            const int crossing = darkness[i] != darkness[before[k]];
+            change[crossing] += fabs(ink[i] - ink[before[k]]);
+            count[crossing]++;
+        }
+    }
+    return change[1] / (double)count[1] / (change[0] / (double)count[0]);
 }
 
 /* Returns the piece of a pixel: the first one that is linked to it. */
@@ -174,10 +216,7 @@ static double share_outside(const char *mask)
     const double *ink = darkness;
     const size_t count = (size_t)image.width * image.height;
     double all = 0, outside = 0;
-    cmd_read_picture(&args, mask, 1, &args.keep, &image);
-    if ((size_t)image.width * image.height != count)
-        cmd_usage("'%s' has another size", mask);
-    read_darkness();
+    read_other(mask);
     for (size_t i = 0; i < count; i++) {
         all += ink[i];
         outside += darkness[i] > 0 ? 0 : ink[i];
@@ -256,14 +295,44 @@ static void make_small(const char *path)
     cmd_write(output, file.data, file.size);
 }
 
+static double figure_of(int name, const char *other)
+{
+    switch (name) {
+    case 1:
+        return mean_ink(operand(2), operand(3), operand(4), operand(5));
+    case 2:
+        return sqrt(covariance(0, 0));
+    case 3:
+        return covariance(operand(2), operand(3)) / covariance(0, 0);
+    case 4:
+        return strongest_period(operand(2), operand(3));
+    case 5:
+        return angle_to(other);
+    case 6:
+        return share_outside(other);
+    case 7:
+        return likeness_to(other);
+    case 8:
+        return seams_of(other);
+    case 9:
+        return mean_piece();
+    case 10:
+        return cut_at(operand(2));
+    case 11:
+        return width_of_strokes(0, 0, (int)image.width, (int)image.height);
+    default:
+        return spread_of_widths(operand(2));
+    }
+}
+
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"small",   "ink",    "deviation", "repeat", "period", "angle",
-                                        "outside", "pieces", "cut",       "width",  "widths", NULL};
+    static const char *const names[] = {"small", "ink",   "deviation", "repeat", "period", "angle",  "outside",
+                                        "alike", "seams", "pieces",    "cut",    "width",  "widths", NULL};
     static const struct cmd_option options[] = {{0}};
     static const char *const examples[] = {"limits_picture width picture.png", NULL};
     static const struct cmd_program program = {.name = "limits_picture",
-                                               .operands = "FIGURE PICTURE [NUMBER ...]",
+                                               .operands = "FIGURE PICTURE [OTHER | NUMBER ...]",
                                                .summary = "figures of pictures for the table of limits",
                                                .examples = examples,
                                                .options = options,
@@ -271,41 +340,12 @@ int main(int argc, char **argv)
                                                .operands_min = 2,
                                                .operands_max = 6};
     cmd_begin(&program, argc, argv, &args);
+    const char *other = args.operand_count > 2 ? args.operands[2] : "-";
     cmd_read_picture(&args, args.operands[1], 1, &args.keep, &image);
     read_darkness();
-    switch (args.name) {
-    case 0:
-        make_small(args.operand_count > 2 ? args.operands[2] : "-");
-        break;
-    case 1:
-        printf("%.6g\n", mean_ink(operand(2), operand(3), operand(4), operand(5)));
-        break;
-    case 2:
-        printf("%.6g\n", sqrt(covariance(0, 0)));
-        break;
-    case 3:
-        printf("%.6g\n", covariance(operand(2), operand(3)) / covariance(0, 0));
-        break;
-    case 4:
-        printf("%.6g\n", strongest_period(operand(2), operand(3)));
-        break;
-    case 5:
-        printf("%.6g\n", angle_to(args.operand_count > 2 ? args.operands[2] : "-"));
-        break;
-    case 6:
-        printf("%.6g\n", share_outside(args.operand_count > 2 ? args.operands[2] : "-"));
-        break;
-    case 7:
-        printf("%.6g\n", mean_piece());
-        break;
-    case 8:
-        printf("%.6g\n", cut_at(operand(2)));
-        break;
-    case 9:
-        printf("%.6g\n", width_of_strokes(0, 0, (int)image.width, (int)image.height));
-        break;
-    default:
-        printf("%.6g\n", spread_of_widths(operand(2)));
-    }
+    if (args.name == 0)
+        make_small(other);
+    else
+        printf("%.6g\n", figure_of(args.name, other));
     return cmd_end(&args, HATCH_OK);
 }
