@@ -26,7 +26,7 @@
 #include "shared/cmd.h"
 #include "shared/picture.h"
 
-#define GREYS 31.0f      /* values of a small picture, less one */
+#define GREYS 31.0f   /* values of a small picture, less one */
 #define INK_LEAST 0.1 /* darkness of strokes */
 #define REACH 5       /* pixels to each side that tell the direction of strokes */
 #define AGREEING_LEAST 0.3
