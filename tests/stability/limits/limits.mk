@@ -3,5 +3,4 @@ LIMITS := $(patsubst tests/%.c,$(B)/tests/%,$(wildcard tests/stability/limits/pr
 limits: all $(LIMITS)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/stability/limits/programs:$$PATH sh tests/stability/limits/draw.sh
 check: $(LIMITS)
-$(LIMITS:$(B)/%=$(B)/obj/%.c.o): BASE += -Itests/bench/programs
 .PHONY: limits

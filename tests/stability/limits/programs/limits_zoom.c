@@ -2,7 +2,7 @@
  *     limits_zoom pieces|floats OUT.png */
 #include <stdio.h>
 
-#include "bench.h"
+#include "../../../bench/programs/bench.h"
 #include "io/png/png.h"
 #include "rptam_model.h"
 #include "zoom_reference.h"
