@@ -1,20 +1,24 @@
-/* Figures of pictures for the table of limits, beside those of hatchstat, and small copies for its page. Darkness is 1
- * - luminance, in linear light. limits_picture small IN.png OUT.png   copies a picture with 32 values per channel
- *     limits_picture ink IN X Y W H         mean darkness in a rectangle
- *     limits_picture deviation IN           standard deviation of darkness
- *     limits_picture repeat IN X Y          correlation of darkness with itself, X to the right and Y below
+/* Figures of pictures for the table of limits, beside those of hatchstat, and small copies for its page. Darkness D is
+ * 1 - luminance, in linear light.
+ *
+ *     limits_picture small IN.png OUT.png   copies a picture with 32 values per channel
+ *     limits_picture ink IN X Y W H         mean of D in a rectangle
+ *     limits_picture deviation IN           standard deviation of D
+ *     limits_picture repeat IN X Y          correlation of D with itself, X to the right and Y below
  *     limits_picture period IN A B          the largest of these for X from A to B, Y = 0
  *     limits_picture angle IN OTHER.png     angle in degrees between the strokes of two pictures of one size: mean over
  *                                           the pixels around which both have one direction
- *     limits_picture outside IN OTHER.png   percent of the darkness that is where OTHER.png, of the same size, is white
+ *     limits_picture outside IN OTHER.png   percent of D that is where OTHER.png, of the same size, is white
  *     limits_picture pieces IN              mean number of pixels of connected ink: D > .5, over four neighbours
- *     limits_picture alike IN OTHER.png     correlation of the darkness of two pictures of one size
- *     limits_picture seams IN PATCHES.png   mean |difference| of darkness between neighbours of which PATCHES.png, of
- * the same size, shows two greys, over that between those of one grey limits_picture cut IN X               mean
- * |difference| of darkness between the columns X - 1 and X, over that of all neighbouring columns limits_picture width
- * IN               mean width of strokes in pixels: 2 sum of D / sum of |grad D|, where D is darkness, of the pixels
- * with D > .1 or such a neighbour limits_picture widths IN N            the same in windows of N x N pixels: 90th over
- * 10th percentile */
+ *     limits_picture alike IN OTHER.png     correlation of D of two pictures of one size
+ *     limits_picture seams IN PATCHES.png   mean |difference| of D between neighbours of which PATCHES.png, of the same
+ *                                           size, shows two greys, over that between those of one grey
+ *     limits_picture cut IN X               mean |difference| of D between the columns X - 1 and X, over that of all
+ *                                           neighbouring columns
+ *     limits_picture width IN               mean width of strokes in pixels: 2 sum of D / sum of |grad D|, over the
+ *                                           pixels with D > .1 or such a neighbour
+ *     limits_picture widths IN N            the same in windows of N x N pixels: 90th over 10th percentile
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
