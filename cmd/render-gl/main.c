@@ -14,6 +14,8 @@ static void open_outputs(struct job *job)
         cmd_check_ending(job->args.output, "png exr svg tsv");
     if (options->window)
         return;
+    if (options->times_path)
+        job->times_output = cmd_open_report(&job->args, options->times_path);
     uint32_t count = report ? 1 : options->frames;
     job->outputs = HATCH_NEW(&job->args.keep, struct cmd_output *, count, &err);
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);

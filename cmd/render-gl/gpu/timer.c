@@ -2,11 +2,16 @@
 
 #include <time.h>
 
-double gpu_timer_now_s(void)
+static double seconds_of(clockid_t clock)
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+double gpu_timer_now_s(void)
+{
+    return seconds_of(CLOCK_MONOTONIC);
 }
 
 void gpu_timer_make(struct gpu_timer *timer)
@@ -28,6 +33,7 @@ void gpu_timer_begin(struct gpu_timer *timer)
         return;
     timer->count = 0;
     mark(timer);
+    timer->cpu_begin_s = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     timer->wall_begin_s = gpu_timer_now_s();
 }
 
@@ -53,6 +59,7 @@ void gpu_timer_end(struct gpu_timer *timer)
         return;
     if (!timer->every_pass)
         end_span(timer, "frame");
+    timer->sum_cpu_ms += 1e3 * (seconds_of(CLOCK_PROCESS_CPUTIME_ID) - timer->cpu_begin_s);
     GLuint64 before = 0;
     for (uint32_t i = 0; i <= timer->count; i++) {
         GLuint64 at = 0;
@@ -60,6 +67,10 @@ void gpu_timer_end(struct gpu_timer *timer)
         if (i > 0)
             timer->gpu_ms[i - 1] = 1e-6 * (double)(at - before);
         before = at;
+    }
+    for (uint32_t i = 0; i < timer->count; i++) {
+        timer->sum_gpu_ms += timer->gpu_ms[i];
+        timer->sum_wall_ms += timer->wall_ms[i];
     }
 }
 

@@ -15,6 +15,8 @@ struct gpu_timer {
     double wall_begin_s; /* start of the current pass, gpu_timer_now_s */
     double gpu_ms[GPU_TIMER_PASSES_MAX], wall_ms[GPU_TIMER_PASSES_MAX]; /* milliseconds */
     const char *names[GPU_TIMER_PASSES_MAX];                            /* string literals */
+    double cpu_begin_s;                         /* processor time of the process at the start of the frame */
+    double sum_gpu_ms, sum_wall_ms, sum_cpu_ms; /* of all frames that have ended since the caller set them to 0 */
 };
 
 /* Makes the queries; gpu_timer_free releases them. */

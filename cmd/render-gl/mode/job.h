@@ -24,14 +24,15 @@ struct job {
     struct technique_context context;
     struct technique_instance instances[TECHNIQUE_COUNT + 3]; /* those opened; 3 more: --show, --probe, --needs */
     struct line_overlay lines;
-    bool has_lines;               /* `lines` has been made */
-    struct cmd_output **outputs;  /* one per frame, or one for a report; NULL with a window */
-    struct hatch_pose_span span;  /* the animation, and its time span over all frames */
-    bool empty;                   /* the scene has nothing to show, of which a warning has told */
-    struct hatch_view fixed_view; /* the view of all frames, unless it follows the scene's pose */
-    struct hatch_view first_view; /* the view of the first frame */
-    uint32_t changes;             /* number of calls of the technique's `changed` */
-    double changes_ms;            /* total time of these calls */
+    bool has_lines;                  /* `lines` has been made */
+    struct cmd_output **outputs;     /* one per frame, or one for a report; NULL with a window */
+    struct cmd_output *times_output; /* of --times; NULL: not given */
+    struct hatch_pose_span span;     /* the animation, and its time span over all frames */
+    bool empty;                      /* the scene has nothing to show, of which a warning has told */
+    struct hatch_view fixed_view;    /* the view of all frames, unless it follows the scene's pose */
+    struct hatch_view first_view;    /* the view of the first frame */
+    uint32_t changes;                /* number of calls of the technique's `changed` */
+    double changes_ms;               /* total time of these calls */
 };
 
 /* Names the scene after its files, and reads these (mode/load.c). Exits with a message on failure.

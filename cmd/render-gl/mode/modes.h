@@ -11,6 +11,25 @@ void timing_report(struct job *job); /* --time */
 void probe_report(struct job *job);  /* --probe */
 void needs_report(struct job *job);  /* --needs */
 
+#define TIMES_KINDS 3 /* gpu_ms, wall_ms, cpu_ms */
+
+/* Times of pictures, for --times. */
+struct picture_times {
+    double *ms; /* per frame TIMES_KINDS, in the order of the columns */
+    struct gpu_timer timer;
+};
+
+/* Begins the times of all frames. */
+void times_begin(struct job *job, struct picture_times *times);
+
+/* Draws the picture of a frame again, `draws` times, and notes the shortest times.
+ *   image  in, out: the picture */
+void times_add(struct job *job, const struct picture *picture, const struct hatch_view *view,
+               const struct canvas *canvas, uint32_t frame, struct hatch_image *image, struct picture_times *times);
+
+/* Returns the file with the table, which is written with the pictures. */
+struct cmd_file times_end(struct job *job, struct picture_times *times);
+
 /* Exit with a message if the map was made for needs (needs(5)): the first one if the mode is a window, which shows any
  * view, the second one if a view of the job exceeds these needs. The job need not be prepared for the first. */
 void needs_check_mode(const struct job *job);

@@ -36,7 +36,7 @@ static int technique, up = HATCH_UP_Y, hidden, sort, show = -1; /* -1: --show is
 static const char *paper = "white", *ink = "black", *line_color, *lines, *camera, *uv_scale = "auto";
 static const char *page, *margin, *pen;
 static double size[2] = {1280, 720};
-static int64_t samples = 4, frames = 1, animation, timed_frames;
+static int64_t samples = 4, frames = 1, animation, timed_frames, draws = 3;
 static bool samples_given, time_given, fov_given, frames_given, from_given, specular_given;
 
 /* Words that options accept among others, for completions. */
@@ -140,6 +140,9 @@ static const struct cmd_option rest[] = {
      sort_choices, NULL},
     {0, "time", CMD_INT, 1, 10000, "N", "+print how long N frames take, instead of a picture", &timed_frames, NULL,
      NULL},
+    {0, "times", CMD_TEXT, 0, 0, "FILE", "+also write how long each picture takes: the shortest of some draws (TSV)",
+     &chosen.times_path, NULL, NULL},
+    {0, "draws", CMD_INT, 1, 1000, "N", "+how often --times draws each picture again (default 3)", &draws, NULL, NULL},
     {0, "probe", CMD_FLAG, 0, 0, NULL, "+print which tones and mip levels the picture uses, not the picture",
      &chosen.probe, NULL, NULL},
     {0, "needs", CMD_FLAG, 0, 0, NULL, "+write what the views need of maps and strokes, not pictures", &chosen.needs,
@@ -380,6 +383,7 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     chosen.up = (enum hatch_up)up;
     chosen.frames = (uint32_t)frames;
     chosen.timed_frames = (uint32_t)timed_frames;
+    chosen.draws = (uint32_t)draws;
     chosen.animation = (uint32_t)animation;
     chosen.animated = chosen.animation_given || time_given || (frames_given && !chosen.turntable) || chosen.window;
     read_colors();

@@ -83,7 +83,9 @@ struct options {
     bool animated;      /* an animation moves the scene, if there is one; false: the rest pose is drawn */
     uint32_t animation; /* index of the animation */
     bool animation_given;
-    uint32_t timed_frames; /* --time; 0: not given */
+    uint32_t timed_frames;  /* --time; 0: not given */
+    const char *times_path; /* --times; NULL: not given */
+    uint32_t draws;         /* how often --times draws each picture again */
     bool probe, needs, window;
     double tolerance;       /* --tolerance: mean difference of tone that --needs allows */
     bool vectors;           /* the output is a drawing: an SVG file or a stroke script */

@@ -71,13 +71,17 @@ void pictures_write(struct job *job)
     struct hatch_image image;
     struct canvas canvas;
     struct hatch_err err;
-    struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, options->frames, &err);
+    struct picture_times times;
+    uint32_t file_count = options->frames;
+    struct cmd_file *files = HATCH_NEW(keep, struct cmd_file, file_count + 1, &err); /* the last: of --times */
     cmd_check(files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
     job_make_canvas(job, &canvas);
     const struct picture picture = job_picture(job, job_open(job, options->technique, &err));
     struct technique_counts all = {.strokes = 0};
     uint32_t blank = 0;
+    if (job->times_output)
+        times_begin(job, &times);
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
@@ -93,12 +97,16 @@ void pictures_write(struct job *job)
             files[frame] = (struct cmd_file){.output = job->outputs[frame]};
             hatch_arena_rewind(keep, mark);
         }
+        if (job->times_output)
+            times_add(job, &picture, &view, &canvas, frame, &image, &times);
     }
     if (job->changes)
         cmd_note("the technique's options were changed and applied %u times, %.2f ms each", job->changes,
                  job->changes_ms / job->changes);
     note_film(options, &all);
     warn_of_blank(job, blank);
-    cmd_write_all(files, options->frames);
+    if (job->times_output)
+        files[file_count++] = times_end(job, &times);
+    cmd_write_all(files, file_count);
     canvas_free(&canvas);
 }

@@ -192,6 +192,16 @@ render-gl torus.glb --tam map.exr --size 64x48 --time 2 >times.tsv
 is "--time reports the frame and the reference" \
     "$(awk -F'\t' '$2 == "frame" {print $1}' times.tsv | tr '\n' ' ')" "tam gouraud "
 is "times are positive numbers" "$(awk -F'\t' 'NR > 1 && !($4 > 0 && $7 > 0)' times.tsv)" ""
+render-gl torus.glb --tam map.exr --size 64x48 --frames 3 --turntable --times times.tsv --draws 2 -o 'timed%02d.png'
+is "--times: a line for each picture, with positive times" \
+    "$(awk -F'\t' 'NR > 1 {print $1, $2, ($3 > 0 && $4 > 0 && $5 > 0)}' times.tsv | tr '\n' ';')" "0 2 1;1 2 1;2 2 1;"
+is "--times does not change the pictures" "$(for i in 0 1 2; do cmp turn0$i.png timed0$i.png; done 2>&1)" ""
+for options in "--times t.tsv --time 2" "--times t.tsv --probe" "--times t.tsv -o x.svg" "--draws 2"; do
+    try render-gl torus.glb --tam map.exr --size 64x48 $options
+    refused "render-gl $options" 2 2
+done
+try render-gl torus.glb --tam map.exr --size 64x48 --times /dev/full -o whole.png
+is "--times on a full disk: no picture" "$status $(ls whole.png 2>/dev/null)" "4 "
 render-gl torus.glb --tam map.exr --size 64x48 --probe --json >probe.json
 is "--probe --json is JSON" "$(json <probe.json)" ARRAY
 render-gl torus.glb --tam map.exr --size 64x48 --probe >probe.tsv

@@ -1,4 +1,4 @@
-/* --time: reports how long frames and their passes take, as TSV or JSON. */
+/* --time: reports how long frames and their passes take, as TSV or JSON; --times: how long each picture takes. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -177,4 +177,47 @@ void timing_report(struct job *job)
     gpu_timer_free(&timer);
     canvas_free(&canvas);
     cmd_report_write(&report, job->outputs[0]);
+}
+
+void times_begin(struct job *job, struct picture_times *times)
+{
+    struct hatch_err err;
+    double *ms = HATCH_NEW(&job->args.keep, double, TIMES_KINDS *(size_t)job->options->frames, &err);
+    cmd_check(ms ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    *times = (struct picture_times){.ms = ms};
+    gpu_timer_make(&times->timer);
+}
+
+void times_add(struct job *job, const struct picture *picture, const struct hatch_view *view,
+               const struct canvas *canvas, uint32_t frame, struct hatch_image *image, struct picture_times *times)
+{
+    struct gpu_timer *timer = &times->timer;
+    double *ms = times->ms + TIMES_KINDS * (size_t)frame;
+    struct hatch_err err;
+    ms[0] = ms[1] = ms[2] = INFINITY;
+    job->frame.timer = timer;
+    for (uint32_t draw = 0; draw < job->options->draws; draw++) {
+        timer->sum_gpu_ms = timer->sum_wall_ms = timer->sum_cpu_ms = 0;
+        cmd_check(picture_draw(picture, view, canvas, image, &err), NULL, &err);
+        ms[0] = fmin(ms[0], timer->sum_gpu_ms);
+        ms[1] = fmin(ms[1], timer->sum_wall_ms);
+        ms[2] = fmin(ms[2], timer->sum_cpu_ms);
+    }
+    job->frame.timer = NULL;
+}
+
+struct cmd_file times_end(struct job *job, struct picture_times *times)
+{
+    static const char *const columns[] = {"frame", "draws", "gpu_ms", "wall_ms", "cpu_ms", "device", NULL};
+    struct cmd_report report;
+    cmd_report_begin(&report, &job->args, columns);
+    for (uint32_t frame = 0; frame < job->options->frames; frame++) {
+        cmd_report_integer(&report, frame);
+        cmd_report_integer(&report, job->options->draws);
+        cmd_report_numbers(&report, times->ms + TIMES_KINDS * (size_t)frame, TIMES_KINDS);
+        cmd_report_text(&report, job->gpu.device);
+    }
+    gpu_timer_free(&times->timer);
+    const struct hatch_bytes table = cmd_report_end(&report);
+    return (struct cmd_file){.output = job->times_output, .data = table.data, .size = table.size};
 }
