@@ -165,6 +165,10 @@ bool cmd_write_ahead(const struct cmd_file *file);
 /* Writes a single output like cmd_write_all. */
 void cmd_write(struct cmd_output *output, const void *data, size_t size);
 
+/* Has a function called when the command ends: by cmd_end, by a message that exits, or by a signal. It may be called
+ * several times, and calls only what is safe in a signal handler. */
+void cmd_on_end(void (*clean_up)(void));
+
 /* Ends the command: frees everything, checks that standard output was written, and returns status for main. */
 int cmd_end(struct cmd_args *args, enum hatch_status status);
 

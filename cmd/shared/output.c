@@ -45,6 +45,9 @@ static struct location {
     const char *name; /* name in the folder; empty: unknown */
 } locations[CMD_OUTPUTS_MAX];
 
+/* Called with the removal of unfinished outputs, or NULL. */
+static void (*volatile also_at_end)(void);
+
 static bool stdout_taken;
 
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
@@ -70,6 +73,13 @@ static void remove_unfinished(void)
     for (size_t i = 0; i < CMD_OUTPUTS_MAX; i++)
         if (unfinished[i])
             unlink(unfinished[i]);
+    if (also_at_end)
+        also_at_end();
+}
+
+void cmd_on_end(void (*clean_up)(void))
+{
+    also_at_end = clean_up;
 }
 
 /* Signal handler. Raises the signal again with its default action, which ends the process when the handler returns. */
