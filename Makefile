@@ -41,6 +41,7 @@ LINK_dirfield  := gltf openmesh cxx cholmod
 LINK_lapped-param := gltf cxx png cholmod
 LINK_strokegen := gltf cxx cholmod
 LINK_meshfit   := gltf cxx
+LINK_hatchplan := exr png foreign gltf cxx
 libs_exr       := -lOpenEXRCore -ldeflate
 libs_png       := -lpng16
 libs_foreign   := -ldl
@@ -177,7 +178,7 @@ $(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(patsubst $(B)/%,%.c,$(BENCHES) $(LIMITS))): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/meshes cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/meshes cli/plan cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
@@ -216,5 +217,4 @@ mutants: ; perl tests/mutants/run.pl $(B)/mutants
 lint: ; B=$(B) perl tests/run $(wildcard tests/lint/*.t)
 clean: ; rm -rf build
 .PHONY: all demo bench chart mutants check check-interop check-long fuzz install dist lint clean
-.DELETE_ON_ERROR:
-.SECONDARY:
+.DELETE_ON_ERROR .SECONDARY:

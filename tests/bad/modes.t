@@ -28,6 +28,7 @@ mesh_modes() {
         echo "lapped-param $options IN -o OUT.glb"
     done
     echo "strokegen --levels 2 IN -o OUT.glb"
+    echo "hatchplan --techniques solid --size 64x48 --budget mb=.1 IN -o OUT.tsv"
     echo "hatchstat mesh IN -o OUT.tsv"
     echo "hatchstat field IN -o OUT.tsv"
     echo "hatchstat lapped IN -o OUT.tsv"

@@ -297,6 +297,7 @@ needs-frames render-gl skinned.gltf --size 160x120 --needs --frames 3 --toleranc
 needs-lapped render-gl lapped.glb --size 160x120 --needs --texture-tone --pixel-light
 probe-triple render-gl teapot.glb -t tam-triple --tam color.exr --size 160x120 --probe
 time render-gl teapot.glb --tam map.exr --size 96x72 --time 2 | without_ms
+times render-gl teapot.glb --tam map.exr --size 96x72 --times - -o /dev/null | without_ms
 time-triple render-gl lapped.glb -t tam-triple --tam map.exr --size 96x72 --time 2 --shadows 0.05 --haloes 3 | without_ms
 time-rptam render-gl teapot.glb -t rptam --size 96x72 --time 1 --lines none --zoom 4096 | without_ms
 time-json render-gl lapped.glb -t volume --tam volume.ktx2 --size 96x72 --time 2 --json | grep -oE '"(technique|span)": "[^"]*"'
@@ -496,6 +497,7 @@ meshfit-skinned meshfit skinned.gltf
 meshfit-morphs meshfit morphs.gltf
 meshfit-nodes meshfit nodes.gltf
 meshfit-textured meshfit textured.gltf
+hatchplan-make hatchplan teapot.glb --techniques tam-flat --budget mb=.2 --size 96x72 --make
 hatchstat-coarse hatchstat coarse teapot.glb teapot.glb
 strokegen-angles strokegen field.glb --angles 0,90,-45 --levels 3 --seed 3 -v
 strokegen-short strokegen field.glb --gap 0.05 --levels 2 --length 5 --hard 10
@@ -533,7 +535,7 @@ END
 
 # Help texts and messages, which may change on purpose.
 list_help() {
-    for command in dirfield hatchstat lapped-param meshfit meshgen render-gl seedgen solidgen strokegen tamgen tampack tamthresh tamvol; do
+    for command in dirfield hatchplan hatchstat lapped-param meshfit meshgen render-gl seedgen solidgen strokegen tamgen tampack tamthresh tamvol; do
         echo "help-$command $command --help; $command --version"
         echo "help-table-$command $command --options-table"
         echo "help-usage-$command $command --nonesuch; $command -j 0; $command one two three four five"

@@ -27,6 +27,7 @@ small() {
 small tamgen "--size 128"
 small meshgen "--faces 2000"
 small render-gl "--size 64x48"
+small hatchplan "--size 64x48"
 PATH=$WORK/small:$PATH
 cd empty || exit 1
 while IFS= read -r line; do

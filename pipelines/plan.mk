@@ -1,0 +1,69 @@
+# Draws a scene with the technique that hatchplan finds to be the best within bounds: measures, makes the files that the
+# technique reads, and draws. Without TOLERANCE the tone is as exact as the budget allows, with it frames are as fast as
+# possible.
+#
+#     make -f plan.mk MESH=teapot.glb BUDGET='ms=40 mb=4 s=5'    teapot.png, in at most 40 ms, from 4 MB, made in 5 s
+#     make -f plan.mk MESH=teapot.glb TOLERANCE=.03              with a tone error of at most .03
+#     make -f plan.mk MESH=bunny.ply TOLERANCE=.03 TURN=90       once around it: bunny-000.png ... bunny-089.png
+#     make -f plan.mk MESH=walk.glb TOLERANCE=.03 FRAMES=48      the scene's animation: walk-000.png ...
+#     make -f plan.mk MESH=model.glb BUDGET=mb=1 OPTIONS='--from 40:20 --techniques tam,volume,threshold'
+#
+# plan.chosen.mk holds the plan, and is made again when the mesh or one of these variables changes. The commands are found
+# on PATH. Copy this file and change it.
+MESH      ?= $(error MESH=FILE names the mesh or scene to draw)
+BUDGET    ?=
+TOLERANCE ?=
+SIZE      ?= 1280x720
+TURN      ?= 0
+FRAMES    ?= 0
+OUT       ?= .
+OPTIONS   ?=
+
+$(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+$(if $(BUDGET)$(TOLERANCE),,$(error BUDGET='ms=40 mb=4' or TOLERANCE=.03 tells what to choose by))
+SHELL := /bin/bash
+.SHELLFLAGS := -eo pipefail -c
+.DELETE_ON_ERROR:
+
+film := $(if $(TURN:0=),--frames $(TURN) --turntable,$(if $(FRAMES:0=),--frames $(FRAMES)))
+# The shell computes the name, because make would split a file name at spaces.
+name = name=$$(basename -- "$(MESH)") && name="$(OUT)/$${name%.*}"
+
+.PHONY: picture always
+picture:
+
+# This file holds what the plan depends on; it is rewritten when that changes.
+words  := $(OUT)/plan.words
+wanted := $(MESH) $(shell stat -L -c %Y.%s -- "$(MESH)"); $(BUDGET); $(TOLERANCE); $(SIZE) $(film); $(OPTIONS)
+$(words): always
+	@mkdir -p $(OUT)
+	@printf '%s\n' "$(wanted)" | cmp -s - $@ || printf '%s\n' "$(wanted)" >$@
+$(OUT)/plan.chosen.mk: $(words)
+	hatchplan $(if $(BUDGET),--budget '$(BUDGET)') $(if $(TOLERANCE),--tolerance $(TOLERANCE)) --size $(SIZE) $(film) \
+	    $(OPTIONS) "$(MESH)" --make -o $@
+include $(OUT)/plan.chosen.mk
+
+# What the technique reads, and the scene that it draws.
+file_map        := $(OUT)/plan.map.exr
+file_volume     := $(OUT)/plan.volume.ktx2
+file_thresholds := $(OUT)/plan.thresholds.ktx2
+file_solid      := $(OUT)/plan.solid.ktx2
+asset := $(file_$(READS))
+scene := $(if $(filter strokes,$(READS)),$(OUT)/plan.strokes.glb,$(if $(PATCHES),$(OUT)/plan.patches.glb))
+$(file_map): $(OUT)/plan.chosen.mk
+	tamgen $(TAMGEN) -o $@
+$(file_volume): $(file_map)
+	tamvol -q $(TAMVOL) $< -o $@
+$(file_thresholds): $(file_map)
+	tamthresh -q $(TAMTHRESH) $< -o $@
+$(file_solid): $(OUT)/plan.chosen.mk
+	solidgen $(SOLIDGEN) -o $@
+$(OUT)/plan.patches.glb: $(OUT)/plan.chosen.mk
+	dirfield "$(MESH)" | lapped-param -o $@
+$(OUT)/plan.strokes.glb: $(OUT)/plan.chosen.mk
+	dirfield "$(MESH)" | strokegen $(STROKEGEN) -o $@
+
+picture: $(asset) $(scene)
+	$(name) && render-gl $(DRAW) \
+	    $(if $(asset),$(if $(filter solid,$(READS)),--solid,--tam) $(asset)) \
+	    $(if $(scene),$(scene),"$(MESH)") -o "$$name$(if $(film),-%03d).png"
