@@ -3,7 +3,7 @@
 #include <math.h>
 
 #define MOMENTS 7u
-#define PASSES 3u
+#define PASSES 4u
 
 /* Polynomials and weights are rounded to multiples of powers of two, so that doubles hold their sums exactly, in any
  * order: polynomials to 2^-GRID_BITS or, of strokes of over 2^13 fragments, to coarser ones; times a weight in 128ths
@@ -12,8 +12,9 @@
 #define SHARES 128.0f
 #define WEIGHTS 65536.0f
 
-/* Penalty on the factor of degree 2 of a very short stroke, in the unit of the polynomial's sum of squares over the
- * fragments. A stroke of SHORT_PX pixels has half of it, and longer ones have less, by the square of their length. */
+/* Penalty on the factors of degrees 2 and 3 of a very short stroke, in the unit of the polynomials' sums of squares
+ * over the fragments. A stroke of SHORT_PX pixels has half of it, and longer ones have less, by the square of their
+ * length. */
 #define PENALTY 2.0
 #define SHORT_PX 50.0
 
@@ -102,7 +103,7 @@ static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS],
                      (product[1][1] - share * product[1][0] + penalty[1]);
     double square = 4 * (half[0] * half[0] + half[1] * half[1]);
     penalty[2] = PENALTY * product[0][0] / (double)count / (1 + square / (SHORT_PX * SHORT_PX));
-    penalty[3] = 3 * penalty[2];
+    penalty[3] = penalty[2];
 }
 
 /* Factors a symmetric matrix, whose lower half is given, as L D L^T. */

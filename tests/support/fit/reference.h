@@ -138,4 +138,26 @@ static inline void fit_reference_find(const struct hatch_fragment *fragments, si
     fit_reference_solve(triangle, reference);
 }
 
+/* Returns how well fragments determine a cubic: the least singular value of the matrix of Legendre polynomials over the
+ * range of t, whose rows are scaled by the square roots of weights. If the places of the fragments have independent
+ * errors of a pixel (standard deviation), no factor has a larger one than the reciprocal. */
+static inline double fit_reference_determined(const struct hatch_fragment *fragments, size_t count)
+{
+    double triangle[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS + 2] = {{0}};
+    struct fit_reference found = {.t = {1, 0}};
+    for (size_t i = 0; i < count; i++) {
+        found.t[0] = fmin(found.t[0], (double)fragments[i].t);
+        found.t[1] = fmax(found.t[1], (double)fragments[i].t);
+    }
+    for (size_t i = 0; i < count; i++) {
+        double range = found.t[1] - found.t[0], root = sqrt((double)fragments[i].weight);
+        double u = range > 0 ? 2 * ((double)fragments[i].t - found.t[0]) / range - 1 : 0;
+        double row[HATCH_CUBIC_TERMS + 2] = {root, root * u, root * (1.5 * u * u - 0.5),
+                                             root * (2.5 * u * u - 1.5) * u};
+        fit_reference_add(triangle, row);
+    }
+    fit_reference_solve(triangle, &found);
+    return fit_reference_least(&found);
+}
+
 #endif

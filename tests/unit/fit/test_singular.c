@@ -206,7 +206,7 @@ static double off_reference(const struct hatch_cubic *cubic, const struct fit_re
  * through single pixels of a piece that is shorter than wide. */
 START_TEST(curves_agree_with_the_pseudo_inverse)
 {
-    static struct distances at_fragments, at_few, over_range;
+    static struct distances at_fragments, at_few, over_range, regular;
     for (uint64_t index = 0; index < COMPARED; index++) {
         const enum fit_kind kind = (enum fit_kind)(index % FIT_KINDS);
         const struct fit_way way = fit_draw_way(kind, 10000 + index, 0.8);
@@ -227,10 +227,13 @@ START_TEST(curves_agree_with_the_pseudo_inverse)
         note(kind == FIT_GAP || kind == FIT_SLIVER ? &at_few : &at_fragments, here);
         if (fit_reference_least(&reference) > DETERMINED)
             note(&over_range, range);
+        if (fit_reference_determined(stroke.fragments, stroke.count) > 1)
+            note(&regular, here);
     }
     check_distances(&at_fragments, 0.01, 1);
     check_distances(&at_few, 0.5, 4.5);
     check_distances(&over_range, 0.01, 1);
+    check_distances(&regular, 0.01, 0.25);
 }
 END_TEST
 

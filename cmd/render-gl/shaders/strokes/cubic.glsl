@@ -5,7 +5,7 @@ layout(std430, binding = STORAGE_SORTED) readonly buffer Sorted { uvec2 sorted[]
 
 const int GRID_BITS = 19;
 const double PENALTY = 2.0, SHORT_PX = 50.0;
-const int PASSES = 3;
+const int PASSES = 4;
 
 void legendre(float u, out float values[7])
 {
@@ -76,7 +76,7 @@ void find_penalties(double a[4][4], double x[4], double y[4], uint count, out do
     penalty[1] = 1e-9LF;
     double square = 4.0LF * (half_x * half_x + half_y * half_y);
     penalty[2] = PENALTY * a[0][0] / double(count) / (1.0LF + square / (SHORT_PX * SHORT_PX));
-    penalty[3] = 3.0LF * penalty[2];
+    penalty[3] = penalty[2];
 }
 
 // Factors a matrix as L D L^T.

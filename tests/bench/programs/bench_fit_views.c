@@ -1,0 +1,190 @@
+/* Compares the curves of the strokes that a view shows with those that they should have:
+ *     bench_fit_views NAME OPTION ...   as render-gl, for one picture with --technique strokes
+ * The fragments of all strokes are read back from the GPU. hatch_cubic_fit, which tests/unit/render-gl/test_strokes.c
+ * compares with the shaders, is compared with the pseudo-inverse in doubles (fit/reference.h); the distance of a stroke
+ * is the largest one at its fragments. Standard output gets rows of two kinds: `whole` strokes, and those `drawn`, of
+ * which some are parts of a stroke that no cubic follows; each for four kinds of systems:
+ *     regular    all others
+ *     few        fewer than four different parameters, or a range of them under 1 / 64
+ *     ill        fragments with errors of a pixel would give a factor an error of more than a pixel
+ *     scattered  so much of the weight lies so far from the curve that render-gl divides the stroke; of drawn ones,
+ * what remains of strokes of too many parts */
+#include <math.h>
+#include <stdio.h>
+
+#include "fit/reference.h"
+#include "fit/split.h"
+#include "fit/strokes.h"
+#include "math/percentile.h"
+#include "render-gl/gpu/buffer.h"
+#include "render-gl/mode/modes.h"
+#include "render-gl/technique/strokes/strokes.h"
+
+#define RANGE_LEAST (1.0 / 64)
+#define DETERMINED 1.0 /* fit_reference_determined */
+#define REACH 1.5      /* in widths, and a pixel more: as in technique/strokes/fit.c */
+#define MISSED_MOST 0.05
+
+enum kind { REGULAR, FEW, ILL, SCATTERED, KINDS };
+static const char *const kinds[] = {"regular", "few", "ill", "scattered"};
+
+static struct job job;
+static struct hatch_err err;
+
+/* Distances of strokes of one kind, in pixels. */
+struct distances {
+    size_t count;
+    struct hatch_weighted *of;
+};
+
+/* The strokes of the picture, and their fragments. */
+struct strokes {
+    uint32_t count;
+    struct strokes_slot *slots;
+    uint32_t (*words)[2];
+    double reach_px;
+};
+
+static void *memory(size_t size)
+{
+    void *made = hatch_arena_array(&job.args.keep, size ? size : 1, 1, &err);
+    cmd_check(made ? HATCH_OK : HATCH_LIMIT, NULL, &err);
+    return made;
+}
+
+static bool has_few_parameters(const struct hatch_fragment *fragments, size_t count, const struct hatch_cubic *cubic)
+{
+    float seen[HATCH_CUBIC_TERMS];
+    uint32_t different = 0;
+    for (size_t i = 0; i < count && different < HATCH_CUBIC_TERMS; i++) {
+        uint32_t k = 0;
+        while (k < different && (fragments[i].t < seen[k] || fragments[i].t > seen[k]))
+            k++;
+        if (k == different)
+            seen[different++] = fragments[i].t;
+    }
+    return different < HATCH_CUBIC_TERMS || (double)(cubic->t[1] - cubic->t[0]) < RANGE_LEAST;
+}
+
+/* Notes the distance of a stroke among those of its kind. */
+static void compare(const struct hatch_fragment *fragments, size_t count, double reach_px, struct distances *all)
+{
+    struct fit_reference reference;
+    struct hatch_cubic cubic;
+    double largest = 0;
+    hatch_cubic_fit(fragments, count, &cubic);
+    fit_reference_find(fragments, count, &reference);
+    for (size_t i = 0; i < count; i++) {
+        double here[2], there[2];
+        fit_curve_at(&cubic, (double)fragments[i].t, here);
+        fit_reference_at(&reference, (double)fragments[i].t, there);
+        largest = fmax(largest, hypot(here[0] - there[0], here[1] - there[1]));
+    }
+    enum kind kind = has_few_parameters(fragments, count, &cubic)                           ? FEW
+                     : hatch_cubic_missed(&cubic, fragments, count, reach_px) > MISSED_MOST ? SCATTERED
+                     : fit_reference_determined(fragments, count) < DETERMINED              ? ILL
+                                                                                            : REGULAR;
+    all[kind].of[all[kind].count++] = (struct hatch_weighted){largest, 1};
+}
+
+/* Divides the fragments of a stroke as render-gl does.
+ *   parts  out: count of them */
+static void divide(const struct strokes *strokes, struct hatch_fragment *fragments, uint32_t count,
+                   struct hatch_stroke_part parts[HATCH_FIT_PARTS_MAX], uint32_t *part_count)
+{
+    struct hatch_cubic cubic;
+    parts[0] = (struct hatch_stroke_part){.end = count};
+    *part_count = 1;
+    hatch_cubic_fit(fragments, count, &cubic);
+    if (hatch_cubic_missed(&cubic, fragments, count, strokes->reach_px) > MISSED_MOST)
+        cmd_check(
+            hatch_fragments_split(fragments, count, strokes->reach_px, &job.args.scratch, parts, part_count, &err),
+            NULL, &err);
+}
+
+static void print_rows(const char *name, const char *what, struct distances all[KINDS])
+{
+    static const double shares[] = {0.5, 0.99, 1};
+    for (int kind = 0; kind < KINDS; kind++) {
+        double found[3] = {NAN, NAN, NAN};
+        size_t over = 0;
+        for (size_t i = 0; i < all[kind].count; i++)
+            over += all[kind].of[i].value > 1;
+        if (all[kind].count)
+            hatch_percentiles(all[kind].of, all[kind].count, shares, 3, found);
+        printf("%s\t%s\t%s\t%zu\t%.4g\t%.4g\t%.4g\t%zu\n", name, what, kinds[kind], all[kind].count, found[0], found[1],
+               found[2], over);
+    }
+}
+
+static void compare_all(const char *name, const struct strokes *strokes)
+{
+    struct distances whole[KINDS] = {{0}}, drawn[KINDS] = {{0}};
+    for (int kind = 0; kind < KINDS; kind++) {
+        whole[kind].of = memory(sizeof *whole->of * strokes->count);
+        drawn[kind].of = memory(sizeof *drawn->of * strokes->count * HATCH_FIT_PARTS_MAX);
+    }
+    for (uint32_t i = 0; i < strokes->count; i++) {
+        const struct strokes_slot *slot = &strokes->slots[i];
+        struct hatch_arena_mark mark = hatch_arena_mark(&job.args.keep);
+        struct hatch_fragment *fragments = memory(sizeof *fragments * slot->count);
+        struct hatch_stroke_part parts[HATCH_FIT_PARTS_MAX];
+        uint32_t count, begin = 0;
+        for (uint32_t k = 0; k < slot->count; k++) {
+            const uint32_t *words = strokes->words[slot->first + k];
+            fragments[k] = (struct hatch_fragment){.t = (float)(words[1] & 0xffff) / 65535,
+                                                   .x = (float)(words[0] & 0xffff) + 0.5f,
+                                                   .y = (float)(words[0] >> 16) + 0.5f,
+                                                   .weight = (float)(words[1] >> 16) / 65535};
+        }
+        compare(fragments, slot->count, strokes->reach_px, whole);
+        divide(strokes, fragments, slot->count, parts, &count);
+        for (uint32_t k = 0; k < count; begin = parts[k++].end)
+            compare(fragments + begin, parts[k].end - begin, strokes->reach_px, drawn);
+        hatch_arena_rewind(&job.args.keep, mark);
+    }
+    print_rows(name, "whole", whole);
+    print_rows(name, "drawn", drawn);
+}
+
+/* Reads the strokes of the last picture, as they are before any are divided. */
+static void read_strokes(const struct strokes_state *state, struct strokes *strokes)
+{
+    const size_t size = sizeof *strokes->slots * state->slot_count;
+    size_t total = 0;
+    *strokes = (struct strokes){.slots = memory(size), .reach_px = REACH * state->width_px + 1};
+    gpu_buffer_read(state->table.name, strokes->slots, size);
+    for (uint32_t i = 0; i < state->slot_count; i++) {
+        const struct strokes_slot slot = strokes->slots[i];
+        if (slot.count > 0 && slot.first != UINT32_MAX) {
+            strokes->slots[strokes->count++] = slot;
+            total += slot.count;
+        }
+    }
+    strokes->words = memory(sizeof *strokes->words * total);
+    gpu_buffer_read(state->sorted.name, strokes->words, sizeof *strokes->words * total);
+}
+
+int main(int argc, char **argv)
+{
+    struct strokes strokes;
+    struct hatch_view view;
+    struct canvas canvas;
+    struct hatch_image image;
+    const char *name = argc > 1 ? argv[1] : "";
+    job.options = options_read(argc - (argc > 1), argv + (argc > 1), &job.args);
+    params_read(job.options);
+    job_read(&job);
+    job_prepare(&job);
+    job_make_canvas(&job, &canvas);
+    cmd_check(hatch_image_make(&job.args.keep, job.options->width, job.options->height, "RGB", &image, &err), NULL,
+              &err);
+    const struct picture picture = job_picture(&job, job_use(&job, job.options->technique));
+    job_set_frame(&job, 0, &view);
+    cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
+    read_strokes(picture.instance->state, &strokes);
+    compare_all(name, &strokes);
+    canvas_free(&canvas);
+    job_end(&job);
+    return cmd_end(&job.args, HATCH_OK);
+}
