@@ -15,8 +15,12 @@ enum hatch_status hatch_column_metadata(const struct hatch_style *style, uint32_
     const char *kept = hatch_arena_text(arena, text, (size_t)digits, err);
     if (!kept)
         return HATCH_LIMIT;
-    *metadata = (struct hatch_tam_metadata){
-        .tones = tones, .levels = levels, .seed = kept, .style = style->name, .growth = growth};
+    *metadata = (struct hatch_tam_metadata){.tones = tones,
+                                            .levels = levels,
+                                            .seed = kept,
+                                            .style = style->name,
+                                            .flat = style->overlap == HATCH_OVERLAP_FLAT,
+                                            .growth = growth};
     return HATCH_OK;
 }
 

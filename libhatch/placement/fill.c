@@ -225,7 +225,6 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     assert(options->levels >= 1 && options->size_px >> (options->levels - 1) >= 1);
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
-    const bool lists = options->ids && style->overlap != HATCH_OVERLAP_FLAT; /* else those below others do not matter */
     struct hatch_tam_metadata metadata;
     uint32_t columns = options->needed ? options->needed : options->tones;
     HATCH_TRY(
@@ -249,8 +248,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
             status = fill_image(&f, tone, level, err);
         if (status == HATCH_OK)
             status = hatch_column_deliver(&f.canvas, &metadata, tone, f.targets[tone],
-                                          lists && tone + 1 == options->tones ? &f.strokes : NULL, arena, scratch, sink,
-                                          err);
+                                          options->ids && tone + 1 == options->tones ? &f.strokes : NULL, arena,
+                                          scratch, sink, err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && strokes)

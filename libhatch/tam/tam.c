@@ -13,6 +13,8 @@ void hatch_tam_set_metadata(const struct hatch_tam_metadata *metadata, uint32_t 
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_GROWTH, (double)metadata->growth, HATCH_ATTRIBUTE_FLOAT);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_SEED, metadata->seed);
     hatch_mipmap_set_text(column, HATCH_TAM_ATTR_STYLE, metadata->style);
+    if (metadata->flat)
+        hatch_mipmap_set_text(column, HATCH_TAM_ATTR_OVERLAP, HATCH_TAM_OVERLAP_FLAT);
     if (!metadata->whole.tones)
         return;
     hatch_mipmap_set_number(column, HATCH_TAM_ATTR_WHOLE_SIZE, metadata->whole.size_px, HATCH_ATTRIBUTE_INT);
@@ -143,6 +145,12 @@ static enum hatch_status find_whole(struct hatch_tam *tam, struct hatch_err *err
     return HATCH_OK;
 }
 
+static bool is_flat(const struct hatch_mipmap *part)
+{
+    const struct hatch_attribute *overlap = hatch_mipmap_attribute(part, HATCH_TAM_ATTR_OVERLAP);
+    return overlap && overlap->type == HATCH_ATTRIBUTE_TEXT && strcmp(overlap->text, HATCH_TAM_OVERLAP_FLAT) == 0;
+}
+
 bool hatch_tam_is_whole(const struct hatch_tam *tam)
 {
     return tam->tones == tam->whole.tones && tam->size_px == tam->whole.size_px;
@@ -174,6 +182,7 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
     }
     made.color = hatch_image_channel(&parts[0].levels[0], "R") == 0;
     made.ids = hatch_image_channel(&parts[0].levels[0], "id") >= 0;
+    made.flat = is_flat(&parts[0]);
     if (find_whole(&made, err) != HATCH_OK)
         return hatch_fail_at(err, "%s: ", parts[0].name);
     *tam = made;

@@ -29,6 +29,7 @@ struct hatch_tam {
     uint32_t levels;  /* number of drawn levels; the coarser ones are box-filtered */
     bool color;
     bool ids;
+    bool flat;                         /* crossing strokes are no darker than the darker one of them */
     float target[HATCH_TAM_TONES_MAX]; /* target tone of each column, 0 .. 1, never falling */
     struct hatch_tam_whole whole;      /* equals the members above where nothing was left out */
     struct hatch_mipmap *columns;      /* one per tone, lightest first, each a full mip chain down to 1x1 */
@@ -41,6 +42,8 @@ struct hatch_tam {
 #define HATCH_TAM_ATTR_SEED "hatch:seed" /* text: EXR's integers have 32 bits, random seeds 64 */
 #define HATCH_TAM_ATTR_STYLE "hatch:style"
 #define HATCH_TAM_ATTR_GROWTH "hatch:growth"
+#define HATCH_TAM_ATTR_OVERLAP "hatch:overlap" /* text: FLAT; missing where crossing strokes darken each other */
+#define HATCH_TAM_OVERLAP_FLAT "flat"
 #define HATCH_TAM_ATTR_STROKES "hatch:strokes" /* text: stroke script, in the last column of a map with ids */
 /* Of maps that are not whole */
 #define HATCH_TAM_ATTR_WHOLE_SIZE "hatch:whole-size"
@@ -82,6 +85,7 @@ struct hatch_tam_metadata {
     uint32_t levels;              /* number of drawn levels */
     const char *seed;             /* random seed, decimal */
     const char *style;            /* name of the style */
+    bool flat;                    /* as in struct hatch_tam */
     float growth;                 /* as in struct hatch_fill_options */
     struct hatch_tam_whole whole; /* tones 0: the map is whole */
 };

@@ -29,6 +29,7 @@ struct asset_tones {
     uint32_t count;                     /* number of columns or slices, at most HATCH_TAM_TONES_MAX */
     float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; 0 for volumes and threshold textures */
     float stroke_px, stroke_ink;        /* width in texels and darkness of a stroke; only of asset_strokes */
+    bool flat;                          /* crossing strokes do not darken each other; only of asset_strokes */
 };
 
 /* Limits of uploads. */

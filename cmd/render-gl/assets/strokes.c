@@ -53,6 +53,7 @@ static enum hatch_status upload_cover(const struct asset *asset, const struct ha
     fill(asset, cover, words);
     tones->stroke_px = cover->width_px;
     tones->stroke_ink = cover->ink;
+    tones->flat = asset->map.flat;
     tones->texture = gpu_texture_2d(GL_R32UI, ROW_WORDS, (uint32_t)rows);
     glTextureSubImage2D(tones->texture, 0, 0, 0, ROW_WORDS, (GLsizei)rows, GL_RED_INTEGER, GL_UNSIGNED_INT, words);
     return gpu_check_memory(err, "%zu rows of lists of strokes", rows);

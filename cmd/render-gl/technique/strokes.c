@@ -1,6 +1,7 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "placement/style.h"
@@ -37,6 +38,12 @@ const struct frame_shading strokes_paper = {.stages = {.vertex = "traced/paper.v
                                             .patches = FRAME_PATCHES_UNSEEN,
                                             .passes = {{.name = "paper", .depth = FRAME_DEPTH_NEARER}}};
 
+/* Returns whether strokes that cross are no darker than the darker one of them, as those of the map. */
+static bool is_flat(const struct technique_instance *instance)
+{
+    return instance->tones && instance->tones->flat;
+}
+
 static enum hatch_status prepare(struct technique_context *context, struct technique_instance *instance,
                                  struct hatch_err *err)
 {
@@ -47,17 +54,21 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     static const struct gpu_stages waiting = {.compute = "strokes/waiting.comp"};
     static const struct gpu_stages fit_blend = {.compute = "strokes/fit_blend.comp"};
     static const struct gpu_stages ribbon = {.vertex = "traced/ribbon.vert", .fragment = "traced/ribbon.frag"};
+    static const struct gpu_stages over = {.vertex = "canvas/screen.vert", .fragment = "canvas/over.frag"};
     struct gpu_programs *programs = &context->frame->programs;
     struct strokes_state *state = instance->state;
+    const char *crossing = is_flat(instance) ? "#define FLAT 1\n" : "";
+    char defines[64];
     state->blends = aggregate == 1;
     HATCH_TRY(gpu_program_get(programs, &route, "", &state->route, err));
     HATCH_TRY(gpu_program_get(programs, &sort, "", &state->sort, err));
     HATCH_TRY(gpu_program_get(programs, &points, "", &state->blend.points, err));
     HATCH_TRY(gpu_program_get(programs, &waiting, "", &state->blend.waiting, err));
-    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, "", &state->fit, err));
     strokes_take_brush(state);
-    const char *defines = state->has_brush ? "#define FITTED 1\n#define BRUSH 1\n" : "#define FITTED 1\n";
+    snprintf(defines, sizeof defines, "#define FITTED 1\n%s%s", state->has_brush ? "#define BRUSH 1\n" : "", crossing);
+    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, crossing, &state->fit, err));
     HATCH_TRY(gpu_program_get(programs, &ribbon, defines, &state->ribbon, err));
+    HATCH_TRY(gpu_program_get(programs, &over, "", &state->over, err));
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
     if (!state->array)
         glCreateVertexArrays(1, &state->array);
@@ -105,13 +116,11 @@ static enum hatch_status make_indices(struct strokes_state *state, uint32_t coun
     return gpu_check_memory(err, "%u strokes", count);
 }
 
-static void draw_ribbons(const struct frame *frame, const struct strokes_state *state, const struct strokes_list *list)
+/* Draws the ribbons in a pass that has begun. */
+static void draw_ribbons(const struct strokes_state *state, const struct strokes_list *list)
 {
-    const struct frame_pass pass = {
-        .name = "strokes", .target = &frame->request.canvas->samples, .blend = FRAME_BLEND_OVER_COLOR};
     const uint32_t each = 6 * (RIBBON_POINTS - 1);
     uint32_t first = 0;
-    frame_pass_begin(&pass);
     glUseProgram(state->ribbon->name);
     gpu_texture_bind(UNIT_TECHNIQUE, state->points_view, 0);
     strokes_bind_brush(state);
@@ -126,7 +135,40 @@ static void draw_ribbons(const struct frame *frame, const struct strokes_state *
                        (const void *)(sizeof(uint32_t) * each * first));
         first = end;
     }
+}
+
+/* Draws the ribbons over the canvas, each over those before it. */
+static enum hatch_status draw_over(const struct frame *frame, const struct strokes_state *state,
+                                   const struct strokes_list *list)
+{
+    const struct frame_pass pass = {
+        .name = "strokes", .target = &frame->request.canvas->samples, .blend = FRAME_BLEND_OVER_COLOR};
+    frame_pass_begin(&pass);
+    draw_ribbons(state, list);
     frame_pass_end(&pass, frame->timer);
+    return HATCH_OK;
+}
+
+/* Draws the ribbons over the canvas, at each sample the one that covers it most. */
+static enum hatch_status draw_flat(struct frame *frame, const struct strokes_state *state,
+                                   const struct strokes_list *list, struct hatch_err *err)
+{
+    static const float none[4] = {0}, far = 0;
+    const struct gpu_target *canvas = &frame->request.canvas->samples, *strokes;
+    const struct gpu_target_form form = {.width = canvas->form.width,
+                                         .height = canvas->form.height,
+                                         .outputs = {GL_RGBA16F},
+                                         .depth = GL_DEPTH_COMPONENT32F};
+    HATCH_TRY(frame_target(&frame->targets, &form, &strokes, err));
+    const struct frame_pass most = {.target = strokes, .depth = FRAME_DEPTH_NEARER, .clear = none, .clear_depth = &far};
+    const struct frame_pass over = {.name = "strokes", .target = canvas, .blend = FRAME_BLEND_OVER_COLOR};
+    frame_pass_begin(&most);
+    draw_ribbons(state, list);
+    frame_pass_begin(&over);
+    gpu_texture_bind(UNIT_SOURCE, strokes->outputs[0], 0);
+    frame_pass_screen(state->over);
+    frame_pass_end(&over, frame->timer);
+    return HATCH_OK;
 }
 
 /* Makes the texture's strokes those of a pen, which draws a stroke whole or not at all: they fade one by one, and have
@@ -184,7 +226,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     if (status == HATCH_OK)
         status = make_indices(state, list.count, scratch, err);
     if (status == HATCH_OK && list.count)
-        draw_ribbons(frame, state, &list);
+        status = is_flat(instance) ? draw_flat(frame, state, &list, err) : draw_over(frame, state, &list);
     hatch_arena_rewind(scratch, mark);
     return status;
 }

@@ -36,6 +36,19 @@ want=$(mean tam.exr) got=$(mean pencil.8.exr) less=$(mean unlisted.8.exr)
 ok "pencil strokes get as dark as their map: $got, $want" awk -v want="$want" -v got="$got" -v whole="$whole" \
     'BEGIN {d = (got - want) / whole; exit !(want > 0 && d > -.04 && d < .04)}'
 ok "without the list they do not: $less" awk -v less="$less" -v got="$got" 'BEGIN {exit !(less > 0 && less < .85 * got)}'
+
+# Strokes of maps whose strokes do not darken each other where they cross.
+for style in marker charcoal; do
+    tamgen -q --ids --style $style --set 'overlap flat' -o $style.exr
+    for tone in .3 .5 .8; do
+        $draw plane.glb -t tam --tam $style.exr --tone-range $tone:$tone -o tam.exr
+        $draw plane.glb -t strokes --tam $style.exr --style $style --tone-range $tone:$tone --overdraw 0 -o strokes.exr
+        want=$(mean tam.exr) got=$(mean strokes.exr)
+        ok "flat strokes of $style are no darker than their map, $tone: $got, $want" \
+            awk -v want="$want" -v got="$got" -v whole="$whole" \
+            'BEGIN {d = (got - want) / whole; exit !(want > 0 && d > -.03 && d < .03)}'
+    done
+done
 sed 's/x\ty\tlength\tangle/x\tz\tlength\tangle/' pencil.exr >bad.exr
 try $draw plane.glb -t strokes --tam bad.exr -o none.exr
 refused "a damaged list" 3 1

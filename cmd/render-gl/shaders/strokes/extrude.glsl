@@ -120,6 +120,9 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
     vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
     vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
     float t = mix(drawn.cubic.range.x, drawn.cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
+#ifdef FLAT // strokes that do not darken each other are as wide as those of the map, however little ink they have
+    thickest /= profile_at(t);
+#endif
     float thickness = min(factor * width_at(drawn.widths, u) / profile_at(t), thickest);
     thickness *= (1.0 + hand.x * wave_noise(drawn.high, at)) * look_profile(0, t) / zigzag.w;
     float aside = hand.z * wave_noise(drawn.high ^ 0x5bd1e995u, at);

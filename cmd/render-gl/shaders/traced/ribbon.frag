@@ -57,4 +57,7 @@ void main()
     if (matter.y > 0.0)
         opacity *= 1.0 - matter.y * paper_grain(gl_FragCoord.xy / pen.z + viewport.zw);
     o_color = vec4(v_color, opacity * part);
+#ifdef FLAT
+    gl_FragDepth = opacity * part; // of strokes that cross, the depth test leaves the one that covers more
+#endif
 }
