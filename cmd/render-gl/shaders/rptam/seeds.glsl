@@ -73,6 +73,34 @@ float stroke_alpha(vec2 place, int row_first, SeedLayer layer)
 }
 
 #ifdef GATHERS
+// Returns the alpha of four texels of a stroke's image, or 0 where none of them is inside its border.
+vec4 alpha_of(ivec2 texel, int row_first, SeedLayer layer)
+{
+    ivec2 end = ivec2(layer.stroke.zw);
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, end)))
+        return vec4(0.0);
+    return texelFetch(stroke_texels, layer.at.z + (texel.y + row_first) * (end.x + 1) + texel.x);
+}
+
+// Does the same as stroke_alpha for a pixel with a single sample: images have up to two texels per pixel, of which this
+// takes a mean, with weights of 1, 2 and 1 over three texels and bilinear between them. The middle of a stroke's pixels,
+// weighted by alpha, then is that of the stroke wherever the stroke lies between pixels.
+float stroke_alpha_of_pixel(vec2 place, int row_first, SeedLayer layer)
+{
+    place += 0.5 * layer.stroke.zw;
+    if (any(lessThan(place, vec2(-1.0))) || any(greaterThan(place, layer.stroke.zw + 1.0)))
+        return 0.0;
+    ivec2 texel = ivec2(floor(place));
+    vec2 share = place - vec2(texel);
+    vec4 x = vec4(1.0 - share.x, 2.0 - share.x, 1.0 + share.x, share.x); // of texels -1 to 2
+    vec4 y = vec4(1.0 - share.y, 2.0 - share.y, 1.0 + share.y, share.y), sum = vec4(0.0);
+    sum += x.xyxy * y.xxyy * alpha_of(texel - 1, row_first, layer);
+    sum += x.zwzw * y.xxyy * alpha_of(texel + ivec2(1, -1), row_first, layer);
+    sum += x.xyxy * y.zzww * alpha_of(texel + ivec2(-1, 1), row_first, layer);
+    sum += x.zwzw * y.zzww * alpha_of(texel + 1, row_first, layer);
+    return dot(sum, vec4(1.0 / 16.0));
+}
+
 // Is called for each stroke that may cover the fragment. seed: its entry in seeds; tile: the one that its seed point is
 // in; place: along its image, in texels from the middle; covered: share of the fragment
 void gather(SeedLayer layer, int seed, ivec2 tile, float place, float covered, int level);
@@ -116,9 +144,11 @@ float layer_paper(SeedLayer layer, vec2 at, float px, float q, int level)
             place.y = look < 8u ? place.y : -place.y;
         }
 #endif
-        float covered = weight * stroke_alpha(place, row, layer);
 #ifdef GATHERS
+        float covered = weight * stroke_alpha_of_pixel(place, row, layer);
         gather(layer, i, ivec2(floor(at)) + ivec2(floor(uintBitsToFloat(s.xy))), place.x, covered, level);
+#else
+        float covered = weight * stroke_alpha(place, row, layer);
 #endif
         paper *= 1.0 - layer.turn.w * covered;
     }

@@ -79,7 +79,8 @@ float profile_at(float t)
 // Returns the share of its length that a stroke keeps: a thin one is drawn shorter instead of thinner, and stays black.
 float share_kept(float mean_width, float length_px)
 {
-    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : clamp(mean_width / max(thinnest, 1e-6), SHORTEST, 1.0);
+    float share = clamp(mean_width / max(thinnest, 1e-6), SHORTEST * SHORTEST, 1.0);
+    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : sqrt(share);
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it

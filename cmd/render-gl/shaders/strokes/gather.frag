@@ -4,7 +4,7 @@
 #include "rptam/layers.glsl"
 #include "strokes/place.glsl"
 
-const float COVERED_LEAST = 0.04; // strokes that cover less of a pixel are not seen there
+const float COVERED_LEAST = 0.02; // strokes that cover less of a pixel are not seen there
 
 const uint CLIMBS = 8u; // levels that seed_numbers of libhatch/seed/pack.h tells about
 
