@@ -7,7 +7,9 @@
 
 #define SPACING_PX 3.0 /* between samples on a face */
 #define ROWS_MAX 400.0 /* rows of samples on a face, and samples of a row */
-#define BINS 4096u     /* of the histogram of displacements */
+#define RUN_MAX 16u    /* places whose nearest faces are listed together */
+#define RUN_MIN 8u
+#define BINS 4096u /* of the histogram of displacements */
 #define BINS_PER_PX 256.0
 #define PIECES 64u /* of the faces of a mesh: sums do not depend on the threads */
 #define DEGREES (180 / 3.14159265358979324)
@@ -56,18 +58,47 @@ static void raise_to(atomic_uint *number, unsigned value)
         ;
 }
 
-/* Measures a place on a face.
- *   hint  in, out: a face of the other mesh that may be near */
-static void add_sample(const struct survey *survey, uint32_t face, double corners[3][3], const double share[3],
-                       uint32_t *hint, struct sums *sums)
+/* A row of places on a face. */
+struct row {
+    uint32_t face;
+    double corners[3][3];
+    size_t first;   /* corner at which the rows begin */
+    double height;  /* of the row, as a share of the face's */
+    double columns; /* places */
+};
+
+/* Finds place `column` of a row: its barycentric coordinates. */
+static void share_at(const struct row *row, double column, double share[3])
 {
-    double at[3] = {0, 0, 0}, own[3], other[3], pixels = 0;
-    struct hatch_nearest_place place;
-    for (size_t c = 0; c < 3; c++) {
+    share[(row->first + 2) % 3] = row->height;
+    share[(row->first + 1) % 3] = (1 - row->height) * (column + 0.5) / row->columns;
+    share[row->first] = 1 - share[(row->first + 1) % 3] - share[(row->first + 2) % 3];
+}
+
+static void place_at(const double corners[3][3], const double share[3], double at[3])
+{
+    for (int k = 0; k < 3; k++)
+        at[k] = 0;
+    for (int c = 0; c < 3; c++)
         hatch_vec_add_scaled(at, share[c], corners[c], at);
+}
+
+/* Measures a place on a face.
+ *   list  the faces of which one is the nearest; NULL: all
+ *   hint  in, out: a face of the other mesh that may be near */
+static void add_sample(const struct survey *survey, const struct row *row, const double share[3],
+                       const struct hatch_nearest_list *list, uint32_t *hint, struct sums *sums)
+{
+    double at[3], own[3], other[3], pixels = 0;
+    struct hatch_nearest_place place;
+    uint32_t face = row->face;
+    place_at(row->corners, share, at);
+    for (size_t c = 0; c < 3; c++)
         pixels += share[c] * survey->pixels[survey->from->indices[3 * (size_t)face + c]];
-    }
-    hatch_nearest_find(survey->to, at, *hint, &place);
+    if (list)
+        hatch_nearest_find_listed(survey->to, list, at, &place);
+    else
+        hatch_nearest_find(survey->to, at, *hint, &place);
     *hint = place.face;
     pixels *= place.distance;
     sums->largest = fmax(sums->largest, pixels);
@@ -83,33 +114,70 @@ static void add_sample(const struct survey *survey, uint32_t face, double corner
     sums->angle_deg += DEGREES * acos(fmin(fmax(hatch_vec_dot(own, other), -1), 1));
 }
 
+/* Lists the faces near places `begin` to `end` of a row; `end` is not included. Returns false if they are too many. */
+static bool list_run(const struct survey *survey, const struct row *row, uint32_t begin, uint32_t end, uint32_t hint,
+                     struct hatch_nearest_list *list)
+{
+    double ends[2][3], middle[3], share[3];
+    share_at(row, begin, share);
+    place_at(row->corners, share, ends[0]);
+    share_at(row, end - 1, share);
+    place_at(row->corners, share, ends[1]);
+    for (int k = 0; k < 3; k++)
+        middle[k] = (ends[0][k] + ends[1][k]) / 2;
+    return hatch_nearest_gather(survey->to, middle, hatch_vec_distance(ends[0], ends[1]) / 2, hint, list);
+}
+
+/* Samples a row. Places of a long row share the search for their nearest faces, by runs. A run without a list is
+ * halved; where the shortest has none, places have searches of their own, twice as many each time. */
+static void add_row(const struct survey *survey, const struct row *row, uint32_t *hint, struct sums *sums)
+{
+    uint32_t count = (uint32_t)row->columns, length = RUN_MAX, alone = RUN_MIN, end;
+    struct hatch_nearest_list list;
+    for (uint32_t begin = 0; begin < count; begin = end) {
+        end = begin + (length < count - begin ? length : count - begin);
+        bool listed = end - begin >= RUN_MIN && list_run(survey, row, begin, end, *hint, &list);
+        if (!listed && length > RUN_MIN) {
+            length /= 2;
+            end = begin;
+            continue;
+        }
+        if (!listed) {
+            end = begin + (alone < count - begin ? alone : count - begin);
+            alone *= 2;
+        } else if (length < RUN_MAX)
+            length *= 2;
+        for (uint32_t column = begin; column < end; column++) {
+            double share[3];
+            share_at(row, column, share);
+            add_sample(survey, row, share, listed ? &list : NULL, hint, sums);
+        }
+    }
+}
+
 /* Samples a face: rows along its longest side, and the vertices of which it is the first face.
  *   hint  in, out: as for add_sample */
 static void add_face(const struct survey *survey, uint32_t face, uint32_t *hint, struct sums *sums)
 {
-    double corners[3][3], normal[3], base = 0;
-    size_t first = 0;
-    hatch_mesh_corners(survey->from, face, corners);
+    struct row at = {.face = face};
+    double normal[3], base = 0;
+    hatch_mesh_corners(survey->from, face, at.corners);
     for (size_t c = 0; c < 3; c++) {
-        double length = hatch_vec_distance(corners[c], corners[(c + 1) % 3]);
-        first = length > base ? c : first;
+        double length = hatch_vec_distance(at.corners[c], at.corners[(c + 1) % 3]);
+        at.first = length > base ? c : at.first;
         base = fmax(base, length);
     }
-    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    hatch_vec_triangle(at.corners[0], at.corners[1], at.corners[2], normal);
     double pixels = survey->pixels[survey->from->indices[3 * (size_t)face]] / SPACING_PX;
     double rows = fmin(fmax(ceil(base > 0 ? pixels * hatch_vec_length(normal) / base : 0), 1), ROWS_MAX);
     for (double row = 1.0 / 3; row < rows; row++) {
-        double columns = fmin(fmax(ceil(pixels * base * (1 - row / rows)), 1), ROWS_MAX), share[3];
-        for (double column = 0.5; column < columns; column++) {
-            share[(first + 2) % 3] = row / rows;
-            share[(first + 1) % 3] = (1 - row / rows) * column / columns;
-            share[first] = 1 - share[(first + 1) % 3] - share[(first + 2) % 3];
-            add_sample(survey, face, corners, share, hint, sums);
-        }
+        at.height = row / rows;
+        at.columns = fmin(fmax(ceil(pixels * base * (1 - row / rows)), 1), ROWS_MAX);
+        add_row(survey, &at, hint, sums);
     }
     for (size_t c = 0; c < 3; c++)
         if (survey->first_face[survey->from->indices[3 * (size_t)face + c]] == face)
-            add_sample(survey, face, corners, (const double[3]){c == 0, c == 1, c == 2}, hint, sums);
+            add_sample(survey, &at, (const double[3]){c == 0, c == 1, c == 2}, NULL, hint, sums);
 }
 
 static void add_piece(void *context, uint32_t piece)

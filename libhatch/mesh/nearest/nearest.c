@@ -1,5 +1,6 @@
 #include "mesh/nearest/nearest.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,9 @@
 
 #define LEAF_FACES 4u
 #define DEPTH_MAX 32
+#define SLENDER 8.0   /* length of a capsule's segment in radii from which the capsule is used */
+#define SPANS_MIN 32u /* leaves with capsules from which they are worth their tests */
+#define SAFETY 1e-9   /* share of lengths by which bounds are loosened: roundings are smaller */
 
 /* A face and the cell of its centre, on a curve that keeps neighbours together. */
 struct located {
@@ -70,6 +74,90 @@ static void make_boxes(const struct hatch_nearest *nearest)
     }
 }
 
+/* Stores a capsule, or none if it is not slender. The radius covers what rounding its ends has moved. */
+static void set_span(float *span, const double from[3], const double to[3], double radius)
+{
+    double size = 0, length = hatch_vec_distance(from, to);
+    for (size_t k = 0; k < 3; k++) {
+        span[k] = (float)from[k];
+        span[3 + k] = (float)to[k];
+        size = fmax(size, fmax(fabs(from[k]), fabs(to[k])));
+    }
+    radius = radius * (1 + FLT_EPSILON) + size * FLT_EPSILON;
+    span[6] = length > SLENDER * radius ? (float)radius * (1 + FLT_EPSILON) : INFINITY;
+}
+
+static double span_ends(const float *span, double from[3], double to[3])
+{
+    hatch_vec_of(span, from);
+    hatch_vec_of(span + 3, to);
+    return (double)span[6];
+}
+
+/* Finds the capsule of a leaf: its ends are the corners that are farthest apart, or nearly. */
+static void span_faces(const struct hatch_nearest *nearest, uint32_t leaf, float *span)
+{
+    size_t begin = 3 * (size_t)leaf_begin(nearest, leaf), end = 3 * (size_t)leaf_begin(nearest, leaf + 1);
+    double ends[3][3], corner[3], share, radius_squared = 0; /* each end is the corner farthest from the one before */
+    span[6] = INFINITY;
+    if (begin == end)
+        return;
+    hatch_vec_of(&nearest->corners[3 * begin], ends[0]);
+    for (int k = 1; k < 3; k++) {
+        double farthest = -1;
+        for (size_t i = begin; i < end; i++) {
+            hatch_vec_of(&nearest->corners[3 * i], corner);
+            double distance = hatch_vec_distance(ends[k - 1], corner);
+            if (distance > farthest) {
+                farthest = distance;
+                hatch_vec_copy(corner, ends[k]);
+            }
+        }
+    }
+    for (size_t i = begin; i < end; i++) {
+        hatch_vec_of(&nearest->corners[3 * i], corner);
+        radius_squared = fmax(radius_squared, hatch_segment_distance_squared(ends[1], ends[2], corner, &share));
+    }
+    set_span(span, ends[1], ends[2], sqrt(radius_squared));
+}
+
+/* Finds a capsule around those of two children: its ends lie in the middle of theirs. */
+static void span_children(const float *children, float *span)
+{
+    double ends[2][2][3], radius[2], from[3], to[3], largest = 0, share;
+    span[6] = INFINITY;
+    for (int child = 0; child < 2; child++)
+        radius[child] = span_ends(children + 7 * child, ends[child][0], ends[child][1]);
+    if (isinf(radius[0]) || isinf(radius[1]))
+        return;
+    int turned = hatch_vec_distance(ends[0][0], ends[1][0]) > hatch_vec_distance(ends[0][0], ends[1][1]);
+    for (int k = 0; k < 3; k++) {
+        from[k] = (ends[0][0][k] + ends[1][turned][k]) / 2;
+        to[k] = (ends[0][1][k] + ends[1][!turned][k]) / 2;
+    }
+    for (int child = 0; child < 2; child++)
+        for (int end = 0; end < 2; end++)
+            largest =
+                fmax(largest, radius[child] + sqrt(hatch_segment_distance_squared(from, to, ends[child][end], &share)));
+    set_span(span, from, to, largest);
+}
+
+/* Makes the capsules; leaves them out where few leaves have one. */
+static void make_spans(struct hatch_nearest *nearest)
+{
+    uint32_t leaves = 0;
+    for (uint32_t node = 2 * nearest->leaf_count; node-- > 1;) {
+        float *span = &nearest->spans[7 * (size_t)node];
+        if (node >= nearest->leaf_count)
+            span_faces(nearest, node - nearest->leaf_count, span);
+        else
+            span_children(&nearest->spans[14 * (size_t)node], span);
+        leaves += node >= nearest->leaf_count && !isinf(span[6]);
+    }
+    if (leaves < SPANS_MIN)
+        nearest->spans = NULL;
+}
+
 /* Puts the faces in the order of their cells. */
 static enum hatch_status sort_faces(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
                                     struct hatch_nearest *nearest, struct hatch_err *err)
@@ -105,6 +193,7 @@ enum hatch_status hatch_nearest_make(const struct hatch_mesh *mesh, struct hatch
     HATCH_TRY(HATCH_ALLOC(arena, &made.place, mesh->face_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.corners, 9 * (size_t)mesh->face_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.boxes, 12 * (size_t)made.leaf_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.spans, 14 * (size_t)made.leaf_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = sort_faces(mesh, scratch, &made, err);
     if (arena != scratch)
@@ -112,6 +201,7 @@ enum hatch_status hatch_nearest_make(const struct hatch_mesh *mesh, struct hatch
     if (status != HATCH_OK)
         return status;
     make_boxes(&made);
+    make_spans(&made);
     *nearest = made;
     return HATCH_OK;
 }
@@ -127,6 +217,18 @@ static double box_distance(const struct hatch_nearest *nearest, uint32_t node, c
         sum += outside * outside;
     }
     return sum;
+}
+
+/* Returns whether a node's capsule shows that all its faces are at least a distance from a point, whose square is
+ * given. */
+static bool is_beyond(const struct hatch_nearest *nearest, uint32_t node, const double point[3], double limit_squared)
+{
+    double from[3], to[3], share;
+    if (!nearest->spans || isinf(nearest->spans[7 * (size_t)node + 6]))
+        return false;
+    double radius = span_ends(&nearest->spans[7 * (size_t)node], from, to);
+    double reach = radius + sqrt(limit_squared);
+    return hatch_segment_distance_squared(from, to, point, &share) > reach * reach;
 }
 
 /* Takes a face if it is nearer than the best place so far, whose distance is squared. */
@@ -153,7 +255,7 @@ static void search(const struct hatch_nearest *nearest, const double point[3], d
     int depth = 1;
     while (depth > 0 && best->distance > enough) {
         uint32_t node = stack[--depth].node;
-        if (!(stack[depth].distance < best->distance))
+        if (!(stack[depth].distance < best->distance) || is_beyond(nearest, node, point, best->distance))
             continue;
         if (node >= nearest->leaf_count) {
             uint32_t leaf = node - nearest->leaf_count;
@@ -187,4 +289,63 @@ bool hatch_nearest_within(const struct hatch_nearest *nearest, const double poin
     search(nearest, point, distance * distance, &best);
     *hint = best.face;
     return best.distance <= distance * distance;
+}
+
+/* Adds a face to a list in the order of distances; returns false when the list is full. */
+static bool add_item(struct hatch_nearest_list *list, double distance, uint32_t place)
+{
+    uint32_t i = list->count;
+    if (i == HATCH_NEAREST_LIST_MAX)
+        return false;
+    for (; i > 0 && list->items[i - 1].distance > distance; i--)
+        list->items[i] = list->items[i - 1];
+    list->items[i].distance = distance;
+    list->items[i].place = place;
+    list->count++;
+    return true;
+}
+
+bool hatch_nearest_gather(const struct hatch_nearest *nearest, const double center[3], double radius, uint32_t hint,
+                          struct hatch_nearest_list *list)
+{
+    struct hatch_nearest_place best;
+    uint32_t stack[DEPTH_MAX + 1] = {1};
+    int depth = 1;
+    hatch_nearest_find(nearest, center, hint, &best);
+    /* The nearest face to the centre is at most best + radius from any point of the ball, and a nearer one at most
+     * another radius farther from the centre. */
+    double limit = (best.distance + 2 * radius) * (1 + SAFETY), limit_squared = limit * limit;
+    list->count = 0;
+    hatch_vec_copy(center, list->center);
+    while (depth > 0) {
+        uint32_t node = stack[--depth], leaf = node - nearest->leaf_count;
+        if (box_distance(nearest, node, center) > limit_squared || is_beyond(nearest, node, center, limit_squared))
+            continue;
+        if (node < nearest->leaf_count) {
+            stack[depth++] = 2 * node + 1;
+            stack[depth++] = 2 * node;
+            continue;
+        }
+        for (uint32_t i = leaf_begin(nearest, leaf); i < leaf_begin(nearest, leaf + 1); i++) {
+            struct hatch_nearest_place found = {.distance = INFINITY};
+            test_face(nearest, i, center, &found);
+            if (found.distance <= limit_squared && !add_item(list, sqrt(found.distance), i))
+                return false;
+        }
+    }
+    return true;
+}
+
+void hatch_nearest_find_listed(const struct hatch_nearest *nearest, const struct hatch_nearest_list *list,
+                               const double point[3], struct hatch_nearest_place *place)
+{
+    double offset = hatch_vec_distance(point, list->center) * (1 + SAFETY);
+    *place = (struct hatch_nearest_place){.distance = INFINITY};
+    for (uint32_t i = 0; i < list->count; i++) {
+        double least = list->items[i].distance * (1 - SAFETY) - offset;
+        if (least > 0 && least * least > place->distance)
+            break;
+        test_face(nearest, list->items[i].place, point, place);
+    }
+    place->distance = sqrt(place->distance);
 }
