@@ -6,10 +6,10 @@
 #include "base/text.h"
 #include "field/field.h"
 #include "io/glb/glb.h"
-#include "needs/needs.h"
 #include "placement/style.h"
 #include "scene/extent.h"
 #include "shared/field.h"
+#include "shared/needs/fit.h"
 #include "shared/surface.h"
 #include "trace/finer.h"
 #include "trace/trace.h"
@@ -83,21 +83,20 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
 /* Finds how many levels views need: their strokes need not get wider than render-gl lets them before it traces finer
  * ones. Strokes have the default width of pictures.
  *   diagonal  of the scene
- *   counts    out: per mesh */
-static void read_needs(struct cmd_args *args, uint32_t families, double diagonal, uint32_t mesh_count, uint32_t *counts)
+ *   counts    out: per mesh; 0: no view shows it */
+static void count_levels(struct cmd_args *args, const char *name, const struct hatch_needs *needs, uint32_t families,
+                         double diagonal, const struct hatch_scene *scene, uint32_t *counts)
 {
-    struct hatch_needs needs;
     struct hatch_style style;
     struct hatch_err err;
     double *mesh_px;
     uint32_t least = (uint32_t)levels, most = 1;
-    cmd_check(HATCH_ALLOC(&args->keep, &mesh_px, mesh_count, &err), NULL, &err);
-    cmd_check(hatch_needs_parse(cmd_read(args, needs_path), mesh_px, mesh_count, &needs, &err),
-              cmd_input_name(needs_path), &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &mesh_px, scene->mesh_count, &err), NULL, &err);
+    cmd_mesh_px(args, name, needs, scene, mesh_px);
     hatch_style_default(&style);
     style.pen.width_px = style.width_px;
-    for (uint32_t i = 0; i < mesh_count; i++) {
-        double wanted = hatch_needs_strokes(&needs, mesh_px[i], &style.pen, families) * gap * diagonal;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        double wanted = hatch_needs_strokes(needs, mesh_px[i], &style.pen, families) * gap * diagonal;
         uint32_t count = 1;
         while (count < levels && wanted > HATCH_FINER_START * STROKES_PER_GAP * ldexp(1, (int)count - 1))
             count++;
@@ -119,13 +118,14 @@ static void report_share(void *context, double share)
 }
 
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
- *   scale  scene units per unit of the mesh
- *   how    its gap is in scene units */
+ *   surface  of the mesh; NULL: not made yet
+ *   scale    scene units per unit of the mesh
+ *   how      its gap is in scene units */
 static void trace(struct cmd_args *args, const char *name, const struct hatch_surface *surface, double scale,
                   const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
 {
     struct hatch_err err;
-    struct hatch_surface cut = *surface;
+    struct hatch_surface cut;
     struct hatch_surface_notes notes;
     struct hatch_frames frames;
     struct hatch_trace_options local = *how;
@@ -133,8 +133,11 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     local.gap /= scale;
     if (!(local.gap > 0 && isfinite(local.gap)))
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "the size of a mesh in the scene is zero or infinite"), name, &err);
-    if (!hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4)) {
-        cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
+    if (surface && hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
+        cut = *surface;
+    else {
+        if (surface)
+            cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
         cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
     }
     cmd_check(hatch_frames_make(&cut, &args->keep, &args->scratch, &frames, &err), name, &err);
@@ -152,7 +155,9 @@ int main(int argc, char **argv)
     struct hatch_scene scene;
     struct hatch_scene_extent extent;
     struct hatch_err err;
+    struct hatch_needs needs;
     float angle_rad[HATCH_CURVE_FAMILIES_MAX];
+    const struct hatch_surface *surfaces = NULL;
     const struct hatch_progress progress = {report_share, NULL};
     cmd_begin(&program, argc, argv, &args);
     uint32_t families = read_angles(angle_rad), strokes = 0, points = 0, *counts;
@@ -160,13 +165,17 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
-    const struct hatch_surface *surfaces = cmd_make_surfaces(&args, input, &scene);
+    if (needs_path) {
+        cmd_read_needs(&args, needs_path, &needs);
+        cmd_fit_meshes(&args, input, needs_path, &needs, &scene);
+    } else
+        surfaces = cmd_make_surfaces(&args, input, &scene);
     cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args.keep, &counts, scene.mesh_count, &err), name, &err);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
         counts[i] = (uint32_t)levels;
     if (needs_path)
-        read_needs(&args, families, extent.diagonal, scene.mesh_count, counts);
+        count_levels(&args, name, &needs, families, extent.diagonal, &scene, counts);
     struct hatch_trace_options how = {.family_count = families,
                                       .angle_rad = angle_rad,
                                       .gap = gap * extent.diagonal,
@@ -176,7 +185,9 @@ int main(int argc, char **argv)
                                       .progress = &progress};
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
         how.levels = counts[i];
-        trace(&args, name, &surfaces[i], extent.scale[i], &how, &scene.meshes[i]);
+        if (scene.meshes[i].unseen_tolerance > 0)
+            continue;
+        trace(&args, name, surfaces ? &surfaces[i] : NULL, extent.scale[i], &how, &scene.meshes[i]);
         strokes += scene.meshes[i].curves.count;
         points += scene.meshes[i].curves.point_count;
     }

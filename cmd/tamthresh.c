@@ -4,14 +4,16 @@
 #include <string.h>
 
 #include "shared/map.h"
+#include "shared/needs/map.h"
 #include "shared/picture.h"
 #include "shared/texels.h"
 #include "tam/exact.h"
 #include "tam/thresholds.h"
+#include "tam/whole.h"
 
 #define ERROR_WARNED 0.02
 
-static const char *bins = "7", *modulation_path, *mask_path;
+static const char *bins = "7", *modulation_path, *mask_path, *needs_path;
 static bool exact;
 
 static const struct cmd_option options[] = {
@@ -19,6 +21,8 @@ static const struct cmd_option options[] = {
      "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, NULL},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "write all changes of every texel, run-length encoded, instead of thresholds",
      &exact, NULL, NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "leave out tones and levels that views do not need (render-gl --needs)",
+     &needs_path, NULL, NULL},
     {'m', "modulate", CMD_TEXT, 0, 0, "IMAGE", "store an image that multiplies the light (modulation)",
      &modulation_path, NULL, NULL},
     {'k', "mask", CMD_TEXT, 0, 0, "IMAGE", "store an image as the mask, the opacity of a lapped patch", &mask_path,
@@ -91,8 +95,12 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
     static const char *const layer_names[] = {"x.0", "x.1", "dy.0", "dy.1"};
     char levels[16];
     snprintf(levels, sizeof levels, "%u", tam->levels);
-    const char *keys[9] = {HATCH_TAM_ATTR_LEVELS, levels}, *seed = cmd_map_seed(tam);
+    const char *keys[15] = {HATCH_TAM_ATTR_LEVELS, levels}, *seed = cmd_map_seed(tam);
+    struct hatch_tam_whole_keys whole;
     uint32_t count = 2;
+    hatch_tam_whole_print(tam, &whole);
+    for (uint32_t i = 0; whole.pairs[i]; i++)
+        keys[count++] = whole.pairs[i];
     if (borders) {
         keys[count++] = HATCH_THRESHOLD_KEY_BORDERS;
         keys[count++] = borders;
@@ -162,10 +170,10 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "ktx2 exr", true);
 
     struct hatch_tam tam;
-    struct hatch_err err;
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_read_map(&args, input, &tam);
-    cmd_check(hatch_tam_check_whole(&tam, &err), name, &err);
+    if (needs_path)
+        cmd_cut_map(&args, needs_path, &tam);
     if (exact)
         make_exact(&args, name, &tam, &file);
     else

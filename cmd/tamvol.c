@@ -2,13 +2,16 @@
 #include <stdio.h>
 
 #include "shared/map.h"
+#include "shared/needs/map.h"
 #include "shared/texels.h"
 #include "image/block_compress.h"
 #include "tam/volume.h"
+#include "tam/whole.h"
 
 static int64_t tones = 64;
 static int layout;
 static bool layout_given, compress, alpha;
+static const char *needs_path;
 
 static const char *const layouts[] = {"volume", "array", NULL};
 
@@ -19,6 +22,8 @@ static const struct cmd_option options[] = {
      layouts, &layout_given},
     {'c', "compress", CMD_FLAG, 0, 0, NULL,
      "compress in blocks: an array (BC4 grey, BC1 colour), or a coloured volume (BC7)", &compress, NULL, NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "leave out tones and levels that views do not need (render-gl --needs)",
+     &needs_path, NULL, NULL},
     {'a', "alpha", CMD_FLAG, 0, 0, NULL, "colour as RGBA8 instead of RGB8", &alpha, NULL, NULL},
     {0},
 };
@@ -97,17 +102,25 @@ static void pack(struct cmd_args *args, struct hatch_texels *texels)
 static void encode(struct cmd_args *args, const struct hatch_tam *tam, const struct hatch_volume *volume,
                    struct hatch_buffer *file)
 {
-    char levels[16], darkest[32];
+    char levels[16], darkest[32], top[32];
     snprintf(levels, sizeof levels, "%u", volume->levels);
     snprintf(darkest, sizeof darkest, "%.9g", (double)volume->darkest);
+    snprintf(top, sizeof top, "%.9g", (double)volume->top);
     const char *seed = cmd_map_seed(tam);
-    const char *const keys[] = {HATCH_TAM_ATTR_LEVELS,
-                                levels,
-                                HATCH_VOLUME_KEY_DARKEST,
-                                darkest,
-                                seed ? HATCH_TAM_ATTR_SEED : NULL,
-                                seed,
-                                NULL};
+    struct hatch_tam_whole_keys whole;
+    const char *keys[17] = {HATCH_TAM_ATTR_LEVELS, levels, HATCH_VOLUME_KEY_DARKEST, darkest};
+    uint32_t count = 4;
+    if (volume->top < 1) {
+        keys[count++] = HATCH_VOLUME_KEY_TOP;
+        keys[count++] = top;
+    }
+    hatch_tam_whole_print(tam, &whole);
+    for (uint32_t i = 0; whole.pairs[i]; i++)
+        keys[count++] = whole.pairs[i];
+    if (seed) {
+        keys[count++] = HATCH_TAM_ATTR_SEED;
+        keys[count++] = seed;
+    }
     const struct cmd_texture texture = {&volume->texels, keys, NULL};
     cmd_encode_texture(args, &texture, args->output, file);
 }
@@ -125,7 +138,8 @@ int main(int argc, char **argv)
     struct hatch_volume volume;
     struct hatch_volume_figures figures;
     cmd_read_map(&args, input, &tam);
-    cmd_check(hatch_tam_check_whole(&tam, &err), name, &err);
+    if (needs_path)
+        cmd_cut_map(&args, needs_path, &tam);
     struct hatch_volume_options how = {(uint32_t)tones, choose_layout(&tam), alpha};
     cmd_check(hatch_tam_check_nesting(&tam, cmd_pool(&args), &args.scratch, &err), name, &err);
     cmd_check(hatch_volume_make(&tam, &how, cmd_pool(&args), &args.keep, &volume, &figures, &err), name, &err);

@@ -12,6 +12,7 @@
 struct dirfield_options {
     double turn_deg;         /* rotation of the first principal direction, counter-clockwise seen from outside */
     const char *constraints; /* path of the table, or NULL */
+    const char *needs;       /* path of needs that the meshes shall not exceed, or NULL */
     double coarse_faces;     /* faces of all simplified meshes together; 0: curvature of the meshes themselves */
     struct hatch_curvature_options curvature; /* without pool */
     struct hatch_field_options field;

@@ -11,7 +11,7 @@
 static int method, solver;
 static double smooth = CMD_FIELD_SMOOTH, radius;
 static int64_t degree, coarse;
-static const char *direction = "max", *constraints, *report_path, *arrows_path;
+static const char *direction = "max", *constraints, *report_path, *arrows_path, *needs_path;
 
 static const char *const method_choices[] = {"linear", "hz", NULL};
 static const char *const solver_choices[] = {"multigrid", "cholesky", NULL};
@@ -31,6 +31,8 @@ static const struct cmd_option options[] = {
     {0, "radius", CMD_REAL, 0.5, 100, "EDGES", "radius of the fits, in mean edge lengths (default: chosen per point)",
      &radius, NULL, NULL},
     {0, "degree", CMD_INT, 2, 4, "N", "degree of the fitted polynomials (default: chosen per point)", &degree, NULL,
+     NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "make meshes no finer than views need (render-gl --needs)", &needs_path, NULL,
      NULL},
     {'r', "report", CMD_TEXT, 0, 0, "FILE", "write a table of singularities and confidence", &report_path, NULL, NULL},
     {'a', "arrows", CMD_TEXT, 0, 0, "FILE.ply", "write the field as a mesh of coloured slivers", &arrows_path, NULL,
@@ -81,6 +83,7 @@ static void read_options(struct dirfield_options *parsed)
     *parsed = (struct dirfield_options){
         .turn_deg = turn_of(direction),
         .constraints = constraints,
+        .needs = needs_path,
         .coarse_faces = (double)coarse,
         .curvature = {.radius = radius, .degree = (uint32_t)degree},
         .field = {.method = (enum hatch_field_method)method,

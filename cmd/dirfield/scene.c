@@ -1,4 +1,5 @@
 /* The meshes of a scene, one after another. */
+#include "shared/needs/meshes.h"
 #include "shared/surface.h"
 #include "dirfield.h"
 #include "io/glb/glb.h"
@@ -109,8 +110,15 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
                   struct cmd_file files[DIRFIELD_FILES])
 {
     struct run run = {.args = args, .options = options, .input = input, .files = files};
+    struct hatch_needs needs;
+    const char *name = cmd_input_name(input);
     cmd_read_scene(args, input, CMD_SCENE_AS_IS, &run.scene);
-    cmd_warn_up(cmd_input_name(input), &run.scene);
+    cmd_warn_up(name, &run.scene);
+    if (options->needs) {
+        cmd_read_needs(args, options->needs, &needs);
+        cmd_check_needs(args, options->needs, name, &needs, &run.scene);
+        cmd_coarsen(args, name, &needs, &run.scene);
+    }
     double begun_ms = cmd_elapsed_ms();
     make_jobs(&run);
     double surfaces_ms = cmd_elapsed_ms() - begun_ms;
@@ -119,6 +127,8 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     begin_reports(&run);
     for (uint32_t i = 0; i < run.scene.mesh_count; i++)
         process(&run, &run.jobs[i]);
+    if (options->needs)
+        cmd_split_unseen(args, name, &needs, &run.scene);
     encode(&run, surfaces_ms);
     print_notes(&run);
 }

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "shared/field.h"
@@ -163,5 +164,23 @@ void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options
     part->cut = work.lapped.cut_count;
     part->enlarged = work.lapped.enlarged_count;
     part->solved_faces = work.lapped.solved_faces;
+    for (uint32_t p = 0; p < work.lapped.patch_count; p++)
+        part->outline_side = fmax(part->outline_side, 2 * work.lapped.patches[p].radius);
     hatch_arena_free(&work.arena);
+}
+
+void lapped_param_keep(struct cmd_args *args, struct lapped_param_part *part)
+{
+    struct hatch_err err;
+    struct hatch_mesh *mesh;
+    float *uv;
+    cmd_check(HATCH_ALLOC(&args->keep, &part->made, 1, &err), part->name, &err);
+    part->made[0] = *part->mesh;
+    part->made[0].material = HATCH_NONE;
+    part->made_count = 1;
+    mesh = &part->made[0].mesh;
+    cmd_check(hatch_mesh_add(&args->keep, mesh, "TEXCOORD_0", 2, &uv, &err), part->name, &err);
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        for (size_t k = 0; k < 2; k++)
+            uv[2 * v + k] = (float)((double)mesh->attributes[0].data[3 * v + k] / part->tile);
 }

@@ -24,6 +24,7 @@ struct lapped_param_part {
     uint32_t made_count;
     uint32_t patches, faces, patch_faces, cut, enlarged; /* counts for --verbose */
     uint64_t solved_faces;
+    double outline_side; /* greatest side of the square of a patch's outline, in the mesh's units; 0: no patch */
     double atlas_side; /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
 };
 
@@ -35,6 +36,9 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
 /* Covers a mesh with patches; fills the members of part from made on. */
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part);
+
+/* Keeps a mesh that no view shows without patches, with texture coordinates that repeat over two axes. */
+void lapped_param_keep(struct cmd_args *args, struct lapped_param_part *part);
 
 /* Replaces the scene's meshes by those made from them. */
 void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, const struct lapped_param_part *parts);

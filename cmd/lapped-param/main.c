@@ -2,16 +2,20 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "shared/needs/fit.h"
 #include "shared/surface.h"
 #include "io/glb/glb.h"
 #include "lapped_param.h"
 #include "scene/extent.h"
 
+#define MASK_MIN_PX 64
+#define PX_PER_TEXEL 4 /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
 static int64_t mask_size = 1024;
-static bool atlas;
+static bool atlas, mask_given;
+static const char *needs_path;
 
 static const struct cmd_option options[] = {
     {'S', "size", CMD_REAL, 0.001, 1, "SHARE",
@@ -29,7 +33,9 @@ static const struct cmd_option options[] = {
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE",
      "width of a patch's soft border, as a fraction of the mask's width (default 0.045)", &feather, NULL, NULL},
     {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the mask, the image of the outline (default 1024)",
-     &mask_size, NULL, NULL},
+     &mask_size, NULL, &mask_given},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE",
+     "no finer meshes, no patches that views do not show, no larger mask (render-gl --needs)", &needs_path, NULL, NULL},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh instead of patches", &atlas,
      NULL, NULL},
     {0},
@@ -125,7 +131,11 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
             cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "primitive %u: its size in the scene is zero or infinite", i),
                       part->name, &err);
         shares.part = part->mesh->mesh.face_count / faces;
-        lapped_param_cover(args, &reporting, outline, part);
+        if (part->mesh->unseen_tolerance > 0)
+            lapped_param_keep(args, part);
+        else
+            lapped_param_cover(args, &reporting, outline, part);
+        part->outline_side *= extent.scale[i];
         part->atlas_side *= extent.scale[i];
         shares.done += shares.part;
     }
@@ -151,11 +161,30 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
     cmd_note("texture coordinates were computed %.1f times per face", solved_faces / faces);
 }
 
+/* Makes the mask no larger than pictures of the largest patch need. */
+static void fit_mask(struct cmd_args *args, const char *name, const struct hatch_needs *needs,
+                     const struct lapped_param_part *parts, const struct hatch_scene *scene,
+                     struct lapped_param_options *settings)
+{
+    struct hatch_err err;
+    double *px, most = 0;
+    uint32_t whole = settings->mask_px;
+    cmd_check(HATCH_ALLOC(&args->keep, &px, scene->mesh_count, &err), name, &err);
+    cmd_mesh_px(args, name, needs, scene, px);
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        most = fmax(most, px[i] * parts[i].outline_side);
+    while (settings->mask_px / 2 >= MASK_MIN_PX && PX_PER_TEXEL * settings->mask_px / 2 >= most)
+        settings->mask_px /= 2;
+    cmd_note("the mask is %u of %u pixels wide: the largest patch covers %.0f in the pictures", settings->mask_px, whole,
+             most);
+}
+
 int main(int argc, char **argv)
 {
     struct cmd_args args;
     struct lapped_param_options settings;
     struct hatch_scene scene;
+    struct hatch_needs needs;
     struct hatch_outline outline;
     struct hatch_err err;
     cmd_begin(&program, argc, argv, &args);
@@ -166,9 +195,15 @@ int main(int argc, char **argv)
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     cmd_warn_up(cmd_input_name(input), &scene);
     lapped_param_clear(&args, name, &scene);
+    if (needs_path) {
+        cmd_read_needs(&args, needs_path, &needs);
+        cmd_fit_meshes(&args, input, needs_path, &needs, &scene);
+    }
     hatch_outline_make(args.seed, settings.roughness, settings.feather, &outline);
     struct lapped_param_part *parts = cover(&args, input, &settings, &outline, &scene);
     print_notes(parts, scene.mesh_count);
+    if (needs_path && !atlas && !mask_given)
+        fit_mask(&args, name, &needs, parts, &scene, &settings);
     lapped_param_replace(&args, &scene, parts);
     if (!settings.atlas)
         lapped_param_mask(&args, &outline, settings.mask_px, &scene);

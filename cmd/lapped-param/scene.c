@@ -152,7 +152,7 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
     }
     scene->materials = materials;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        if (scene->meshes[i].material == HATCH_NONE) {
+        if (scene->meshes[i].material == HATCH_NONE && !(scene->meshes[i].unseen_tolerance > 0)) {
             scene->meshes[i].material = plain;
             scene->material_count = plain + 1;
         }

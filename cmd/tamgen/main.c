@@ -1,12 +1,10 @@
 /* tamgen: makes a tonal art map from strokes of a style, or from those of a drawing. */
 #include "shared/style.h"
 #include "io/svg/svg.h"
-#include "needs/needs.h"
+#include "shared/needs/map.h"
 #include "job.h"
 
 #define SMALLEST_LEVEL_PX 32u
-#define LEVELS_DIFFER                                                                                                  \
-    0.01 /* tolerance from which on a level of a map may stand for that of another, docs/notes/needs.md */
 
 static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
 static int64_t tones = 6, size_px = 256, levels;
@@ -111,27 +109,14 @@ static void read_style(struct job *job)
 static void read_needs(struct job *job)
 {
     float targets[HATCH_TAM_TONES_MAX];
-    struct hatch_needs needs;
-    struct hatch_err err;
-    uint32_t whole = job->tones;
-    cmd_check(hatch_needs_parse(cmd_read(&job->args, needs_path), NULL, 0, &needs, &err), cmd_input_name(needs_path),
-              &err);
-    hatch_style_targets(&job->style, whole, targets);
-    job->tones = hatch_needs_columns(&needs, targets, whole);
-    job->tolerance = (float)needs.tolerance;
+    hatch_style_targets(&job->style, job->tones, targets);
+    const struct cmd_map_part part = cmd_find_map_part(&job->args, needs_path, targets, job->tones, job->size_px,
+                                                       levels_given ? 1 : job->levels);
+    job->tones = part.tones;
+    job->tolerance = (float)part.tolerance;
     job->whole_size_px = job->size_px;
-    if (!levels_given && needs.tolerance >= LEVELS_DIFFER)
-        job->size_px = hatch_needs_size(&needs, job->size_px, HATCH_TAM_SIZE_MIN);
-    for (uint32_t size = job->size_px; size < job->whole_size_px; size *= 2)
-        job->levels--;
-    if (job->tones < whole)
-        cmd_note("%u of %u columns left out: tones over %.3g are not needed", whole - job->tones, whole,
-                 (double)targets[job->tones - 1]);
-    if (job->size_px < job->whole_size_px)
-        cmd_note("levels finer than %u pixels left out", job->size_px);
-    double share =
-        job->tones * (double)job->size_px * job->size_px / (whole * (double)job->whole_size_px * job->whole_size_px);
-    cmd_note("%.3g of the texels are made", share);
+    job->size_px >>= part.finer;
+    job->levels -= part.finer;
 }
 
 /* Fills the map with strokes of the style and passes its columns to job->columns. */

@@ -21,4 +21,11 @@ enum hatch_status hatch_coarse_make(const struct hatch_coarse_part *parts, uint3
                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *out,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
+/* The same in less time: a collapse is judged by the mean distance of the planes of removed faces alone, which bounds
+ * no distance. Parts with attributes that the surface keeps in their places (texture coordinates, colours, joints and
+ * morph targets) are made as above. */
+enum hatch_status hatch_coarse_make_loosely(const struct hatch_coarse_part *parts, uint32_t part_count,
+                                            struct hatch_arena *arena, struct hatch_arena *scratch,
+                                            struct hatch_mesh *out, struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

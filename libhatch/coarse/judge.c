@@ -161,6 +161,8 @@ static bool faces_lie_near(const struct hatch_coarse_work *work, struct hatch_co
 bool hatch_coarse_judge(struct hatch_coarse_work *work, struct hatch_coarse_collapse *collapse)
 {
     const struct hatch_coarse_ring *ring = collapse->ring;
+    if (work->loose)
+        return hatch_coarse_is_cheap(work, collapse);
     for (uint32_t i = 0; i < collapse->pair_count; i++)
         for (uint32_t f = 0, tested = 0; f < ring->face_count && !tested; f++)
             if (work->corner[3 * ring->faces[f] + ring->sides[f]] == collapse->from[i]) {
@@ -215,7 +217,7 @@ void hatch_coarse_apply(struct hatch_coarse_work *work, const struct hatch_coars
         attach(work, collapse, list);
         list = next;
     }
-    for (uint32_t i = 0; i < collapse->pair_count; i++)
+    for (uint32_t i = 0; i < collapse->pair_count && !work->loose; i++)
         attach(work, collapse, collapse->from[i]);
     for (uint32_t i = 0, kept = 0; i < ring->face_count; i++) {
         uint32_t face = ring->faces[i], corner = 3 * face + ring->sides[i];

@@ -87,14 +87,20 @@ static enum hatch_status store(const struct hatch_coarse_work *work, uint32_t pa
     return HATCH_OK;
 }
 
-static enum hatch_status make(const struct hatch_coarse_part *parts, uint32_t part_count, struct hatch_arena *arena,
-                              struct hatch_arena *scratch, struct hatch_mesh *out, struct hatch_err *err)
+static enum hatch_status make(const struct hatch_coarse_part *parts, uint32_t part_count, bool loose,
+                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *out,
+                              struct hatch_err *err)
 {
     struct hatch_coarse_work work;
     struct hatch_mesh *made;
     uint32_t point;
     HATCH_TRY(HATCH_ALLOC(scratch, &made, part_count, err));
     HATCH_TRY(hatch_coarse_load(parts, part_count, scratch, scratch, &work, err));
+    work.loose = loose;
+    for (uint32_t part = 0; part < part_count; part++)
+        work.loose = work.loose && work.checks[part].count == 0;
+    for (uint32_t f = 0; f < work.face_count && work.loose; f++)
+        work.first_sample[f] = HATCH_COARSE_NONE;
     hatch_coarse_quadrics_make(&work);
     for (uint32_t p = 0; p < work.point_count; p++)
         queue_anew(&work, p);
@@ -106,12 +112,26 @@ static enum hatch_status make(const struct hatch_coarse_part *parts, uint32_t pa
     return HATCH_OK;
 }
 
+static enum hatch_status make_and_rewind(const struct hatch_coarse_part *parts, uint32_t part_count, bool loose,
+                                         struct hatch_arena *arena, struct hatch_arena *scratch,
+                                         struct hatch_mesh *out, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = make(parts, part_count, loose, arena, scratch, out, err);
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
 enum hatch_status hatch_coarse_make(const struct hatch_coarse_part *parts, uint32_t part_count,
                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *out,
                                     struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = make(parts, part_count, arena, scratch, out, err);
-    hatch_arena_rewind(scratch, mark);
-    return status;
+    return make_and_rewind(parts, part_count, false, arena, scratch, out, err);
+}
+
+enum hatch_status hatch_coarse_make_loosely(const struct hatch_coarse_part *parts, uint32_t part_count,
+                                            struct hatch_arena *arena, struct hatch_arena *scratch,
+                                            struct hatch_mesh *out, struct hatch_err *err)
+{
+    return make_and_rewind(parts, part_count, true, arena, scratch, out, err);
 }

@@ -2,6 +2,8 @@
 #include "coarse/work.h"
 #include "math/vector.h"
 
+#define NEEDLE 0.1      /* height of a face over its longest side, below which it is a needle */
+#define TURN_COSINE 0.9 /* of the greatest angle by which a collapse turns a face */
 #define BORDER_WEIGHT 4.0 /* of a plane across a border, times the square of the border edge's length */
 #define EVENNESS                                                                                                       \
     1e-6 /* share of a squared edge length that counts as squared distance: where nothing else differs,                \
@@ -85,4 +87,37 @@ double hatch_coarse_cost(const struct hatch_coarse_work *work, uint32_t point, u
     double sum = evaluate(&work->quadric[point], to) + evaluate(&work->quadric[onto], to) +
                  EVENNESS * length * length * work->quadric[point].weight;
     return sum / (tolerance * tolerance);
+}
+
+/* Returns the height of a face over its longest side, as a share of that.
+ *   normal  out: unit length */
+static double flatness(const double a[3], const double b[3], const double c[3], double normal[3])
+{
+    double longest = fmax(hatch_vec_distance(a, b), fmax(hatch_vec_distance(b, c), hatch_vec_distance(c, a)));
+    hatch_vec_triangle(a, b, c, normal);
+    double area = hatch_vec_normalize(normal);
+    return longest > 0 ? area / (longest * longest) : 0;
+}
+
+/* Returns whether the faces that remain stay about parallel to what they were, and none becomes a needle. */
+static bool keeps_shapes(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse)
+{
+    for (uint32_t i = 0; i < collapse->kept_count; i++) {
+        uint32_t face = collapse->ring->faces[collapse->kept[i]];
+        const double(*now)[3] = (const double(*)[3])collapse->corners[i];
+        double before[3], after[3];
+        double was = flatness(corner_at(work, 3 * face), corner_at(work, 3 * face + 1), corner_at(work, 3 * face + 2),
+                              before);
+        double flat = flatness(now[0], now[1], now[2], after);
+        if ((flat < NEEDLE && flat < was) || hatch_vec_dot(before, after) < TURN_COSINE)
+            return false;
+    }
+    return true;
+}
+
+bool hatch_coarse_is_cheap(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse)
+{
+    uint32_t point = collapse->ring->point, onto = collapse->spoke->point;
+    double weight = work->quadric[point].weight + work->quadric[onto].weight;
+    return hatch_coarse_cost(work, point, onto) <= weight && keeps_shapes(work, collapse);
 }

@@ -48,6 +48,7 @@ struct hatch_coarse_work {
                           the list is read */
     uint32_t *part_of; /* per face */
     struct hatch_coarse_checks *checks;   /* per part */
+    bool loose;                           /* collapses are judged by their costs, without samples */
     struct hatch_coarse_quadric *quadric; /* per point */
     /* Samples, each attached to the face that stands for it: the wedges of removed points, numbered as wedges, and the
      * centres of the full meshes' larger faces, numbered from wedge_count on. */
@@ -127,6 +128,9 @@ void hatch_coarse_quadrics_make(struct hatch_coarse_work *work);
 
 /* Returns the cost of a collapse: the sum of squared distances in tolerances. */
 double hatch_coarse_cost(const struct hatch_coarse_work *work, uint32_t point, uint32_t onto);
+
+/* Returns whether a collapse moves the surface by at most the tolerance, by its cost, and keeps the faces' shapes. */
+bool hatch_coarse_is_cheap(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse);
 
 static inline uint32_t hatch_coarse_corner_point(const struct hatch_coarse_work *work, uint32_t corner)
 {

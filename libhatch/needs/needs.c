@@ -8,7 +8,7 @@
 #define HEADER "thing\tindex\tvalue\tunit"
 
 /* Things that generators read. */
-enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, MESH_PX, THINGS };
+enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, REGION_LOW, REGION_SIDE, REGION_PX, THINGS };
 
 static const struct {
     const char *name;
@@ -21,15 +21,16 @@ static const struct {
     [DARKEST] = {"darkest", 2, 0, 1, true},
     [UNIT_PX] = {"unit-px", HATCH_NEEDS_TONES, 0, 1e30, false},
     [TEXELS] = {"texels", HATCH_NEEDS_OCTAVES, 0, 1, false},
-    [MESH_PX] = {"mesh-unit-px", UINT32_MAX, 0, 1e30, false},
+    [REGION_LOW] = {"region-low", 3, -1e30, 1e30, true},
+    [REGION_SIDE] = {"region-side", 3, 0, 1e30, true},
+    [REGION_PX] = {"region-unit-px", HATCH_NEEDS_CELLS, 0, 1e30, false},
 };
 
 /* Values that were read. */
 struct reading {
     bool found[THINGS];
-    double values[MESH_PX][HATCH_NEEDS_TONES]; /* per thing and index */
-    double *mesh_px;                           /* per mesh */
-    uint32_t mesh_count;
+    double values[REGION_PX][HATCH_NEEDS_TONES]; /* per thing and index */
+    float *cells;                                /* of the regions; NULL: not read */
 };
 
 static enum hatch_status parse_row(struct hatch_text line, struct reading *reading, struct hatch_err *err)
@@ -49,20 +50,20 @@ static enum hatch_status parse_row(struct hatch_text line, struct reading *readi
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: want a number from %g to %g", things[i].name, things[i].low,
                           things[i].high);
     reading->found[i] = true;
-    if (i != MESH_PX)
+    if (i != REGION_PX)
         reading->values[i][(int)at] = value;
-    else if (at < reading->mesh_count)
-        reading->mesh_px[(uint32_t)at] = value;
+    else if (reading->cells)
+        reading->cells[(uint32_t)at] = (float)value;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_needs_parse(struct hatch_bytes file, double *mesh_px, uint32_t mesh_count,
-                                    struct hatch_needs *needs, struct hatch_err *err)
+enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struct hatch_needs *needs,
+                                    struct hatch_err *err)
 {
     struct hatch_text rest = hatch_text_of(file), line;
-    struct reading reading = {.mesh_px = mesh_px, .mesh_count = mesh_count};
-    for (uint32_t i = 0; i < mesh_count; i++)
-        mesh_px[i] = 0;
+    struct reading reading = {.cells = cells};
+    if (cells)
+        memset(cells, 0, HATCH_NEEDS_CELLS * sizeof *cells);
     if (!hatch_text_line(&rest, &line) || !hatch_text_is(line, HEADER))
         return hatch_fail(err, HATCH_BAD_INPUT, "no table of needs; render-gl SCENE --needs -o FILE makes one");
     for (uint32_t row = 2; hatch_text_line(&rest, &line); row++)
@@ -77,6 +78,9 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, double *mesh_px, ui
                                   .relative = reading.values[RELATIVE][0] > 0};
     memcpy(needs->unit_px, reading.values[UNIT_PX], sizeof needs->unit_px);
     memcpy(needs->texels, reading.values[TEXELS], sizeof needs->texels);
+    memcpy(needs->regions.low, reading.values[REGION_LOW], sizeof needs->regions.low);
+    memcpy(needs->regions.side, reading.values[REGION_SIDE], sizeof needs->regions.side);
+    needs->regions.px = cells;
     return HATCH_OK;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/bytes.h"
 #include "curve/width.h"
+#include "needs/regions.h"
 
 #define HATCH_NEEDS_TONES 64u   /* parts of equal width of the scale of tones, from paper to ink */
 #define HATCH_NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
@@ -17,15 +18,16 @@ struct hatch_needs {
     double unit_px[HATCH_NEEDS_TONES];  /* per part of the scale: most pixels that a unit of the scene's lengths covers
                                            where a surface has such a tone; 0: none has */
     double texels[HATCH_NEEDS_OCTAVES]; /* per octave: share of the pixels whose finest mip level is of it */
+    struct hatch_needs_regions regions; /* its cells are the caller's, or NULL */
 };
 
 /* Parses a file of needs. Rows of other things are passed over.
- *   mesh_px     out: per mesh of the scene, the most pixels that a unit of the scene's lengths covers on it; 0: it is
- *               not seen; unset on failure
- *   mesh_count  number of meshes; rows of further ones are passed over
+ *   cells  HATCH_NEEDS_CELLS floats, out: those of the regions, kept by reference; unset on failure; NULL: rows of
+ *          regions are passed over
+ *   needs  out; unchanged on failure
  * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing. */
-enum hatch_status hatch_needs_parse(struct hatch_bytes file, double *mesh_px, uint32_t mesh_count,
-                                    struct hatch_needs *needs, struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struct hatch_needs *needs,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns how many columns of a map are needed: up to the first that is dark enough.
  *   targets  tones of the columns, ascending
@@ -38,7 +40,7 @@ uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uin
 
 /* Returns how many traced strokes of a family are needed side by side per unit of the scene's lengths: what
  * hatch_stroke_width_px calls wanted, at most.
- *   mesh_px   of the mesh that has the strokes
+ *   mesh_px   most pixels that a unit of the scene's lengths covers on the mesh that has the strokes
  *   families  number of families of strokes, at least 1 */
 double hatch_needs_strokes(const struct hatch_needs *needs, double mesh_px, const struct hatch_stroke_pen *pen,
                            uint32_t families);

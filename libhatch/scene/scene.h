@@ -53,6 +53,7 @@ struct hatch_scene_mesh {
     bool had_texcoords;         /* the file has TEXCOORD_0 */
     bool had_normals;           /* the file has NORMAL; else normals were computed from the faces */
     bool is_soup;               /* unconnected triangles, as in STL: the format cannot share vertices */
+    float unseen_tolerance;     /* over 0: made for views that do not show it, within this tolerance (needs(5)) */
     struct hatch_curves curves; /* strokes on the mesh; zeroed: none */
 };
 

@@ -131,7 +131,7 @@ static enum hatch_status read_whole(const struct hatch_mipmap *part, const char 
 static enum hatch_status find_whole(struct hatch_tam *tam, struct hatch_err *err)
 {
     const struct hatch_mipmap *part = &tam->columns[0];
-    double last = (double)tam->target[tam->tones - 1], size, tones, darkest, tolerance;
+    double last = (double)tam->target[tam->tones - 1], size = 0, tones = 0, darkest = 0, tolerance = 0;
     tam->whole = (struct hatch_tam_whole){.size_px = tam->size_px, .tones = tam->tones, .darkest = (float)last};
     if (!hatch_mipmap_attribute(part, HATCH_TAM_ATTR_WHOLE_TONES))
         return HATCH_OK;
@@ -154,13 +154,6 @@ static bool is_flat(const struct hatch_mipmap *part)
 bool hatch_tam_is_whole(const struct hatch_tam *tam)
 {
     return tam->tones == tam->whole.tones && tam->size_px == tam->whole.size_px;
-}
-
-enum hatch_status hatch_tam_check_whole(const struct hatch_tam *tam, struct hatch_err *err)
-{
-    if (hatch_tam_is_whole(tam))
-        return HATCH_OK;
-    return hatch_fail(err, HATCH_BAD_INPUT, "was made for the needs of some views; make the map without --needs");
 }
 
 enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t count, struct hatch_tam *tam,

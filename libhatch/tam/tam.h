@@ -63,8 +63,8 @@ enum hatch_status hatch_tam_from_mipmaps(struct hatch_mipmap *parts, uint32_t co
 /* Returns whether all columns and levels of a map were made. */
 bool hatch_tam_is_whole(const struct hatch_tam *tam);
 
-/* Fails with HATCH_BAD_INPUT if they were not. */
-enum hatch_status hatch_tam_check_whole(const struct hatch_tam *tam, struct hatch_err *err) HATCH_MUST_USE;
+/* The message where a map must be whole. */
+#define HATCH_TAM_NOT_WHOLE "was made for the needs of some views; make the map without --needs"
 
 /* Checks that no pixel gets lighter from one column to the next, in any colour channel, by more than one step of 8
  * bits.

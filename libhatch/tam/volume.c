@@ -42,10 +42,12 @@ static struct blend find_columns(const struct hatch_tam *tam, double tone, doubl
     return (struct blend){above - 1, above, (float)(down / (down + up))};
 }
 
-static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, uint32_t index, uint32_t depth,
+/* Chooses the columns of a slice.
+ *   step  tones from one slice of the level to the next */
+static struct slice choose_slice(const struct hatch_tam *tam, uint32_t level, uint32_t index, double step,
                                  struct hatch_volume_figures *figures)
 {
-    double distance, step = 1.0 / depth;
+    double distance;
     struct slice slice = {level, index, find_columns(tam, (index + 0.5) * step, &distance)};
     bool drawn = level < tam->levels;
     if (distance <= step / 4) {
@@ -131,8 +133,10 @@ static void filter_level(const struct hatch_texels *texels, uint32_t level)
 }
 
 /* Fills the slices of the first `levels` levels from columns: these are all levels of an array, but only the drawn ones
- * of a 3D texture. */
-static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t levels,
+ * of a 3D texture.
+ *   tones  slices of the finest level of a whole volume */
+static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t tones,
+                                     uint32_t levels,
                                      struct hatch_pool *pool, struct hatch_arena *arena,
                                      struct hatch_volume_figures *figures, struct hatch_err *err)
 {
@@ -142,7 +146,7 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
     for (uint32_t level = 0; level < levels; level++) {
         uint32_t depth = layers ? layers : hatch_mip_size(texels->depth, level);
         for (uint32_t index = 0; index < depth; index++)
-            slices[count++] = choose_slice(tam, level, index, depth, figures);
+            slices[count++] = choose_slice(tam, level, index, 1.0 / (layers ? tones : tones >> level), figures);
     }
     if (figures->distance > HATCH_VOLUME_DISTANCE_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT,
@@ -153,6 +157,17 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
     return HATCH_OK;
 }
 
+/* Returns the number of slices of the finest level: all, or those up to the last column of a map that is not whole. */
+static uint32_t count_slices(const struct hatch_tam *tam, const struct hatch_volume_options *options)
+{
+    uint32_t least = options->layout == HATCH_VOLUME_ARRAY ? 1 : 1u << (tam->levels - 1), count = least;
+    if (tam->tones == tam->whole.tones)
+        return options->tones;
+    while (count < options->tones && count < (double)tam->target[tam->tones - 1] * options->tones + 0.5)
+        count += least;
+    return count < options->tones ? count : options->tones;
+}
+
 enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
                                     struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_volume *volume,
                                     struct hatch_volume_figures *figures, struct hatch_err *err)
@@ -161,16 +176,19 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
     bool array = options->layout == HATCH_VOLUME_ARRAY;
     assert(tones >= HATCH_VOLUME_TONES_MIN && tones <= HATCH_VOLUME_TONES_MAX && !(tones & (tones - 1)));
     struct hatch_volume_figures found = {0};
-    struct hatch_volume made = {.levels = tam->levels, .darkest = tam->target[tam->tones - 1]};
+    uint32_t slices = count_slices(tam, options);
+    struct hatch_volume made = {.levels = tam->levels,
+                                .darkest = tam->target[tam->tones - 1],
+                                .top = (float)((double)slices / tones)};
     struct hatch_texels *texels = &made.texels;
     texels->width = texels->height = tam->size_px;
     texels->channels = tam->color ? (options->alpha ? 4 : 3) : 1;
-    texels->depth = array ? 0 : tones;
-    texels->layers = array ? tones : 0;
+    texels->depth = array ? 0 : slices;
+    texels->layers = array ? slices : 0;
     texels->level_count = hatch_texels_chain_length(texels);
     HATCH_TRY(hatch_texels_make(arena, texels, err));
     uint32_t drawn = array ? texels->level_count : tam->levels;
-    HATCH_TRY(fill_slices(tam, texels, drawn, pool, arena, &found, err));
+    HATCH_TRY(fill_slices(tam, texels, tones, drawn, pool, arena, &found, err));
     for (uint32_t level = drawn; level < texels->level_count; level++)
         filter_level(texels, level);
     *volume = made;

@@ -9,7 +9,11 @@
  *
  * As an array (HATCH_VOLUME_ARRAY) every level has all D layers, and layer k holds the tone (k + 1/2) / D: the number
  * of tones does not fall with distance, and 2D filtering, also anisotropic, works as usual. A shader blends the two
- * layers around t D - 1/2. */
+ * layers around t D - 1/2.
+ *
+ * A volume of a map that is not whole leaves out slices darker than all that the map holds: it ends at a tone `top`
+ * below 1, and coordinates are t / top. In three dimensions, the number of its slices is a multiple of 2^(l - 1) for l
+ * drawn levels. */
 #ifndef HATCH_TAM_VOLUME_H
 #define HATCH_TAM_VOLUME_H
 
@@ -35,6 +39,7 @@ struct hatch_volume {
     struct hatch_texels texels; /* depth D, or D layers; never block-compressed, see hatch_texels_decompress */
     uint32_t levels;            /* number of drawn levels */
     float darkest;              /* tone of the map's last column; slices of darker tones repeat that column */
+    float top;                  /* tone at the end of the last slice, over 0 .. 1; 1: the volume is whole */
 };
 
 /* Differences between the tones of slices and columns, over all drawn levels. */
@@ -62,6 +67,7 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
 
 /* Key of the file, beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_VOLUME_KEY_DARKEST "hatch:darkest"
+#define HATCH_VOLUME_KEY_TOP "hatch:top" /* only where it is below 1 */
 
 /* Interprets a file's texture as a volume.
  *   texels      its levels are kept by reference
@@ -80,7 +86,7 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
  *              is 1, to ink from the last slice to tone 1
  *   value      out: texels.channels numbers, 0 .. 1
  *
- * In a shader, with CLAMP_TO_EDGE in r and h = 0.5 exp2(lod) / D (0.5 / D for an array):
+ * In a shader, for a whole volume, with CLAMP_TO_EDGE in r and h = 0.5 exp2(lod) / D (0.5 / D for an array):
  *     mix(1, mix(texture, 0, darkest < 1 ? 0 : max(0, t - 1 + h) / h), min(1, t / h)) */
 void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod, bool corrected,
                          float *value);

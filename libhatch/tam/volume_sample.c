@@ -10,7 +10,11 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
     const char *darkest = hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST);
     if (texels->code != HATCH_TEXELS_PLAIN || (!texels->depth && !texels->layers) || !levels || !darkest)
         return hatch_fail(err, HATCH_BAD_INPUT, "not a volume as described in tamvol(5)");
-    struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL)};
+    const char *top = hatch_texels_value(key_values, HATCH_VOLUME_KEY_TOP);
+    struct hatch_volume made = {*texels, (uint32_t)strtoul(levels, NULL, 10), strtof(darkest, NULL),
+                                top ? strtof(top, NULL) : 1};
+    if (!(made.top > 0 && made.top <= 1))
+        return hatch_fail(err, HATCH_BAD_INPUT, HATCH_VOLUME_KEY_TOP " '%s', want a number over 0, at most 1", top);
     if (made.levels < 1 || made.levels > texels->level_count || !(made.darkest >= 0 && made.darkest <= 1))
         return hatch_fail(err, HATCH_BAD_INPUT,
                           HATCH_TAM_ATTR_LEVELS " %s or " HATCH_VOLUME_KEY_DARKEST
@@ -52,14 +56,14 @@ void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, fl
         struct hatch_taps taps =
             hatch_taps_at(u, v, hatch_mip_size(texels->width, at), hatch_mip_size(texels->height, at));
         for (uint32_t c = 0; c < texels->channels; c++)
-            value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, clamped, c);
+            value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, clamped / volume->top, c);
     }
-    float half = 0.5f / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
+    float half = 0.5f * volume->top / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
     half = half < 0.5f ? half : 0.5f;
     for (uint32_t c = 0; corrected && c < texels->channels && c < 3; c++) {
         if (clamped < half)
             value[c] = 1 + (value[c] - 1) * (clamped / half);
-        if (clamped > 1 - half && volume->darkest >= 1)
+        if (clamped > 1 - half && volume->darkest >= 1 && volume->top >= 1)
             value[c] *= (1 - clamped) / half;
     }
 }

@@ -51,19 +51,30 @@ uint32_t asset_size_px(const struct asset *asset)
     return asset_is_map(asset) ? asset->map.size_px : asset->texture.size_px;
 }
 
+struct asset_part asset_part(const struct asset *asset)
+{
+    const struct hatch_tam *map = &asset->map;
+    const struct tone_texture *texture = &asset->texture;
+    if (asset_is_map(asset) && hatch_tam_is_whole(map))
+        return (struct asset_part){.tolerance = 0};
+    if (asset_is_map(asset))
+        return (struct asset_part){map->tones < map->whole.tones, map->size_px < map->whole.size_px,
+                                   map->target[map->tones - 1], map->whole.tolerance};
+    return (struct asset_part){texture->whole.tolerance > 0 && texture->last < texture->whole.darkest,
+                               texture->size_px < texture->whole.size_px, texture->last, texture->whole.tolerance};
+}
+
 uint32_t asset_whole_size_px(const struct asset *asset)
 {
-    return asset_is_map(asset) ? asset->map.whole.size_px : asset->texture.size_px;
+    return asset_is_map(asset) ? asset->map.whole.size_px : asset->texture.whole.size_px;
 }
 
 uint32_t asset_whole_levels(const struct asset *asset)
 {
-    uint32_t finer = 0;
-    if (!asset_is_map(asset))
-        return asset->texture.levels;
-    while (asset->map.size_px << finer < asset->map.whole.size_px)
+    uint32_t finer = 0, size_px = asset_size_px(asset);
+    while (size_px && size_px << finer < asset_whole_size_px(asset))
         finer++;
-    return asset->map.levels + finer;
+    return (asset_is_map(asset) ? asset->map.levels : asset->texture.levels) + finer;
 }
 
 bool assets_have(const struct assets *assets, const struct asset_kind *kind)

@@ -19,6 +19,13 @@ struct asset {
     struct tone_texture texture;      /* texture.holds == TONE_TEXTURE_NONE: no texture */
 };
 
+/* The part of a map that was made for the needs of some views. */
+struct asset_part {
+    bool cut_tones, cut_levels; /* columns, or levels, were left out */
+    float last;                 /* tone of the last column; unset where none was left out */
+    float tolerance;            /* mean difference of tone that was allowed; 0: nothing was left out */
+};
+
 /* An asset on the GPU. Texels of maps hold ink, which is 1 minus reflectance, so that no texture is needed for paper
  * (the implicit white tone of Real-Time Hatching §5). Texels of volumes hold reflectance. */
 struct asset_tones {
@@ -27,7 +34,8 @@ struct asset_tones {
     bool exact;                         /* exact runs or lists: integers, which samplers cannot filter */
     bool reaches_ink;                   /* the darkest tone is 1, solid ink; not set for maps */
     uint32_t count;                     /* number of columns or slices, at most HATCH_TAM_TONES_MAX */
-    float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; 0 for volumes and threshold textures */
+    float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; of a volume, the first is the number of its
+                                           slices with those that were left out; 0 for threshold textures */
     float stroke_px, stroke_ink;        /* width in texels and darkness of a stroke; only of asset_strokes */
     bool flat;                          /* crossing strokes do not darken each other; only of asset_strokes */
 };
@@ -62,13 +70,16 @@ extern const struct asset_kind asset_strokes;     /* a map with ids, as lists of
  *   path  NULL or "-": standard input */
 void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 
-/* Properties of the asset, whether it is a map or a texture. The darkest tone, 0 .. 1, of a map that is not whole is
- * that of the whole one. */
+/* Properties of the asset, whether it is a map or a texture. The darkest tone, 0 .. 1, of one that is not whole is that
+ * of the whole one. */
 bool asset_is_map(const struct asset *asset);
 float asset_darkest(const struct asset *asset);
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
 
-/* The side of the finest level and the number of levels that hold strokes; of a map that is not whole, those of the
+/* Returns how much of the whole map the asset holds, itself or the map that it was made from. */
+struct asset_part asset_part(const struct asset *asset);
+
+/* The side of the finest level and the number of levels that hold strokes; of one that is not whole, those of the
  * whole one, so that both repeat as often over a surface. 0: no asset. */
 uint32_t asset_whole_size_px(const struct asset *asset);
 uint32_t asset_whole_levels(const struct asset *asset);

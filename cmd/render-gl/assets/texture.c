@@ -6,6 +6,7 @@
 #include "io/texture/container.h"
 #include "tam/thresholds.h"
 #include "tam/volume.h"
+#include "tam/whole.h"
 
 bool tone_texture_is(struct hatch_bytes file)
 {
@@ -62,6 +63,7 @@ static enum hatch_status read_volume(const char *const *key_values, struct hatch
     texture->holds = TONE_TEXTURE_VOLUME;
     texture->levels = volume.levels;
     texture->darkest = volume.darkest;
+    texture->top = volume.top;
     return HATCH_OK;
 }
 
@@ -83,6 +85,9 @@ enum hatch_status tone_texture_read(struct hatch_bytes file, struct hatch_arena 
         return hatch_fail(err, HATCH_BAD_INPUT,
                           "the texture is neither a volume nor thresholds nor exact runs: "
                           "tamvol or tamthresh makes one");
+    HATCH_TRY(hatch_tam_whole_read(key_values, made.size_px, &made.whole, &made.last, err));
+    if (made.whole.tolerance > 0)
+        made.darkest = made.whole.darkest;
     *texture = made;
     return HATCH_OK;
 }

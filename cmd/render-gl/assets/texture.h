@@ -6,6 +6,7 @@
 #include "base/bytes.h"
 #include "image/texels.h"
 #include "tam/exact.h"
+#include "tam/tam.h"
 
 enum tone_texture_holds { TONE_TEXTURE_NONE, TONE_TEXTURE_VOLUME, TONE_TEXTURE_THRESHOLDS, TONE_TEXTURE_RUNS };
 
@@ -16,7 +17,10 @@ struct tone_texture {
     struct hatch_exact exact;   /* the parsed texels, if holds is TONE_TEXTURE_RUNS */
     uint32_t size_px;           /* side of the finest level */
     uint32_t levels;            /* mip levels that hold strokes */
-    float darkest;              /* darkest tone, 0 .. 1 */
+    float darkest;              /* darkest tone, 0 .. 1; of a texture whose map was not whole, that of the whole one */
+    float top;                  /* volume: tone at the end of its slices; else unset */
+    float last;                 /* tone of the last column of a map that was not whole; else unset */
+    struct hatch_tam_whole whole; /* of the map, as hatch_tam_whole_read sets it */
 };
 
 /* Returns whether a file begins like a KTX2 texture. */

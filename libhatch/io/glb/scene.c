@@ -195,6 +195,11 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     HATCH_TRY(print_accessors(glb, &from->mesh, glb->mesh_first[index]));
     if (from->material != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "material", from->material));
+    if (from->unseen_tolerance > 0) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
+        HATCH_TRY(hatch_glb_number(glb, "unseen", from->unseen_tolerance));
+        HATCH_TRY(hatch_glb_put(glb, "}}"));
+    }
     HATCH_TRY(hatch_glb_put(glb, "}"));
     return print_strokes(glb, index);
 }

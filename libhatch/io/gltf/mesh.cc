@@ -186,6 +186,16 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
     return HATCH_OK;
 }
 
+/* Returns the tolerance of views that do not show a primitive; 0: there is none. */
+float unseen_tolerance(const tinygltf::Primitive &primitive)
+{
+    if (!primitive.extras.IsObject() || !primitive.extras.Has("hatch") || !primitive.extras.Get("hatch").IsObject() ||
+        !primitive.extras.Get("hatch").Has("unseen") || !primitive.extras.Get("hatch").Get("unseen").IsNumber())
+        return 0;
+    double tolerance = primitive.extras.Get("hatch").Get("unseen").GetNumberAsDouble();
+    return tolerance > 0 && tolerance <= 1 ? static_cast<float>(tolerance) : 0;
+}
+
 enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, size_t index,
                                  const std::string &where, struct hatch_scene_mesh *out)
 {
@@ -203,6 +213,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
     replace_zero_normals(r, &mesh);
     out->file_vertices = mesh.vertex_count;
+    out->unseen_tolerance = unseen_tolerance(primitive);
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
     if (!out->had_normals && mesh.face_count > 0)

@@ -13,6 +13,7 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
     struct hatch_err err;
     *measure = (struct needs_measure){.map_px = asset_size_px(&job->asset),
                                       .tolerance = tolerance,
+                                      .unseen_tolerance = 1,
                                       .inks = options->inks.two ? 2 : 1,
                                       .lightest = {1, 1}};
     cmd_check(picture_canvas(&job->frame, options->width, options->height, 1, &measure->canvas, &err), NULL, &err);
@@ -23,8 +24,11 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
     cmd_check(HATCH_ALLOC(keep, &measure->items, unit->item_count, &err), NULL, &err);
     for (uint32_t i = 0; i < unit->item_count; i++) {
         struct needs_item *item = &measure->items[i];
+        double unseen = (double)job->values.meshes[unit->items[i].mesh].unseen_tolerance;
+        if (unseen > 0)
+            measure->unseen_tolerance = fmin(measure->unseen_tolerance, unseen);
         item->faces = unit->meshes[unit->items[i].mesh].surface->face_count;
-        cmd_check(HATCH_ALLOC(keep, &item->seen, item->faces, &err), NULL, &err);
+        cmd_check(HATCH_ALLOC(keep, &item->unit_px, item->faces, &err), NULL, &err);
     }
 }
 
@@ -35,18 +39,18 @@ static void count_pixel(const struct job *job, const float tone[4], const float 
     uint32_t index = (uint32_t)tone[3] - 1, number = (uint32_t)face[0] + 4096 * (uint32_t)face[1];
     const struct hatch_unit_mesh *mesh = &job->scene.unit.meshes[job->scene.unit.items[index].mesh];
     struct needs_item *item = &measure->items[index];
-    double octave = (double)face[2];
+    double octave = (double)face[2], unit_px = (double)tone[2] * measure->unit_w_px;
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         double amount = fmin(fmax((double)tone[ink], 0), 1);
         hatch_needs_add(&measure->view_tones[ink], amount);
         uint32_t part = (uint32_t)fmin(amount * HATCH_NEEDS_TONES, HATCH_NEEDS_TONES - 1);
         measure->tones[ink][part]++;
-        measure->unit_px[part] = fmax(measure->unit_px[part], (double)tone[2] * measure->unit_w_px);
+        measure->unit_px[part] = fmax(measure->unit_px[part], unit_px);
     }
-    item->unit_px = fmax(item->unit_px, (double)tone[2] * measure->unit_w_px);
     item->pixels++;
+    measure->unseen += job->values.meshes[job->scene.unit.items[index].mesh].unseen_tolerance > 0;
     if (number < item->faces)
-        item->seen[number] = 1;
+        item->unit_px[number] = fmaxf(item->unit_px[number], (float)unit_px);
     if (mesh->patches) /* whose strokes are as large in the picture as the map is */
         octave = HATCH_NEEDS_OCTAVES - 1;
     if (mesh->patches || hatch_mesh_find(mesh->surface, "TEXCOORD_0", 2)) {
@@ -95,7 +99,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     struct technique_instance *instance = job_use(job, &needs_technique);
     struct hatch_err err;
     uint64_t drawn = 0;
-    measure->finer = 0;
+    measure->finer = measure->unseen = 0;
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
     for (uint32_t y = 0; y < options->height; y += canvas->height)

@@ -11,8 +11,7 @@
 struct needs_item {
     uint64_t pixels; /* that show it, in all views */
     uint32_t faces;  /* of its surface */
-    uint8_t *seen;   /* per face: a pixel shows it */
-    double unit_px;  /* most pixels that a unit of the scene's lengths covers on it */
+    float *unit_px;  /* per face: most pixels that a unit of the scene's lengths covers on it; 0: no pixel shows it */
 };
 
 /* Needs of the views so far. */
@@ -25,6 +24,8 @@ struct needs_measure {
     uint64_t texels[HATCH_NEEDS_OCTAVES]; /* pixels of items that have texture coordinates */
     double map_px;                        /* side of the finest level of the map in use; 0: none */
     uint64_t finer;                       /* of the last view: pixels that need a level finer by more than 0.5 */
+    double unseen_tolerance;              /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
+    uint64_t unseen;                      /* of the last view: pixels of such meshes */
     double unit_px[HATCH_NEEDS_TONES];    /* per part of the scale, of either ink: as in struct hatch_needs */
     double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
     struct needs_item *items; /* per item of the scene */

@@ -4,6 +4,7 @@
 
 #include "render-gl/mode/modes.h"
 #include "render-gl/mode/needs/measure.h"
+#include "render-gl/mode/needs/regions.h"
 #include "shared/report.h"
 
 #define LEEWAY 1.5 /* views between those that were measured may exceed the tolerance by this factor */
@@ -20,7 +21,7 @@ static uint32_t count_seen(const struct needs_item *item)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < item->faces; i++)
-        count += item->seen[i];
+        count += item->unit_px[i] > 0;
     return count;
 }
 
@@ -32,19 +33,17 @@ static void report_shares(struct cmd_report *report, const char *thing, const ui
             report_row(report, thing, i, (double)pixels[i] / drawn, "of the scene's pixels");
 }
 
-/* Reports the scale of each mesh that is seen: that of its largest item. */
-static void report_meshes(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
+static void report_regions(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
 {
-    const struct hatch_unit_scene *unit = &job->scene.unit;
-    uint32_t count = job->values.mesh_count;
-    struct hatch_err err;
-    double *most;
-    cmd_check(HATCH_ALLOC(&job->args.keep, &most, count, &err), NULL, &err);
-    for (uint32_t i = 0; i < unit->item_count; i++)
-        most[unit->items[i].mesh] = fmax(most[unit->items[i].mesh], measure->items[i].unit_px);
-    for (uint32_t mesh = 0; mesh < count; mesh++)
-        if (most[mesh] > 0)
-            report_row(report, "mesh-unit-px", mesh, most[mesh], "px");
+    struct hatch_needs_regions regions;
+    needs_find_regions(job, measure, &regions);
+    for (uint32_t k = 0; k < 3; k++)
+        report_row(report, "region-low", k, regions.low[k], "of the scene at rest");
+    for (uint32_t k = 0; k < 3; k++)
+        report_row(report, "region-side", k, regions.side[k], "of the scene at rest");
+    for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++)
+        if (regions.px[i] > 0)
+            report_row(report, "region-unit-px", i, (double)regions.px[i], "px");
 }
 
 static void report_all(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
@@ -65,13 +64,13 @@ static void report_all(struct cmd_report *report, struct job *job, const struct 
     for (uint32_t i = 0; i < HATCH_NEEDS_TONES; i++)
         if (measure->unit_px[i] > 0)
             report_row(report, "unit-px", i, measure->unit_px[i], "px");
-    report_meshes(report, job, measure);
     report_shares(report, "texels", measure->texels, HATCH_NEEDS_OCTAVES, drawn);
     for (uint32_t i = 0; i < job->scene.unit.item_count; i++) {
         report_row(report, "item", i, (double)measure->items[i].pixels / drawn, "of the scene's pixels");
         report_row(report, "faces", i, measure->items[i].faces, "");
         report_row(report, "faces-seen", i, count_seen(&measure->items[i]), "");
     }
+    report_regions(report, job, measure);
 }
 
 void needs_report(struct job *job)
@@ -92,17 +91,38 @@ void needs_report(struct job *job)
     cmd_report_write(&report, job->outputs[0]);
 }
 
+static const char again[] = "make it again with the needs of this view";
+
+static bool is_unseen(const struct hatch_scene *scene)
+{
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        if (scene->meshes[m].unseen_tolerance > 0)
+            return true;
+    return false;
+}
+
+/* Exits with a message if a view shows parts of the scene that were made to be unseen. */
+static void check_scene(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
+{
+    struct hatch_err err;
+    double allowed = LEEWAY * measure->unseen_tolerance;
+    if ((double)measure->unseen <= allowed * (double)drawn)
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT, "was made for other views: %.2g of this one shows what they do not see; %s",
+               (double)measure->unseen / (double)drawn, again);
+    cmd_die(job->name, &err);
+}
+
 /* Exits with a message if a view needs more than a map that was made for needs has.
  *   measure  after needs_add of the view
  *   drawn    number of the view's pixels that show the scene */
-static void check_view(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
+static void check_map(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
 {
-    static const char again[] = "make it again with the needs of this view";
     const char *name = cmd_input_name(job->options->map_path);
-    const struct hatch_tam *map = &job->asset.map;
-    double last = (double)map->target[map->tones - 1], allowed = LEEWAY * (double)map->whole.tolerance;
+    const struct asset_part part = asset_part(&job->asset);
+    double last = (double)part.last, allowed = LEEWAY * (double)part.tolerance;
     struct hatch_err err;
-    for (uint32_t ink = 0; ink < measure->inks && map->tones < map->whole.tones; ink++) {
+    for (uint32_t ink = 0; ink < measure->inks && part.cut_tones; ink++) {
         const struct hatch_needs_tones *tones = &measure->view_tones[ink];
         if (hatch_needs_excess(tones, drawn, last) <= allowed)
             continue;
@@ -110,7 +130,7 @@ static void check_view(const struct job *job, const struct needs_measure *measur
                    hatch_needs_darkest(tones, drawn, measure->tolerance), again);
         cmd_die(name, &err);
     }
-    if (map->size_px < map->whole.size_px && (double)measure->finer > allowed * (double)drawn) {
+    if (part.cut_levels && (double)measure->finer > allowed * (double)drawn) {
         hatch_fail(&err, HATCH_BAD_INPUT,
                    "was made for surfaces seen from farther away: %.2g of this view needs finer levels; %s",
                    (double)measure->finer / (double)drawn, again);
@@ -121,21 +141,30 @@ static void check_view(const struct job *job, const struct needs_measure *measur
 void needs_check_mode(const struct job *job)
 {
     struct hatch_err err;
-    if (job->options->window && asset_is_map(&job->asset))
-        cmd_check(hatch_tam_check_whole(&job->asset.map, &err), cmd_input_name(job->options->map_path), &err);
+    if (!job->options->window)
+        return;
+    if (asset_part(&job->asset).tolerance > 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, HATCH_TAM_NOT_WHOLE), cmd_input_name(job->options->map_path), &err);
+    if (is_unseen(&job->values))
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "was made for the needs of some views; make it without --needs"),
+                  job->name, &err);
 }
 
 void needs_check(struct job *job)
 {
-    const struct hatch_tam *map = &job->asset.map;
+    const struct asset_part part = asset_part(&job->asset);
+    bool map = technique_asset(job->options->technique) && part.tolerance > 0;
     struct needs_measure measure;
     struct hatch_view view;
-    if (!technique_asset(job->options->technique) || !asset_is_map(&job->asset) || hatch_tam_is_whole(map))
+    if (!map && !is_unseen(&job->values))
         return;
-    needs_begin(job, (double)map->whole.tolerance, &measure);
+    needs_begin(job, map ? (double)part.tolerance : 1, &measure);
     for (uint32_t frame = 0; frame < job->options->frames; frame++) {
         job_set_frame(job, frame, &view);
-        check_view(job, &measure, needs_add(job, &view, &measure));
+        uint64_t drawn = needs_add(job, &view, &measure);
+        check_scene(job, &measure, drawn);
+        if (map)
+            check_map(job, &measure, drawn);
     }
     needs_end(&measure);
     job_set_frame(job, 0, &view);

@@ -1,0 +1,28 @@
+/* The part of a tonal art map that views need. */
+#ifndef SHARED_NEEDS_MAP_H
+#define SHARED_NEEDS_MAP_H
+
+#include "shared/needs/needs.h"
+#include "tam/tam.h"
+
+struct cmd_map_part {
+    uint32_t tones;   /* columns that are needed, the first ones */
+    uint32_t finer;   /* finest levels that are not */
+    double tolerance; /* of the needs */
+};
+
+/* Reads needs and finds the part of a map; says what is left out, and the share of the texels that stays. Dies on
+ * failure.
+ *   path     of the needs
+ *   targets  tones of the map's columns, ascending
+ *   tones    number of columns
+ *   size_px  side of the finest level
+ *   levels   drawn levels, of which the coarsest stays; 1: all stay */
+struct cmd_map_part cmd_find_map_part(struct cmd_args *args, const char *path, const float *targets, uint32_t tones,
+                                      uint32_t size_px, uint32_t levels);
+
+/* Leaves out of a map what views do not need. Dies on failure.
+ *   path  of the needs */
+void cmd_cut_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
+
+#endif

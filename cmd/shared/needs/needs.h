@@ -1,0 +1,13 @@
+/* Files of needs, needs(5), as input of a command. */
+#ifndef SHARED_NEEDS_NEEDS_H
+#define SHARED_NEEDS_NEEDS_H
+
+#include "needs/needs.h"
+#include "shared/cmd.h"
+
+/* Reads a file of needs. Dies on failure.
+ *   path   NULL or "-": standard input
+ *   needs  out: its regions are in args->keep */
+void cmd_read_needs(struct cmd_args *args, const char *path, struct hatch_needs *needs);
+
+#endif

@@ -1,0 +1,34 @@
+/* Maps of which a part was made, and textures made from such maps, which name the whole map in the keys of their
+ * files. */
+#ifndef HATCH_TAM_WHOLE_H
+#define HATCH_TAM_WHOLE_H
+
+#include "tam/tam.h"
+
+#define HATCH_TAM_ATTR_LAST_TONE "hatch:last-tone" /* of textures: tone of the last column of the part that was made */
+
+/* Keys and values of a texture that is made from a map, for its file. */
+struct hatch_tam_whole_keys {
+    char values[4][32];
+    const char *pairs[9]; /* keys and values alternate; NULL-terminated */
+};
+
+/* Fills the keys: none where the map is whole. The pairs point into `keys`. */
+void hatch_tam_whole_print(const struct hatch_tam *tam, struct hatch_tam_whole_keys *keys);
+
+/* Reads them.
+ *   key_values  of a file, as from hatch_ktx2_read_keys
+ *   size_px     side of the texture's finest level
+ *   whole       out: tolerance 0 where the map was whole; `tones` is 0. Unchanged on failure
+ *   last        out: tone of the last column; unchanged where the map was whole
+ * HATCH_BAD_INPUT for a value out of range, or a key that is missing. */
+enum hatch_status hatch_tam_whole_read(const char *const *key_values, uint32_t size_px, struct hatch_tam_whole *whole,
+                                       float *last, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Leaves the darkest columns and the finest levels of a map out.
+ *   tones      number of columns that stay, 1 .. tam->tones
+ *   finer      number of levels that go, below the number of drawn levels
+ *   tolerance  that the map then names */
+void hatch_tam_cut(struct hatch_tam *tam, uint32_t tones, uint32_t finer, double tolerance);
+
+#endif
