@@ -15,16 +15,18 @@
 #include "trace/trace.h"
 
 #define PI 3.14159265358979323846
-#define STROKES_PER_GAP 1.1 /* strokes side by side, of all levels, over a gap of the finest */
+#define STROKES_PER_GAP 0.8 /* strokes side by side, of all levels, over a gap of the finest: fewer than there are, since
+                               render-gl judges by the nearest corner of the box around a mesh */
 
 static double gap = 0.08, length = 40, hard_deg = 40;
 static int64_t levels = 6;
 static const char *angles = "0,60", *needs_path;
+static bool gap_given;
 
 static const struct cmd_option options[] = {
     {'g', "gap", CMD_REAL, 1e-6, 1, "SHARE",
      "gap between the strokes of the coarsest level, as a share of the scene's diagonal (default 0.08)", &gap, NULL,
-     NULL},
+     &gap_given},
     {'l', "levels", CMD_INT, 1, HATCH_CURVE_LEVELS_MAX, "N",
      "levels, each with half the gaps of the one before (default 6)", &levels, NULL, NULL},
     {'N', "needs", CMD_TEXT, 0, 0, "FILE", "make no finer levels than views need (render-gl --needs), at most 6",
@@ -80,12 +82,19 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
     return count;
 }
 
-/* Finds how many levels views need: their strokes need not get wider than render-gl lets them before it traces finer
- * ones. Strokes have the default width of pictures.
- *   diagonal  of the scene
- *   counts    out: per mesh; 0: no view shows it */
-static void count_levels(struct cmd_args *args, const char *name, const struct hatch_needs *needs, uint32_t families,
-                         double diagonal, const struct hatch_scene *scene, uint32_t *counts)
+/* How the strokes of a mesh are made. */
+struct density {
+    uint32_t levels;
+    double stretch; /* factor of the gap */
+};
+
+/* Finds how dense strokes must be: they need not get wider than render-gl lets them before it traces finer ones. Gaps
+ * are stretched until the finest level is no finer than that, unless --gap is given. Strokes have the default width of
+ * pictures.
+ *   gap        between the strokes of the coarsest level, in scene units
+ *   densities  out: per mesh */
+static void find_densities(struct cmd_args *args, const char *name, const struct hatch_needs *needs, uint32_t families,
+                           double first_gap, const struct hatch_scene *scene, struct density *densities)
 {
     struct hatch_style style;
     struct hatch_err err;
@@ -96,11 +105,15 @@ static void count_levels(struct cmd_args *args, const char *name, const struct h
     hatch_style_default(&style);
     style.pen.width_px = style.width_px;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
-        double wanted = hatch_needs_strokes(needs, mesh_px[i], &style.pen, families) * gap * diagonal;
+        double wanted = hatch_needs_strokes(needs, mesh_px[i], &style.pen, families) * first_gap;
+        double widest = HATCH_FINER_START * STROKES_PER_GAP;
         uint32_t count = 1;
-        while (count < levels && wanted > HATCH_FINER_START * STROKES_PER_GAP * ldexp(1, (int)count - 1))
+        while (count < levels && wanted > widest * ldexp(1, (int)count - 1))
             count++;
-        counts[i] = count;
+        double spare = widest * ldexp(1, (int)count - 1) / fmax(wanted, 1e-30);
+        densities[i] = (struct density){count, gap_given ? 1 : fmin(fmax(spare, 1), 2)};
+        if (scene->meshes[i].unseen_tolerance > 0)
+            continue;
         least = count < least ? count : least;
         most = count > most ? count : most;
     }
@@ -160,7 +173,8 @@ int main(int argc, char **argv)
     const struct hatch_surface *surfaces = NULL;
     const struct hatch_progress progress = {report_share, NULL};
     cmd_begin(&program, argc, argv, &args);
-    uint32_t families = read_angles(angle_rad), strokes = 0, points = 0, *counts;
+    uint32_t families = read_angles(angle_rad), strokes = 0, points = 0;
+    struct density *densities;
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
@@ -171,20 +185,20 @@ int main(int argc, char **argv)
     } else
         surfaces = cmd_make_surfaces(&args, input, &scene);
     cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
-    cmd_check(HATCH_ALLOC(&args.keep, &counts, scene.mesh_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args.keep, &densities, scene.mesh_count, &err), name, &err);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
-        counts[i] = (uint32_t)levels;
+        densities[i] = (struct density){(uint32_t)levels, 1};
     if (needs_path)
-        count_levels(&args, name, &needs, families, extent.diagonal, &scene, counts);
+        find_densities(&args, name, &needs, families, gap * extent.diagonal, &scene, densities);
     struct hatch_trace_options how = {.family_count = families,
                                       .angle_rad = angle_rad,
-                                      .gap = gap * extent.diagonal,
                                       .length = length,
                                       .hard_rad = hard_deg * (PI / 180),
                                       .seed = args.seed,
                                       .progress = &progress};
     for (uint32_t i = 0; i < scene.mesh_count; i++) {
-        how.levels = counts[i];
+        how.levels = densities[i].levels;
+        how.gap = gap * extent.diagonal * densities[i].stretch;
         if (scene.meshes[i].unseen_tolerance > 0)
             continue;
         trace(&args, name, surfaces ? &surfaces[i] : NULL, extent.scale[i], &how, &scene.meshes[i]);

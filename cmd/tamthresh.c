@@ -170,10 +170,13 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "ktx2 exr", true);
 
     struct hatch_tam tam;
+    struct hatch_needs needs;
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_read_map(&args, input, &tam);
-    if (needs_path)
-        cmd_cut_map(&args, needs_path, &tam);
+    if (needs_path) {
+        cmd_read_needs(&args, needs_path, &needs);
+        cmd_cut_map(&needs, &tam);
+    }
     if (exact)
         make_exact(&args, name, &tam, &file);
     else

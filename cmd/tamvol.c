@@ -10,14 +10,14 @@
 
 static int64_t tones = 64;
 static int layout;
-static bool layout_given, compress, alpha;
+static bool tones_given, layout_given, compress, alpha;
 static const char *needs_path;
 
 static const char *const layouts[] = {"volume", "array", NULL};
 
 static const struct cmd_option options[] = {
     {'t', "tones", CMD_INT, HATCH_VOLUME_TONES_MIN, HATCH_VOLUME_TONES_MAX, "N",
-     "slices of the finest level, a power of two (default 64)", &tones, NULL, NULL},
+     "slices of the finest level, a power of two (default 64)", &tones, NULL, &tones_given},
     {'l', "layout", CMD_CHOICE, 0, 0, "LAYOUT", "volume (3D, default) or array (2D, all tones on all levels)", &layout,
      layouts, &layout_given},
     {'c', "compress", CMD_FLAG, 0, 0, NULL,
@@ -125,6 +125,20 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
     cmd_encode_texture(args, &texture, args->output, file);
 }
 
+/* Leaves out what views do not need: columns and levels of the map, slices, and of grey texels the bits that blocks do
+ * not have. */
+static void fit(struct cmd_args *args, struct hatch_tam *tam)
+{
+    struct hatch_needs needs;
+    cmd_read_needs(args, needs_path, &needs);
+    cmd_cut_map(&needs, tam);
+    uint32_t slices = tones_given ? (uint32_t)tones : hatch_needs_slices(&needs, (uint32_t)tones);
+    if (slices < tones)
+        cmd_note("%u slices, not %d: strokes appear within %g tolerances", slices, (int)tones, HATCH_NEEDS_SLICE);
+    tones = slices;
+    compress = compress || (!layout_given && !alpha && !tam->color && !cmd_is_exr_path(args->output));
+}
+
 int main(int argc, char **argv)
 {
     struct cmd_args args;
@@ -139,7 +153,7 @@ int main(int argc, char **argv)
     struct hatch_volume_figures figures;
     cmd_read_map(&args, input, &tam);
     if (needs_path)
-        cmd_cut_map(&args, needs_path, &tam);
+        fit(&args, &tam);
     struct hatch_volume_options how = {(uint32_t)tones, choose_layout(&tam), alpha};
     cmd_check(hatch_tam_check_nesting(&tam, cmd_pool(&args), &args.scratch, &err), name, &err);
     cmd_check(hatch_volume_make(&tam, &how, cmd_pool(&args), &args.keep, &volume, &figures, &err), name, &err);

@@ -1,6 +1,8 @@
 /* solidgen: makes a solid texture from a style or a picture. */
+#include <math.h>
 #include <stdio.h>
 
+#include "shared/needs/needs.h"
 #include "shared/style.h"
 #include "shared/texels.h"
 #include "exemplar.h"
@@ -10,7 +12,7 @@
 #define BYTES_PER_MB 1e6
 #define MORE_BYTES (1 << 20) /* for the rest: points, counts of values, headers */
 
-static const char *style_name = "perlin", *settings, *slices_path;
+static const char *style_name = "perlin", *settings, *slices_path, *needs_path;
 static int64_t size = 64;
 static struct solidgen_exemplar exemplar = {.neighborhood = 8, .levels = 3, .iterations = 8};
 
@@ -20,6 +22,8 @@ static const struct cmd_option options[] = {
     {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines to add: 'scale 12; octaves 3'", &settings, NULL, NULL},
     {'n', "size", CMD_INT, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX, "N",
      "texels along a side, a power of two (default 64)", &size, NULL, NULL},
+    {'N', "needs", CMD_TEXT, 0, 0, "FILE", "no more texels than a period covers in views (render-gl --needs)",
+     &needs_path, NULL, NULL},
     {'E', "exemplar", CMD_TEXT, 0, 0, "IMAGE", "picture that all slices shall look like, in place of a style",
      &exemplar.path, NULL, NULL},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD", "exemplar: kopf or pyramid, fast and without lines (default kopf)",
@@ -143,6 +147,18 @@ static void encode(struct job *job, struct hatch_buffer *file)
     cmd_encode_texture(&job->args, &texture, job->args.output, file);
 }
 
+/* Makes the texture no larger than its period in the pictures asks for. */
+static void fit(struct cmd_args *args)
+{
+    struct hatch_needs needs;
+    cmd_read_needs(args, needs_path, &needs);
+    uint32_t needed = hatch_needs_solid(&needs, (uint32_t)size, HATCH_SOLID_SIZE_MIN);
+    if (needed < size)
+        cmd_note("%u texels along a side, not %d: a period covers %g pixels; %.3g of the texels are made", needed,
+                 (int)size, needs.solid_px, pow((double)needed / (double)size, 3));
+    size = needed;
+}
+
 int main(int argc, char **argv)
 {
     static struct job job;
@@ -153,6 +169,8 @@ int main(int argc, char **argv)
     if (slices_path)
         files[1].output = cmd_open_output(slices_path, "png", true);
 
+    if (needs_path)
+        fit(&job.args);
     if (exemplar.path)
         make_from_exemplar(&job);
     else

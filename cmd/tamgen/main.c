@@ -105,12 +105,20 @@ static void read_style(struct job *job)
     }
 }
 
-/* Reads how many of the columns and how many levels are needed. The others are left out. */
+/* Reads how large tiles must be on patches, and how many of the columns and levels are needed. The others are left
+ * out. */
 static void read_needs(struct job *job)
 {
     float targets[HATCH_TAM_TONES_MAX];
+    struct hatch_needs needs;
+    cmd_read_needs(&job->args, needs_path, &needs);
+    uint32_t tile_px = levels_given ? job->size_px : hatch_needs_tile(&needs, job->size_px, HATCH_TAM_SIZE_MIN);
+    if (tile_px < job->size_px)
+        cmd_note("a tile of %u pixels, not %u: no patch is larger in the pictures", tile_px, job->size_px);
+    for (; tile_px < job->size_px; job->size_px /= 2)
+        job->levels--;
     hatch_style_targets(&job->style, job->tones, targets);
-    const struct cmd_map_part part = cmd_find_map_part(&job->args, needs_path, targets, job->tones, job->size_px,
+    const struct cmd_map_part part = cmd_find_map_part(&needs, targets, job->tones, job->size_px,
                                                        levels_given ? 1 : job->levels);
     job->tones = part.tones;
     job->tolerance = (float)part.tolerance;

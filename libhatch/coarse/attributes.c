@@ -68,6 +68,7 @@ enum hatch_status hatch_coarse_checks_make(struct hatch_coarse_work *work, struc
     HATCH_TRY(HATCH_ALLOC(arena, &work->checks, work->part_count, err));
     for (uint32_t part = 0; part < work->part_count; part++) {
         const struct hatch_mesh *mesh = work->parts[part].mesh;
+        work->checks[part].normals = hatch_mesh_find(mesh, "NORMAL", 3);
         for (uint32_t a = 0; a < mesh->attribute_count; a++)
             HATCH_TRY(add_check(&work->checks[part], mesh, &mesh->attributes[a], arena, err));
     }

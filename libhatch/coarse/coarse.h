@@ -13,6 +13,8 @@
 struct hatch_coarse_part {
     const struct hatch_mesh *mesh;
     const double *tolerance; /* per vertex: how far the surface may move there, in mesh units; over 0 */
+    const float *normal_cosine; /* per vertex, hatch_coarse_make_loosely: least cosine of the angle between its NORMAL
+                                   and that of a new face there; NULL: -1 */
 };
 
 /* Makes meshes as coarse as their tolerances allow.
@@ -21,9 +23,8 @@ enum hatch_status hatch_coarse_make(const struct hatch_coarse_part *parts, uint3
                                     struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *out,
                                     struct hatch_err *err) HATCH_MUST_USE;
 
-/* The same in less time: a collapse is judged by the mean distance of the planes of removed faces alone, which bounds
- * no distance. Parts with attributes that the surface keeps in their places (texture coordinates, colours, joints and
- * morph targets) are made as above. */
+/* The same in less time: a collapse is judged by the mean distance of the planes of removed faces, the attributes of
+ * the point that is removed, and the shapes and normals of the faces that remain. This bounds no distance. */
 enum hatch_status hatch_coarse_make_loosely(const struct hatch_coarse_part *parts, uint32_t part_count,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,
                                             struct hatch_mesh *out, struct hatch_err *err) HATCH_MUST_USE;

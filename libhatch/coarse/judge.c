@@ -161,8 +161,8 @@ static bool faces_lie_near(const struct hatch_coarse_work *work, struct hatch_co
 bool hatch_coarse_judge(struct hatch_coarse_work *work, struct hatch_coarse_collapse *collapse)
 {
     const struct hatch_coarse_ring *ring = collapse->ring;
-    if (work->loose)
-        return hatch_coarse_is_cheap(work, collapse);
+    if (work->loose && !hatch_coarse_is_cheap(work, collapse))
+        return false;
     for (uint32_t i = 0; i < collapse->pair_count; i++)
         for (uint32_t f = 0, tested = 0; f < ring->face_count && !tested; f++)
             if (work->corner[3 * ring->faces[f] + ring->sides[f]] == collapse->from[i]) {
@@ -170,6 +170,8 @@ bool hatch_coarse_judge(struct hatch_coarse_work *work, struct hatch_coarse_coll
                 if (!allows(work, collapse, collapse->from[i], work->part_of[ring->faces[f]]))
                     return false;
             }
+    if (work->loose)
+        return true;
     for (uint32_t f = 0; f < ring->face_count; f++) {
         uint32_t first = work->first_sample[ring->faces[f]];
         if (first != HATCH_COARSE_NONE && !allows(work, collapse, first, work->part_of[ring->faces[f]]))

@@ -97,9 +97,7 @@ static enum hatch_status make(const struct hatch_coarse_part *parts, uint32_t pa
     HATCH_TRY(HATCH_ALLOC(scratch, &made, part_count, err));
     HATCH_TRY(hatch_coarse_load(parts, part_count, scratch, scratch, &work, err));
     work.loose = loose;
-    for (uint32_t part = 0; part < part_count; part++)
-        work.loose = work.loose && work.checks[part].count == 0;
-    for (uint32_t f = 0; f < work.face_count && work.loose; f++)
+    for (uint32_t f = 0; f < work.face_count && loose; f++)
         work.first_sample[f] = HATCH_COARSE_NONE;
     hatch_coarse_quadrics_make(&work);
     for (uint32_t p = 0; p < work.point_count; p++)

@@ -99,7 +99,23 @@ static double flatness(const double a[3], const double b[3], const double c[3], 
     return longest > 0 ? area / (longest * longest) : 0;
 }
 
-/* Returns whether the faces that remain stay about parallel to what they were, and none becomes a needle. */
+/* Returns by how much the cosine of the angle between a normal and those of three vertices is too small at most. */
+static double shade_error(const struct hatch_coarse_work *work, uint32_t part, const uint32_t wedges[3],
+                          const double normal[3])
+{
+    const float *normals = work->checks[part].normals, *least = work->parts[part].normal_cosine;
+    double most = -2;
+    for (int c = 0; c < 3 && normals && least; c++) {
+        uint32_t vertex = wedges[c] - work->first_wedge[part];
+        double at[3];
+        hatch_vec_of(&normals[3 * (size_t)vertex], at);
+        most = fmax(most, (double)least[vertex] - hatch_vec_dot(at, normal));
+    }
+    return most;
+}
+
+/* Returns whether the faces that remain stay about parallel to what they were and to the normals of their corners, and
+ * none becomes a needle. */
 static bool keeps_shapes(const struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse)
 {
     for (uint32_t i = 0; i < collapse->kept_count; i++) {
@@ -110,6 +126,10 @@ static bool keeps_shapes(const struct hatch_coarse_work *work, const struct hatc
                               before);
         double flat = flatness(now[0], now[1], now[2], after);
         if ((flat < NEEDLE && flat < was) || hatch_vec_dot(before, after) < TURN_COSINE)
+            return false;
+        uint32_t part = work->part_of[face];
+        double error = shade_error(work, part, collapse->wedges[i], after);
+        if (error > 0 && error > shade_error(work, part, &work->corner[3 * (size_t)face], before))
             return false;
     }
     return true;

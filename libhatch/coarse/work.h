@@ -30,6 +30,7 @@ struct hatch_coarse_attribute {
 struct hatch_coarse_checks {
     uint32_t count;
     struct hatch_coarse_attribute attributes[HATCH_COARSE_CHECKS_MAX];
+    const float *normals; /* 3 per vertex of the part; NULL: it has none */
 };
 
 struct hatch_coarse_work {

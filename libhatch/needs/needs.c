@@ -8,7 +8,7 @@
 #define HEADER "thing\tindex\tvalue\tunit"
 
 /* Things that generators read. */
-enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, REGION_LOW, REGION_SIDE, REGION_PX, THINGS };
+enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, SOLID_PX, ITEM_PX, REGION_LOW, REGION_SIDE, REGION_PX, THINGS };
 
 static const struct {
     const char *name;
@@ -21,6 +21,8 @@ static const struct {
     [DARKEST] = {"darkest", 2, 0, 1, true},
     [UNIT_PX] = {"unit-px", HATCH_NEEDS_TONES, 0, 1e30, false},
     [TEXELS] = {"texels", HATCH_NEEDS_OCTAVES, 0, 1, false},
+    [SOLID_PX] = {"solid-px", 1, 1, 1e6, false},
+    [ITEM_PX] = {"item-px", UINT32_MAX, 0, 1e30, false},
     [REGION_LOW] = {"region-low", 3, -1e30, 1e30, true},
     [REGION_SIDE] = {"region-side", 3, 0, 1e30, true},
     [REGION_PX] = {"region-unit-px", HATCH_NEEDS_CELLS, 0, 1e30, false},
@@ -50,7 +52,9 @@ static enum hatch_status parse_row(struct hatch_text line, struct reading *readi
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: want a number from %g to %g", things[i].name, things[i].low,
                           things[i].high);
     reading->found[i] = true;
-    if (i != REGION_PX)
+    if (i == ITEM_PX)
+        reading->values[i][0] = fmax(reading->values[i][0], value);
+    else if (i != REGION_PX)
         reading->values[i][(int)at] = value;
     else if (reading->cells)
         reading->cells[(uint32_t)at] = (float)value;
@@ -81,6 +85,8 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
     memcpy(needs->regions.low, reading.values[REGION_LOW], sizeof needs->regions.low);
     memcpy(needs->regions.side, reading.values[REGION_SIDE], sizeof needs->regions.side);
     needs->regions.px = cells;
+    needs->solid_px = reading.values[SOLID_PX][0];
+    needs->item_px = reading.values[ITEM_PX][0];
     return HATCH_OK;
 }
 
@@ -106,6 +112,30 @@ uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uin
         size_px /= 2;
     }
     return size_px;
+}
+
+uint32_t hatch_needs_tile(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px)
+{
+    for (uint32_t octave = 0; octave < HATCH_NEEDS_OCTAVES - 1; octave++)
+        if (needs->texels[octave] > 0)
+            return size_px;
+    while (needs->item_px > 0 && size_px / 2 >= size_min_px && size_px / 2 >= needs->item_px / HATCH_NEEDS_PATCHES)
+        size_px /= 2;
+    return size_px;
+}
+
+uint32_t hatch_needs_slices(const struct hatch_needs *needs, uint32_t slices)
+{
+    while (slices > 4 && HATCH_NEEDS_SLICE * needs->tolerance * slices >= 2)
+        slices /= 2;
+    return slices;
+}
+
+uint32_t hatch_needs_solid(const struct hatch_needs *needs, uint32_t size, uint32_t size_min)
+{
+    while (needs->solid_px > 0 && size / 2 >= size_min && HATCH_NEEDS_SOLID * size / 2 >= needs->solid_px)
+        size /= 2;
+    return size;
 }
 
 double hatch_needs_strokes(const struct hatch_needs *needs, double mesh_px, const struct hatch_stroke_pen *pen,

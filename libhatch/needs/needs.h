@@ -9,6 +9,9 @@
 #include "needs/regions.h"
 
 #define HATCH_NEEDS_TONES 64u   /* parts of equal width of the scale of tones, from paper to ink */
+#define HATCH_NEEDS_SLICE 4.0   /* greatest tone of a slice of a volume, in tolerances */
+#define HATCH_NEEDS_SOLID 2.0   /* pixels per texel of a solid texture, at least */
+#define HATCH_NEEDS_PATCHES 4.0 /* patches side by side on the largest item, at least */
 #define HATCH_NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
 
 struct hatch_needs {
@@ -18,6 +21,8 @@ struct hatch_needs {
     double unit_px[HATCH_NEEDS_TONES];  /* per part of the scale: most pixels that a unit of the scene's lengths covers
                                            where a surface has such a tone; 0: none has */
     double texels[HATCH_NEEDS_OCTAVES]; /* per octave: share of the pixels whose finest mip level is of it */
+    double solid_px;                    /* period of solid textures in pixels; 0: that of their size */
+    double item_px;                     /* largest extent of an item in a picture; 0: unknown, or nothing is seen */
     struct hatch_needs_regions regions; /* its cells are the caller's, or NULL */
 };
 
@@ -37,6 +42,19 @@ uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targe
 /* Returns the side of the finest level that a map needs, size_px or a smaller power of two, at least size_min_px. A
  * tile covers a unit of texture coordinates, or less. */
 uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px);
+
+/* Returns the side that a tile of strokes on patches needs, size_px or a smaller power of two, at least size_min_px: no
+ * patch is larger, so that no stroke repeats within one. Returns size_px where other surfaces than patches are seen,
+ * or none. */
+uint32_t hatch_needs_tile(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px);
+
+/* Returns how many slices of tone a volume needs: those between which a stroke appears over at most
+ * HATCH_NEEDS_SLICE tolerances.
+ *   slices  a power of two; the result is one, too, at least 4, at most `slices` */
+uint32_t hatch_needs_slices(const struct hatch_needs *needs, uint32_t slices);
+
+/* Returns the texels along a side that a solid texture needs, size or a smaller power of two, at least size_min. */
+uint32_t hatch_needs_solid(const struct hatch_needs *needs, uint32_t size, uint32_t size_min);
 
 /* Returns how many traced strokes of a family are needed side by side per unit of the scene's lengths: what
  * hatch_stroke_width_px calls wanted, at most.

@@ -44,9 +44,9 @@ static bool reads_six_columns(const struct technique *drawn)
     return drawn->asset == &asset_six_columns;
 }
 
-#define PAINT_OPTIONS "solid inks texture-color solid-size solid-turn"
+#define PAINT_OPTIONS "solid inks texture-color solid-turn"
 #define LOOK_OPTIONS "look blend grain bands wobble dry wet edge-darkening paper-grain border " PAINT_OPTIONS
-#define PICTURE_OPTIONS "tam samples show haloes uv-scale anisotropy window " LOOK_OPTIONS
+#define PICTURE_OPTIONS "tam samples show haloes uv-scale anisotropy window solid-size " LOOK_OPTIONS
 #define PATTERN_OPTIONS "hatch-turn hatch-scale"
 #define TONE_OPTIONS                                                                                                   \
     "tone-range tone-gamma light specular shadows exposure texture-tone modulate pixel-light shader-dir"
@@ -56,7 +56,8 @@ static bool reads_six_columns(const struct technique *drawn)
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
  * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
 static char strokes[256], assets[256], filtered[256], six_columns[256], lined[320], timed[320], inked[320],
-    scripted[320], patterned[320], patterned_script[320], textured[64], painted[64];
+    scripted[320], patterned[320], patterned_script[320], textured[64], painted[64],
+    painted_or_needs[64];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},
@@ -66,10 +67,11 @@ static const struct cmd_rule rules[] = {
     {SEED_OPTIONS, "!tam|window", "whose strokes are drawn instead"},
     {"tam hatch-turn hatch-scale anisotropy uv-scale", "!show|window", "that draws no strokes"},
     {"hatch-turn hatch-scale", strokes, NULL},
-    {LOOK_OPTIONS, "!show", "which draws neither tone nor texture"},
-    {LOOK_OPTIONS, "!probe", "which counts tones, and draws nothing"},
+    {"solid-size " LOOK_OPTIONS, "!show", "which draws neither tone nor texture"},
+    {"solid-size " LOOK_OPTIONS, "!probe", "which counts tones, and draws nothing"},
     {"blend border", textured, NULL},
     {PAINT_OPTIONS, painted, NULL},
+    {"solid-size", painted_or_needs, NULL},
     {"bands wobble", "look=watercolor,collage", NULL},
     {"dry wet edge-darkening paper-grain", "look=watercolor", NULL},
     {"border", "look=collage", NULL},
@@ -137,6 +139,7 @@ const struct cmd_rule *rules_make(void)
     make_condition(rules_have_lines, "|lines|window|!time", timed, sizeof timed);
     make_condition(draws_looks, "|window", textured, sizeof textured);
     make_condition(draws_looks, "|look=watercolor|window", painted, sizeof painted);
+    make_condition(draws_looks, "|look=watercolor|window|needs", painted_or_needs, sizeof painted_or_needs);
     make_condition(has_curves, "|output!=*.svg", inked, sizeof inked);
     make_condition(has_curves, "|output!=*.tsv|time|probe|needs", scripted, sizeof scripted);
     make_condition(has_pattern, "|output!=*.svg", patterned, sizeof patterned);

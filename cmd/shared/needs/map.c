@@ -5,15 +5,13 @@
 /* Tolerance from which on a level of a map may stand for that of another, docs/notes/needs.md. */
 #define LEVELS_DIFFER 0.01
 
-struct cmd_map_part cmd_find_map_part(struct cmd_args *args, const char *path, const float *targets, uint32_t tones,
+struct cmd_map_part cmd_find_map_part(const struct hatch_needs *needs, const float *targets, uint32_t tones,
                                       uint32_t size_px, uint32_t levels)
 {
-    struct hatch_needs needs;
     uint32_t needed_px = size_px;
-    cmd_read_needs(args, path, &needs);
-    struct cmd_map_part part = {.tones = hatch_needs_columns(&needs, targets, tones), .tolerance = needs.tolerance};
-    if (needs.tolerance >= LEVELS_DIFFER)
-        needed_px = hatch_needs_size(&needs, size_px, HATCH_TAM_SIZE_MIN);
+    struct cmd_map_part part = {.tones = hatch_needs_columns(needs, targets, tones), .tolerance = needs->tolerance};
+    if (needs->tolerance >= LEVELS_DIFFER)
+        needed_px = hatch_needs_size(needs, size_px, HATCH_TAM_SIZE_MIN);
     while (part.finer + 1 < levels && needed_px << part.finer < size_px)
         part.finer++;
     if (part.tones < tones)
@@ -25,9 +23,9 @@ struct cmd_map_part cmd_find_map_part(struct cmd_args *args, const char *path, c
     return part;
 }
 
-void cmd_cut_map(struct cmd_args *args, const char *path, struct hatch_tam *map)
+void cmd_cut_map(const struct hatch_needs *needs, struct hatch_tam *map)
 {
-    const struct cmd_map_part part = cmd_find_map_part(args, path, map->target, map->tones, map->size_px, map->levels);
+    const struct cmd_map_part part = cmd_find_map_part(needs, map->target, map->tones, map->size_px, map->levels);
     if (part.tones < map->tones || part.finer > 0)
         hatch_tam_cut(map, part.tones, part.finer, part.tolerance);
 }

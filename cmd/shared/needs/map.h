@@ -11,18 +11,15 @@ struct cmd_map_part {
     double tolerance; /* of the needs */
 };
 
-/* Reads needs and finds the part of a map; says what is left out, and the share of the texels that stays. Dies on
- * failure.
- *   path     of the needs
+/* Finds the part of a map that views need; says what is left out, and the share of the texels that stays.
  *   targets  tones of the map's columns, ascending
  *   tones    number of columns
  *   size_px  side of the finest level
  *   levels   drawn levels, of which the coarsest stays; 1: all stay */
-struct cmd_map_part cmd_find_map_part(struct cmd_args *args, const char *path, const float *targets, uint32_t tones,
+struct cmd_map_part cmd_find_map_part(const struct hatch_needs *needs, const float *targets, uint32_t tones,
                                       uint32_t size_px, uint32_t levels);
 
-/* Leaves out of a map what views do not need. Dies on failure.
- *   path  of the needs */
-void cmd_cut_map(struct cmd_args *args, const char *path, struct hatch_tam *map);
+/* Leaves out of a map what views do not need. */
+void cmd_cut_map(const struct hatch_needs *needs, struct hatch_tam *map);
 
 #endif

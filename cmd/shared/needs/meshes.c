@@ -9,6 +9,7 @@
 #include "shared/scene.h"
 
 #define ERROR_PX 50.0     /* times the tolerance: error of coarse meshes in the pictures, in pixels */
+#define SHADE 4.0         /* times the tolerance: by how much the shade of a face may differ from that of its corners */
 #define UNSEEN_SHARE 1e-3 /* of the scene's diagonal: that of what no view shows */
 
 static void pose_at_rest(struct cmd_args *args, const char *name, const struct hatch_scene *scene,
@@ -94,7 +95,9 @@ struct errors {
     const struct hatch_needs_regions *regions;
     const double *scale; /* per mesh: scene units per unit of the mesh */
     double px, unseen;   /* the error in pixels; that of what no view shows, in scene units */
+    double cosine;       /* least one between the normals of a face and its vertices */
     double **vertices;
+    float **cosines; /* per mesh and vertex */
 };
 
 static void lower_errors(void *context, uint32_t mesh, uint32_t face, const double corners[3][3])
@@ -106,6 +109,8 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
     for (int c = 0; c < 3; c++) {
         double *vertex = &errors->vertices[mesh][index[c]];
         *vertex = fmin(*vertex, error);
+        if (px > 0)
+            errors->cosines[mesh][index[c]] = (float)errors->cosine;
     }
 }
 
@@ -133,7 +138,8 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
     cmd_check(HATCH_ALLOC(&args->scratch, &parts, node->mesh_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->scratch, &made, node->mesh_count, &err), name, &err);
     for (uint32_t m = 0; m < node->mesh_count; m++)
-        parts[m] = (struct hatch_coarse_part){&meshes[m].mesh, errors->vertices[node->first_mesh + m]};
+        parts[m] = (struct hatch_coarse_part){&meshes[m].mesh, errors->vertices[node->first_mesh + m],
+                                              errors->cosines[node->first_mesh + m]};
     cmd_check(hatch_coarse_make_loosely(parts, node->mesh_count, &args->keep, &args->scratch, made, &err), name, &err);
     for (uint32_t m = 0; m < node->mesh_count; m++) {
         if (made[m].face_count == 0)
@@ -147,12 +153,13 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
 
 void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, struct hatch_scene *scene)
 {
-    struct errors errors = {.scene = scene, .regions = &needs->regions, .px = ERROR_PX * needs->tolerance};
+    struct errors errors = {.scene = scene, .regions = &needs->regions, .px = ERROR_PX * needs->tolerance, .cosine = 1 - SHADE * needs->tolerance};
     struct hatch_scene_extent extent;
     struct hatch_err err;
     uint64_t before = count_faces(scene);
     cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &errors.vertices, scene->mesh_count, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &errors.cosines, scene->mesh_count, &err), name, &err);
     errors.scale = extent.scale;
     errors.unseen = extent.diagonal * UNSEEN_SHARE;
     for (uint32_t m = 0; m < scene->mesh_count; m++) {
@@ -160,8 +167,9 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
             return;
         uint32_t count = scene->meshes[m].mesh.vertex_count;
         cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors.vertices[m], count, &err), name, &err);
+        cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors.cosines[m], count, &err), name, &err);
         for (uint32_t v = 0; v < count; v++)
-            errors.vertices[m][v] = HUGE_VAL;
+            errors.vertices[m][v] = HUGE_VAL, errors.cosines[m][v] = -1;
     }
     each_face(args, name, scene, lower_errors, &errors);
     for (uint32_t n = 0, next = 0; n < scene->node_count; n++)

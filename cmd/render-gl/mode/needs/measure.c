@@ -33,8 +33,10 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
 }
 
 /* Counts a pixel that shows the scene.
+ *   at          in the picture
  *   tone, face  as shaders/needs/needs.frag writes them */
-static void count_pixel(const struct job *job, const float tone[4], const float face[4], struct needs_measure *measure)
+static void count_pixel(const struct job *job, const uint32_t at[2], const float tone[4], const float face[4],
+                        struct needs_measure *measure)
 {
     uint32_t index = (uint32_t)tone[3] - 1, number = (uint32_t)face[0] + 4096 * (uint32_t)face[1];
     const struct hatch_unit_mesh *mesh = &job->scene.unit.meshes[job->scene.unit.items[index].mesh];
@@ -48,20 +50,23 @@ static void count_pixel(const struct job *job, const float tone[4], const float 
         measure->unit_px[part] = fmax(measure->unit_px[part], unit_px);
     }
     item->pixels++;
+    for (int k = 0; k < 2; k++) {
+        item->low_px[k] = at[k] < item->low_px[k] ? at[k] : item->low_px[k];
+        item->high_px[k] = at[k] + 1 > item->high_px[k] ? at[k] + 1 : item->high_px[k];
+    }
     measure->unseen += job->values.meshes[job->scene.unit.items[index].mesh].unseen_tolerance > 0;
     if (number < item->faces)
         item->unit_px[number] = fmaxf(item->unit_px[number], (float)unit_px);
-    if (mesh->patches) /* whose strokes are as large in the picture as the map is */
+    if (mesh->patches || !hatch_mesh_find(mesh->surface, "TEXCOORD_0", 2)) /* strokes as large as those of the map */
         octave = HATCH_NEEDS_OCTAVES - 1;
-    if (mesh->patches || hatch_mesh_find(mesh->surface, "TEXCOORD_0", 2)) {
-        measure->texels[(uint32_t)fmin(fmax(octave, 0), HATCH_NEEDS_OCTAVES - 1)]++;
-        measure->finer += measure->map_px > 0 && octave > log2(measure->map_px) + 0.5;
-    }
+    measure->texels[(uint32_t)fmin(fmax(octave, 0), HATCH_NEEDS_OCTAVES - 1)]++;
+    measure->finer += measure->map_px > 0 && octave > log2(measure->map_px) + 0.5;
 }
 
-/* Counts the pixels of a rectangle of the frame just drawn. Returns how many show the scene. */
-static uint64_t count_tile(const struct job *job, const struct gpu_target *target, struct gpu_rectangle all,
-                           struct needs_measure *measure)
+/* Counts the pixels of a rectangle of the frame just drawn. Returns how many show the scene.
+ *   corner  of the tile in the picture */
+static uint64_t count_tile(const struct job *job, const struct gpu_target *target, const uint32_t corner[2],
+                           struct gpu_rectangle all, struct needs_measure *measure)
 {
     uint64_t drawn = 0;
     for (uint32_t y = 0; y < all.height; y += BAND_PX) {
@@ -74,7 +79,9 @@ static uint64_t count_tile(const struct job *job, const struct gpu_target *targe
             if (tone[3] < 0.5f)
                 continue;
             drawn++;
-            count_pixel(job, tone, face, measure);
+            const uint32_t at[2] = {corner[0] + band.x + (uint32_t)(i % band.width),
+                                    corner[1] + band.y + (uint32_t)(i / band.width)};
+            count_pixel(job, at, tone, face, measure);
         }
     }
     return drawn;
@@ -91,6 +98,25 @@ static double pixels_per_unit(const struct job *job, const struct hatch_view *vi
     return row * options->height / 2 / job->scene.unit.bounds.radius;
 }
 
+static void begin_boxes(struct needs_measure *measure, uint32_t item_count)
+{
+    for (uint32_t i = 0; i < item_count; i++)
+        for (int k = 0; k < 2; k++) {
+            measure->items[i].low_px[k] = UINT32_MAX;
+            measure->items[i].high_px[k] = 0;
+        }
+}
+
+static void end_boxes(struct needs_measure *measure, uint32_t item_count)
+{
+    for (uint32_t i = 0; i < item_count; i++) {
+        struct needs_item *item = &measure->items[i];
+        if (item->high_px[0] > 0)
+            item->extent_px = fmax(item->extent_px, hypot((double)item->high_px[0] - item->low_px[0],
+                                                          (double)item->high_px[1] - item->low_px[1]));
+    }
+}
+
 uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_measure *measure)
 {
     static const float nothing[3] = {0, 0, 0};
@@ -102,6 +128,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     measure->finer = measure->unseen = 0;
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
+    begin_boxes(measure, job->scene.unit.item_count);
     for (uint32_t y = 0; y < options->height; y += canvas->height)
         for (uint32_t x = 0; x < options->width; x += canvas->width) {
             const struct hatch_tile tile = {x, y, canvas->width, canvas->height, options->width, options->height};
@@ -110,7 +137,8 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
             const struct gpu_rectangle seen = {0, 0, right < canvas->width ? right : canvas->width,
                                                above < canvas->height ? above : canvas->height};
             cmd_check(technique_draw(&job->context, instance, &request, &err), NULL, &err);
-            drawn += count_tile(job, needs_target(instance), seen, measure);
+            const uint32_t corner[2] = {x, y};
+            drawn += count_tile(job, needs_target(instance), corner, seen, measure);
         }
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         const struct hatch_needs_tones *tones = &measure->view_tones[ink];
@@ -119,6 +147,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
             measure->lightest[ink] =
                 fmin(measure->lightest[ink], hatch_needs_lightest(tones, drawn, measure->tolerance));
     }
+    end_boxes(measure, job->scene.unit.item_count);
     measure->views++;
     measure->drawn += drawn;
     measure->pixels += (uint64_t)options->width * options->height;

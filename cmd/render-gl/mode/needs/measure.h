@@ -11,6 +11,8 @@
 struct needs_item {
     uint64_t pixels; /* that show it, in all views */
     uint32_t faces;  /* of its surface */
+    double extent_px;               /* largest diagonal of the box around its pixels in a view */
+    uint32_t low_px[2], high_px[2]; /* that box in the last view, from the corner at the bottom left */
     float *unit_px;  /* per face: most pixels that a unit of the scene's lengths covers on it; 0: no pixel shows it */
 };
 

@@ -2,6 +2,7 @@
  * needs. */
 #include <math.h>
 
+#include "render-gl/look/look.h"
 #include "render-gl/mode/modes.h"
 #include "render-gl/mode/needs/measure.h"
 #include "render-gl/mode/needs/regions.h"
@@ -65,8 +66,12 @@ static void report_all(struct cmd_report *report, struct job *job, const struct 
         if (measure->unit_px[i] > 0)
             report_row(report, "unit-px", i, measure->unit_px[i], "px");
     report_shares(report, "texels", measure->texels, HATCH_NEEDS_OCTAVES, drawn);
+    if (look_options.period_px > 0)
+        report_row(report, "solid-px", 0, look_options.period_px, "px");
     for (uint32_t i = 0; i < job->scene.unit.item_count; i++) {
         report_row(report, "item", i, (double)measure->items[i].pixels / drawn, "of the scene's pixels");
+        if (measure->items[i].extent_px > 0)
+            report_row(report, "item-px", i, measure->items[i].extent_px, "px");
         report_row(report, "faces", i, measure->items[i].faces, "");
         report_row(report, "faces-seen", i, count_seen(&measure->items[i]), "");
     }
