@@ -15,6 +15,7 @@
 
 static const char *bins = "7", *modulation_path, *mask_path, *needs_path;
 static bool exact;
+static double tolerance; /* of the needs */
 
 static const struct cmd_option options[] = {
     {'b', "bins", CMD_TEXT, 0, 0, "BINS",
@@ -131,10 +132,30 @@ static void read_picture(struct cmd_args *args, const char *path, struct hatch_i
     *shown = image;
 }
 
+/* Makes thresholds; with needs, of few bins in half of the layers if their mean error is within the tolerance.
+ *   how  in, out: its number of bins */
+static void make(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
+                 struct hatch_threshold_options *how, struct hatch_thresholds *made)
+{
+    struct hatch_err err;
+    const uint32_t bins_wanted = how->bins;
+    bool may_pack = needs_path && !how->border && !how->modulation && !how->mask;
+    if (may_pack && how->bins > HATCH_THRESHOLD_BINS_FEW)
+        how->bins = HATCH_THRESHOLD_BINS_FEW;
+    cmd_check(hatch_thresholds_make(tam, how, cmd_pool(args), &args->keep, &args->scratch, made, &err), name, &err);
+    if (may_pack && made->figures.error <= tolerance) {
+        cmd_note("%u bins, not %u, in %u layers: their mean error is within the tolerance", how->bins, bins_wanted,
+                 HATCH_THRESHOLD_LAYERS_FEW);
+        hatch_thresholds_pack(made);
+    } else if (how->bins < bins_wanted) {
+        how->bins = bins_wanted;
+        cmd_check(hatch_thresholds_make(tam, how, cmd_pool(args), &args->keep, &args->scratch, made, &err), name, &err);
+    }
+}
+
 static void make_thresholds(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
                             struct hatch_buffer *file)
 {
-    struct hatch_err err;
     struct hatch_thresholds made;
     struct hatch_image pictures[2];
     float border[HATCH_THRESHOLD_BINS + 1];
@@ -144,7 +165,7 @@ static void make_thresholds(struct cmd_args *args, const char *name, const struc
     how.border = listed ? border : NULL;
     read_picture(args, modulation_path, &pictures[0], &how.modulation);
     read_picture(args, mask_path, &pictures[1], &how.mask);
-    cmd_check(hatch_thresholds_make(tam, &how, cmd_pool(args), &args->keep, &args->scratch, &made, &err), name, &err);
+    make(args, name, tam, &how, &made);
     const struct hatch_threshold_figures *figures = &made.figures;
     for (uint32_t b = 0, at = 0; b <= made.bins; b++)
         at += (uint32_t)snprintf(borders + at, sizeof borders - at, "%s%.6g", b ? " " : "", (double)made.border[b]);
@@ -175,6 +196,7 @@ int main(int argc, char **argv)
     cmd_read_map(&args, input, &tam);
     if (needs_path) {
         cmd_read_needs(&args, needs_path, &needs);
+        tolerance = needs.tolerance;
         cmd_cut_map(&needs, &tam);
     }
     if (exact)

@@ -25,7 +25,7 @@ struct lapped_param_part {
     uint32_t patches, faces, patch_faces, cut, enlarged; /* counts for --verbose */
     uint64_t solved_faces;
     double outline_side; /* greatest side of the square of a patch's outline, in the mesh's units; 0: no patch */
-    double atlas_side; /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
+    double atlas_side;   /* side of the atlas on the mesh, in the scene's units; 0: no atlas */
 };
 
 /* Removes the old texture coordinates of the scene, and the tangents and textures that depend on them; warns of the

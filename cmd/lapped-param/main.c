@@ -9,7 +9,7 @@
 #include "scene/extent.h"
 
 #define MASK_MIN_PX 64
-#define PX_PER_TEXEL 4 /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
+#define PX_PER_TEXEL 4      /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
@@ -175,8 +175,8 @@ static void fit_mask(struct cmd_args *args, const char *name, const struct hatch
         most = fmax(most, px[i] * parts[i].outline_side);
     while (settings->mask_px / 2 >= MASK_MIN_PX && PX_PER_TEXEL * settings->mask_px / 2 >= most)
         settings->mask_px /= 2;
-    cmd_note("the mask is %u of %u pixels wide: the largest patch covers %.0f in the pictures", settings->mask_px, whole,
-             most);
+    cmd_note("the mask is %u of %u pixels wide: the largest patch covers %.0f in the pictures", settings->mask_px,
+             whole, most);
 }
 
 int main(int argc, char **argv)

@@ -118,8 +118,8 @@ static void read_needs(struct job *job)
     for (; tile_px < job->size_px; job->size_px /= 2)
         job->levels--;
     hatch_style_targets(&job->style, job->tones, targets);
-    const struct cmd_map_part part = cmd_find_map_part(&needs, targets, job->tones, job->size_px,
-                                                       levels_given ? 1 : job->levels);
+    const struct cmd_map_part part =
+        cmd_find_map_part(&needs, targets, job->tones, job->size_px, levels_given ? 1 : job->levels);
     job->tones = part.tones;
     job->tolerance = (float)part.tolerance;
     job->whole_size_px = job->size_px;

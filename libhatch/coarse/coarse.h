@@ -12,7 +12,7 @@
 /* Meshes whose borders may touch: the primitives of one glTF mesh. */
 struct hatch_coarse_part {
     const struct hatch_mesh *mesh;
-    const double *tolerance; /* per vertex: how far the surface may move there, in mesh units; over 0 */
+    const double *tolerance;    /* per vertex: how far the surface may move there, in mesh units; over 0 */
     const float *normal_cosine; /* per vertex, hatch_coarse_make_loosely: least cosine of the angle between its NORMAL
                                    and that of a new face there; NULL: -1 */
 };

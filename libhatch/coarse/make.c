@@ -111,8 +111,8 @@ static enum hatch_status make(const struct hatch_coarse_part *parts, uint32_t pa
 }
 
 static enum hatch_status make_and_rewind(const struct hatch_coarse_part *parts, uint32_t part_count, bool loose,
-                                         struct hatch_arena *arena, struct hatch_arena *scratch,
-                                         struct hatch_mesh *out, struct hatch_err *err)
+                                         struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *out,
+                                         struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = make(parts, part_count, loose, arena, scratch, out, err);

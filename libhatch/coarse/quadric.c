@@ -2,8 +2,8 @@
 #include "coarse/work.h"
 #include "math/vector.h"
 
-#define NEEDLE 0.1      /* height of a face over its longest side, below which it is a needle */
-#define TURN_COSINE 0.9 /* of the greatest angle by which a collapse turns a face */
+#define NEEDLE 0.1        /* height of a face over its longest side, below which it is a needle */
+#define TURN_COSINE 0.9   /* of the greatest angle by which a collapse turns a face */
 #define BORDER_WEIGHT 4.0 /* of a plane across a border, times the square of the border edge's length */
 #define EVENNESS                                                                                                       \
     1e-6 /* share of a squared edge length that counts as squared distance: where nothing else differs,                \
@@ -122,8 +122,8 @@ static bool keeps_shapes(const struct hatch_coarse_work *work, const struct hatc
         uint32_t face = collapse->ring->faces[collapse->kept[i]];
         const double(*now)[3] = (const double(*)[3])collapse->corners[i];
         double before[3], after[3];
-        double was = flatness(corner_at(work, 3 * face), corner_at(work, 3 * face + 1), corner_at(work, 3 * face + 2),
-                              before);
+        double was =
+            flatness(corner_at(work, 3 * face), corner_at(work, 3 * face + 1), corner_at(work, 3 * face + 2), before);
         double flat = flatness(now[0], now[1], now[2], after);
         if ((flat < NEEDLE && flat < was) || hatch_vec_dot(before, after) < TURN_COSINE)
             return false;

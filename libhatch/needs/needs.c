@@ -8,7 +8,19 @@
 #define HEADER "thing\tindex\tvalue\tunit"
 
 /* Things that generators read. */
-enum thing { TOLERANCE, RELATIVE, DARKEST, UNIT_PX, TEXELS, SOLID_PX, ITEM_PX, REGION_LOW, REGION_SIDE, REGION_PX, THINGS };
+enum thing {
+    TOLERANCE,
+    RELATIVE,
+    DARKEST,
+    UNIT_PX,
+    TEXELS,
+    SOLID_PX,
+    ITEM_PX,
+    REGION_LOW,
+    REGION_SIDE,
+    REGION_PX,
+    THINGS
+};
 
 static const struct {
     const char *name;

@@ -20,6 +20,8 @@
 
 #define HATCH_THRESHOLD_BINS 7u
 #define HATCH_THRESHOLD_LAYERS 4u
+#define HATCH_THRESHOLD_BINS_FEW 4u   /* most bins that two layers hold */
+#define HATCH_THRESHOLD_LAYERS_FEW 2u /* X0 and DY0; modulation and mask are 1 */
 
 /* Layers of the RGBA texture array. In a shader:
  *     ink = dot(vec4(greaterThan(vec4(t), x0)), dy0) + dot(vec3(greaterThan(vec3(t), x1.rgb)), dy1.rgb) */
@@ -48,7 +50,8 @@ struct hatch_threshold_figures {
 };
 
 struct hatch_thresholds {
-    struct hatch_texels texels; /* RGBA8, HATCH_THRESHOLD_LAYERS layers, full mip chain */
+    struct hatch_texels texels; /* RGBA8, HATCH_THRESHOLD_LAYERS layers or, with few bins, HATCH_THRESHOLD_LAYERS_FEW;
+                                   full mip chain */
     uint32_t levels;            /* number of drawn levels */
     uint32_t bins;
     float border[HATCH_THRESHOLD_BINS + 1]; /* border[bins] is 1 */
@@ -66,6 +69,10 @@ struct hatch_thresholds {
 enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struct hatch_threshold_options *options,
                                         struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_thresholds *thresholds, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Leaves out the layers that are empty with at most HATCH_THRESHOLD_BINS_FEW bins, which must have neither modulation
+ * nor mask. */
+void hatch_thresholds_pack(struct hatch_thresholds *thresholds);
 
 /* Key of the file, beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_THRESHOLD_KEY_BORDERS "hatch:bins" /* bins + 1 numbers, separated by spaces */

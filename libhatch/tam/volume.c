@@ -136,8 +136,7 @@ static void filter_level(const struct hatch_texels *texels, uint32_t level)
  * of a 3D texture.
  *   tones  slices of the finest level of a whole volume */
 static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct hatch_texels *texels, uint32_t tones,
-                                     uint32_t levels,
-                                     struct hatch_pool *pool, struct hatch_arena *arena,
+                                     uint32_t levels, struct hatch_pool *pool, struct hatch_arena *arena,
                                      struct hatch_volume_figures *figures, struct hatch_err *err)
 {
     uint32_t count = 0, layers = texels->layers;
@@ -177,9 +176,8 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
     assert(tones >= HATCH_VOLUME_TONES_MIN && tones <= HATCH_VOLUME_TONES_MAX && !(tones & (tones - 1)));
     struct hatch_volume_figures found = {0};
     uint32_t slices = count_slices(tam, options);
-    struct hatch_volume made = {.levels = tam->levels,
-                                .darkest = tam->target[tam->tones - 1],
-                                .top = (float)((double)slices / tones)};
+    struct hatch_volume made = {
+        .levels = tam->levels, .darkest = tam->target[tam->tones - 1], .top = (float)((double)slices / tones)};
     struct hatch_texels *texels = &made.texels;
     texels->width = texels->height = tam->size_px;
     texels->channels = tam->color ? (options->alpha ? 4 : 3) : 1;

@@ -58,7 +58,8 @@ void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, fl
         for (uint32_t c = 0; c < texels->channels; c++)
             value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, clamped / volume->top, c);
     }
-    float half = 0.5f * volume->top / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
+    float half =
+        0.5f * volume->top / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
     half = half < 0.5f ? half : 0.5f;
     for (uint32_t c = 0; corrected && c < texels->channels && c < 3; c++) {
         if (clamped < half)

@@ -45,8 +45,8 @@ enum hatch_status hatch_tam_whole_read(const char *const *key_values, uint32_t s
     HATCH_TRY(read_key(key_values, HATCH_TAM_ATTR_WHOLE_TONE, 0, 1, &darkest, err));
     HATCH_TRY(read_key(key_values, HATCH_TAM_ATTR_LAST_TONE, 0, darkest, &tone, err));
     HATCH_TRY(read_key(key_values, HATCH_TAM_ATTR_TOLERANCE, 1e-6, 1, &tolerance, err));
-    *whole = (struct hatch_tam_whole){
-        .size_px = (uint32_t)size, .darkest = (float)darkest, .tolerance = (float)tolerance};
+    *whole =
+        (struct hatch_tam_whole){.size_px = (uint32_t)size, .darkest = (float)darkest, .tolerance = (float)tolerance};
     *last = (float)tone;
     return HATCH_OK;
 }

@@ -5,7 +5,9 @@
 
 #include "tam/tam.h"
 
-#define HATCH_TAM_ATTR_LAST_TONE "hatch:last-tone" /* of textures: tone of the last column of the part that was made */
+#define HATCH_TAM_ATTR_LAST_TONE                                                                                       \
+    "hatch:last-tone" /* of textures: tone of the last column of the part that was made                                \
+                       */
 
 /* Keys and values of a texture that is made from a map, for its file. */
 struct hatch_tam_whole_keys {

@@ -19,11 +19,10 @@ static float darkest_of(const struct hatch_thresholds *thresholds)
 {
     const struct hatch_texels *texels = &thresholds->texels;
     size_t count = (size_t)texels->width * texels->height;
-    const uint8_t *dy0 = texels->texels[0] + 4 * count * HATCH_THRESHOLD_DY0;
-    const uint8_t *dy1 = texels->texels[0] + 4 * count * HATCH_THRESHOLD_DY1;
+    const uint8_t *dy0 = texels->texels[0] + 2 * count * texels->layers; /* the second half of the layers */
     uint64_t sum = 0;
-    for (size_t i = 0; i < 4 * count; i++)
-        sum += dy0[i] + (i % 4 < 3 ? dy1[i] : 0u);
+    for (size_t i = 0; i < 2 * count * texels->layers; i++)
+        sum += i < 4 * count || i % 4 < 3 ? dy0[i] : 0u;
     return (float)((double)sum / (255.0 * (double)count));
 }
 

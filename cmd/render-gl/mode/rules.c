@@ -56,8 +56,7 @@ static bool reads_six_columns(const struct technique *drawn)
 /* Conditions "technique=A,B" for the techniques of each kind, written by make_rules. A window may change to any of
  * them, and --show draws without one. With --time and --probe, a name that ends in .tsv is that of a report. */
 static char strokes[256], assets[256], filtered[256], six_columns[256], lined[320], timed[320], inked[320],
-    scripted[320], patterned[320], patterned_script[320], textured[64], painted[64],
-    painted_or_needs[64];
+    scripted[320], patterned[320], patterned_script[320], textured[64], painted[64], painted_or_needs[64];
 
 static const struct cmd_rule rules[] = {
     {"show", "!technique", NULL},

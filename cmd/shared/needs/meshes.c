@@ -153,7 +153,10 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
 
 void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, struct hatch_scene *scene)
 {
-    struct errors errors = {.scene = scene, .regions = &needs->regions, .px = ERROR_PX * needs->tolerance, .cosine = 1 - SHADE * needs->tolerance};
+    struct errors errors = {.scene = scene,
+                            .regions = &needs->regions,
+                            .px = ERROR_PX * needs->tolerance,
+                            .cosine = 1 - SHADE * needs->tolerance};
     struct hatch_scene_extent extent;
     struct hatch_err err;
     uint64_t before = count_faces(scene);

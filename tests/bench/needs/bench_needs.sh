@@ -1,12 +1,12 @@
 #!/bin/sh
 # Measures what assets by needs save on ten scenes, beside the default ones: bytes and processor seconds (the mean of
-# five runs) of all files of a technique that are made for a scene: the map, volume or thresholds; seeds; the mesh with
-# patches where the scene's own texture coordinates are not used; strokes with their mesh; solid textures.
-#   difference  the largest, over 24 views in and between those that the needs were measured of, of the mean tone of the
-#               scene's pixels, to the default assets
+# three runs) of all files of a technique that are made for a scene: the map, volume or thresholds; seeds; the mesh with
+# patches where the scene's own texture coordinates are not used; strokes with their mesh.
+#   difference  the largest, over 24 views in and between those that the needs were measured of (6 at other tolerances
+#               than .01), of the mean tone of the scene's pixels, to the default assets
 #   ms          time of a frame: the shortest of three runs in which both take turns; only at the tolerance .01
 # Rows "needs" have the seconds of --needs, and of drawing the views once with gouraud, as the default ones.
-# SCENES: some of them; TOLERANCES; VIEWS: number of views.
+# SCENES: some of them; TOLERANCES.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -35,14 +35,14 @@ scene() {
     rock) file=rock.glb size=960x720 ;;
     crowd) file=crowd.gltf size=640x480 view='--turntable --frames 12' between=turn ;;
     shade) file=torus.glb own=yes size=320x240 look='--light 0:60' view='--turntable --frames 8' between=turn ;;
-    icon) file=superquadric.glb size=192x144 view='--turntable --frames 8' between=turn ;;
+    icon) file=superquadric.glb size=320x240 view='--turntable --frames 8' between=turn ;;
     esac
     [ "$between" != turn ] || between="--turntable --frames $count"
 }
 
-# made FILE COMMAND: runs a command that makes FILE five times, and notes its mean processor seconds
+# made FILE COMMAND: runs a command that makes FILE three times, and notes its mean processor seconds
 made() {
-    "$MEASURE" 5 sh -c "$2" | cut -f 4 >"$1.seconds"
+    "$MEASURE" 3 sh -c "$2" | cut -f 4 >"$1.seconds"
 }
 sum() {
     for made in "$@"; do cat "$made.seconds"; done | awk '{s += $1} END {printf "%.4f", s}'
@@ -74,45 +74,54 @@ files() {
     esac
 }
 
-# light NAME FILE OPTION ...: draws the views, and writes the mean light of each to NAME.light
+# views: prints how many views are compared
+views() {
+    [ "$tolerance" = .01 ] && echo 24 || echo 6
+}
+
+# light NAME COUNT FILE OPTION ...: draws COUNT views, and writes the mean light of each to NAME.COUNT
 light() {
-    light=$1
-    shift
+    light=$1 count=$2
+    shift 2
+    scene "$name"
     # shellcheck disable=SC2086
-    render-gl -q "$@" --size $size $look $between --lines none --tone-range 0:.8 -o "frame.%02d.exr"
-    hatchstat frames frame.*.exr | awk 'NR > 1 {print $2}' >"$light.light"
+    render-gl -q "$@" --size $size $look $between --lines none --samples 1 --tone-range 0:.8 \
+        -o "frame.%02d.exr"
+    hatchstat frames frame.*.exr | awk 'NR > 1 {print $2}' >"$light.$count"
     rm -f frame.*.exr
 }
 
 # frame_ms OPTION ...: prints the time of a frame
 frame_ms() {
     # shellcheck disable=SC2086
-    render-gl -q "$@" --size $size $look --lines none --time 10 | awk -F'\t' '
-        NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i}
-        NR == 2 {print $at["ms"] ? $at["ms"] : $at["frame_ms"]}'
+    render-gl -q "$@" --size $size $look --lines none --time 10 | awk -F'\t' '$2 == "frame" {print $4; exit}'
 }
 least() {
     awk 'NR == 1 || $1 < least {least = $1} END {printf "%.3f", least}' "$1"
 }
 
 cd "$work"
-count=${VIEWS:-24}
+count=24
 meshgen teapot --faces 10000 -o teapot.glb
 meshgen torus --faces 10000 -o torus.glb
 meshgen superquadric --faces 20000 -o superquadric.glb
 meshgen ellipsoid --faces 100000 --noise 0.3 -o rock.glb
 meshgen torus --faces 6000 -o ring.glb
 perl "$here/crowd.pl" ring.glb >crowd.gltf
+tolerances=${TOLERANCES:-.003 .01 .03 .1}
 for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon}; do
     scene "$name"
     [ -e "$file" ] || continue
+    rm -f default.* fit.*
     assets default "$name" ''
     for technique in tam volume threshold traced rptam; do
         files $technique default >files
-        # shellcheck disable=SC2086
-        light "default.$technique" $drawn
+        for tolerance in $tolerances; do
+            # shellcheck disable=SC2086
+            [ -e "default.$technique.$(views)" ] || light "default.$technique" "$(views)" $drawn
+        done
     done
-    for tolerance in ${TOLERANCES:-.003 .01 .03 .1}; do
+    for tolerance in $tolerances; do
         # shellcheck disable=SC2086
         "$MEASURE" 3 sh -c "render-gl -q $file --size $size --tone-range 0:.8 $look $view --tolerance $tolerance \
             --needs -o x.needs" | cut -f 4 >needs.seconds
@@ -125,8 +134,8 @@ for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon
         for technique in tam volume threshold traced rptam; do
             files $technique fit >files.fit
             # shellcheck disable=SC2086
-            light fit $drawn
-            off=$(paste "default.$technique.light" fit.light | awk -v share="$share" '
+            light fit "$(views)" $drawn
+            off=$(paste "default.$technique.$(views)" "fit.$(views)" | awk -v share="$share" '
                 {off = ($1 - $2) / share; off = off < 0 ? -off : off; most = off > most ? off : most}
                 END {printf "%.4f", most}')
             rm -f ms.*

@@ -9,11 +9,11 @@
 #include "render-gl/mode/needs/technique.h"
 
 struct needs_item {
-    uint64_t pixels; /* that show it, in all views */
-    uint32_t faces;  /* of its surface */
+    uint64_t pixels;                /* that show it, in all views */
+    uint32_t faces;                 /* of its surface */
     double extent_px;               /* largest diagonal of the box around its pixels in a view */
     uint32_t low_px[2], high_px[2]; /* that box in the last view, from the corner at the bottom left */
-    float *unit_px;  /* per face: most pixels that a unit of the scene's lengths covers on it; 0: no pixel shows it */
+    float *unit_px; /* per face: most pixels that a unit of the scene's lengths covers on it; 0: no pixel shows it */
 };
 
 /* Needs of the views so far. */
@@ -26,9 +26,9 @@ struct needs_measure {
     uint64_t texels[HATCH_NEEDS_OCTAVES]; /* pixels of items that have texture coordinates */
     double map_px;                        /* side of the finest level of the map in use; 0: none */
     uint64_t finer;                       /* of the last view: pixels that need a level finer by more than 0.5 */
-    double unseen_tolerance;              /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
-    uint64_t unseen;                      /* of the last view: pixels of such meshes */
-    double unit_px[HATCH_NEEDS_TONES];    /* per part of the scale, of either ink: as in struct hatch_needs */
+    double unseen_tolerance;           /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
+    uint64_t unseen;                   /* of the last view: pixels of such meshes */
+    double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale, of either ink: as in struct hatch_needs */
     double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
     struct needs_item *items; /* per item of the scene */
     struct canvas canvas;     /* and the state of measuring */

@@ -50,9 +50,16 @@ float coverage(float amount)
 #endif
 }
 
-// Reads the steps for coverage(); returns the opacity of the outline.
+// Reads the steps for coverage(); returns the opacity of the outline. With few bins there are two layers only.
 float read_steps()
 {
+    if (counts.y == 2) {
+        step_at[0] = read_columns(0.0);
+        step_height[0] = read_columns(1.0);
+        step_at[1] = vec4(1.0);
+        step_height[1] = vec4(0.0);
+        return 1.0;
+    }
     for (int half_of = 0; half_of < 2; half_of++) {
         step_at[half_of] = read_columns(float(half_of));
         step_height[half_of] = read_columns(float(2 + half_of));
