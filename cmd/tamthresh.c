@@ -93,7 +93,7 @@ static void check_options(const struct cmd_args *args)
 static void encode(struct cmd_args *args, const struct hatch_tam *tam, const struct hatch_texels *texels,
                    const char *borders, struct hatch_buffer *file)
 {
-    static const char *const layer_names[] = {"x.0", "x.1", "dy.0", "dy.1"};
+    static const char *const layer_names[] = {"x.0", "x.1", "dy.0", "dy.1"}, *const few_names[] = {"x.0", "dy.0"};
     char levels[16];
     snprintf(levels, sizeof levels, "%u", tam->levels);
     const char *keys[15] = {HATCH_TAM_ATTR_LEVELS, levels}, *seed = cmd_map_seed(tam);
@@ -110,7 +110,7 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
         keys[count++] = HATCH_TAM_ATTR_SEED;
         keys[count++] = seed;
     }
-    const struct cmd_texture texture = {texels, keys, layer_names};
+    const struct cmd_texture texture = {texels, keys, texels->layers == HATCH_THRESHOLD_LAYERS_FEW ? few_names : layer_names};
     cmd_encode_texture(args, &texture, args->output, file);
 }
 

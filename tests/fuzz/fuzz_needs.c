@@ -13,15 +13,22 @@ static void check(const struct hatch_needs *needs)
     if (!tones || columns < 1 || columns > 3 || size_px < 64 || size_px > 256 ||
         !(hatch_needs_strokes(needs, 1e30, &pen, 2) >= 0))
         abort();
+    uint32_t tile_px = hatch_needs_tile(needs, 256, 64), slices = hatch_needs_slices(needs, 64);
+    uint32_t solid = hatch_needs_solid(needs, 64, 8);
+    if (tile_px < 64 || tile_px > 256 || slices < 4 || slices > 64 || solid < 8 || solid > 64)
+        abort();
+    for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++)
+        if (!(needs->regions.px[i] >= 0))
+            abort();
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct fuzz_arenas arenas = fuzz_arenas_make();
     struct hatch_needs needs;
-    double mesh_px[2];
+    static float cells[HATCH_NEEDS_CELLS];
     struct hatch_err err;
-    enum hatch_status status = hatch_needs_parse((struct hatch_bytes){data, size}, mesh_px, 2, &needs, &err);
+    enum hatch_status status = hatch_needs_parse((struct hatch_bytes){data, size}, cells, &needs, &err);
     if (status == HATCH_OK)
         check(&needs);
     fuzz_check(status, &err, &arenas);

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Measures what assets by needs save on ten scenes, beside the default ones: bytes and processor seconds (the mean of
-# three runs) of all files of a technique that are made for a scene: the map, volume or thresholds; seeds; the mesh with
+# RUNS, 3) of all files of a technique that are made for a scene: the map, volume or thresholds; seeds; the mesh with
 # patches where the scene's own texture coordinates are not used; strokes with their mesh.
 #   difference  the largest, over 24 views in and between those that the needs were measured of (6 at other tolerances
 #               than .01), of the mean tone of the scene's pixels, to the default assets
-#   ms          time of a frame: the shortest of three runs in which both take turns; only at the tolerance .01
+#   ms          time of a frame: the shortest of RUNS in which both take turns; of two techniques at the tolerance .01
 # Rows "needs" have the seconds of --needs, and of drawing the views once with gouraud, as the default ones.
 # SCENES: some of them; TOLERANCES.
 set -eu
@@ -40,9 +40,9 @@ scene() {
     [ "$between" != turn ] || between="--turntable --frames $count"
 }
 
-# made FILE COMMAND: runs a command that makes FILE three times, and notes its mean processor seconds
+# made FILE COMMAND: runs a command that makes FILE, and notes its mean processor seconds
 made() {
-    "$MEASURE" 3 sh -c "$2" | cut -f 4 >"$1.seconds"
+    "$MEASURE" "$runs" sh -c "$2" | cut -f 4 >"$1.seconds"
 }
 sum() {
     for made in "$@"; do cat "$made.seconds"; done | awk '{s += $1} END {printf "%.4f", s}'
@@ -94,7 +94,7 @@ light() {
 # frame_ms OPTION ...: prints the time of a frame
 frame_ms() {
     # shellcheck disable=SC2086
-    render-gl -q "$@" --size $size $look --lines none --time 10 | awk -F'\t' '$2 == "frame" {print $4; exit}'
+    render-gl -q "$@" --size $size $look --lines none --time 4 | awk -F'\t' '$2 == "frame" {print $4; exit}'
 }
 least() {
     awk 'NR == 1 || $1 < least {least = $1} END {printf "%.3f", least}' "$1"
@@ -108,7 +108,7 @@ meshgen superquadric --faces 20000 -o superquadric.glb
 meshgen ellipsoid --faces 100000 --noise 0.3 -o rock.glb
 meshgen torus --faces 6000 -o ring.glb
 perl "$here/crowd.pl" ring.glb >crowd.gltf
-tolerances=${TOLERANCES:-.003 .01 .03 .1}
+runs=${RUNS:-3} tolerances=${TOLERANCES:-.003 .01 .03 .1}
 for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon}; do
     scene "$name"
     [ -e "$file" ] || continue
@@ -123,9 +123,9 @@ for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon
     done
     for tolerance in $tolerances; do
         # shellcheck disable=SC2086
-        "$MEASURE" 3 sh -c "render-gl -q $file --size $size --tone-range 0:.8 $look $view --tolerance $tolerance \
+        "$MEASURE" "$runs" sh -c "render-gl -q $file --size $size --tone-range 0:.8 $look $view --tolerance $tolerance \
             --needs -o x.needs" | cut -f 4 >needs.seconds
-        "$MEASURE" 3 sh -c "render-gl -q $file --size $size $look $view --lines none -t gouraud -o '$(
+        "$MEASURE" "$runs" sh -c "render-gl -q $file --size $size $look $view --lines none -t gouraud -o '$(
             [ "$view" ] && echo "drawn.%02d.png" || echo drawn.png)'" | cut -f 4 >drawn.seconds
         share=$(awk -F'\t' '$1 == "drawn" {print $3}' x.needs)
         printf '%s\tneeds\t%s\t%d\t0\t%s\t%s\t0\t0\t0\n' "$name" "$tolerance" "$(wc -c <x.needs)" \
@@ -141,8 +141,8 @@ for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon
             rm -f ms.*
             fit=$drawn
             files $technique default >files
-            if [ "$tolerance" = .01 ] && [ ! "${NO_TIMES:-}" ]; then
-                for run in 1 2 3; do
+            if [ "$tolerance" = .01 ] && { [ $technique = tam ] || [ $technique = traced ]; }; then
+                for run in $(seq "$runs"); do
                     # shellcheck disable=SC2086
                     frame_ms $fit >>ms.fit && frame_ms $drawn >>ms.default
                 done

@@ -117,10 +117,6 @@ try render-gl -q torus.glb -T four.exr --window
 refused "a window, which shows any view, refuses a map that is not whole" 3 1
 is "before it opens" "$(cat "$WORK/.err")" \
     "render-gl: four.exr: was made for the needs of some views; make the map without --needs"
-for command in tamvol tamthresh; do
-    try $command four.exr -o x.ktx2
-    refused "$command refuses a map that is not whole" 3 1
-done
 tamgen -q --size 64 --tones 4 -o four.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' -o whole4.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' --needs tone.needs -o same4.exr
@@ -159,8 +155,12 @@ for width in 80 160 320; do
     strokegen -v --needs s.needs torus.glb -o strokes.$width.glb 2>&1 | sed -n 's/^strokegen: \([0-9]\) of 6 levels.*/\1/p'
 done >levels
 is "each doubling of the size asks for a level" "$(tr '\n' ' ' <levels)" "3 4 5 "
-strokegen -q --levels 3 torus.glb -o three.glb
-is "these levels are those of --levels" "$(numbers strokes.80.glb | md5sum)" "$(numbers three.glb | md5sum)"
+dirfield torus.glb -o field.glb
+strokegen -v --gap .08 --needs s.needs field.glb 2>&1 >five.glb | grep strokes | sed 's/.*: //' >few
+strokegen -v --needs s.needs field.glb 2>&1 >wide.glb | grep strokes | sed 's/.*: //' >>few
+strokegen -v --levels 5 field.glb 2>&1 >five.glb | grep strokes | sed 's/.*: //' >>few
+is "gaps are wider than those of --gap, whose strokes are no more than those of --levels" "$(sed 's/ .*//' few |
+    tr '\n' ' ' | awk '{print ($2 < .95 * $1 && $1 <= $3)}')" 1
 
 # Of two meshes, one far behind the other and one out of sight.
 meshgen sphere --faces 600 -o ball.glb
@@ -172,13 +172,105 @@ perl -MJSON::PP -0e '
     $scene->{scenes}[0]{nodes} = [0, 1, 2];
     print encode_json $scene' ball.gltf >balls.gltf
 render-gl balls.gltf --camera 3,0,3:0,0,-4 --size 160x120 --needs -o balls.needs
-is "a mesh that is not seen has no row" "$(awk -F'\t' '$1 == "mesh-unit-px" {print $2}' balls.needs | tr '\n' ' ')" "0 1 "
-is "a mesh that is nearer has more pixels" "$(awk -v a="$(row balls.needs mesh-unit-px 0)" \
-    -v b="$(row balls.needs mesh-unit-px 1)" 'BEGIN {print (a > 2 * b)}')" 1
+is "items that are seen have an extent" "$(awk -F'\t' '$1 == "item-px" {print $2}' balls.needs | tr '\n' ' ')" "0 1 "
+is "nearer regions have more pixels" "$(awk -F'\t' '$1 == "region-unit-px" {
+        near = int($2 / 1024) > 15; n[near]++; most[near] = $3 > most[near] ? $3 : most[near]}
+    END {print (n[0] > 0 && n[1] > 0 && most[1] > 2 * most[0])}' balls.needs)" 1
 strokegen -v --needs balls.needs balls.gltf -o balls.glb 2>said
-is "it gets more levels" "$(grep -c '^strokegen: 1 to [2-6] of 6 levels are needed' said)" 1
-strokegen -q --levels "$(sed -n 's/^strokegen: 1 to \(.\) of .*/\1/p' said)" balls.gltf -o more.glb
-ok "and the others fewer" test "$(wc -c <balls.glb)" -lt "$(wc -c <more.glb)"
+is "it gets more levels" "$(sed -n 's/^strokegen: \([1-6]\) to \([1-6]\) of 6 levels are needed/\1 \2/p' said |
+    awk '{print ($1 < $2)}')" 1
+is "what the picture does not show of the three meshes is marked" "$(grep -ao '"unseen":' balls.glb | wc -l)" 3
+strokegen -q --levels "$(sed -n 's/^strokegen: . to \(.\) of .*/\1/p' said)" balls.gltf -o more.glb
+ok "fewer bytes" test "$(wc -c <balls.glb)" -lt "$(wc -c <more.glb)"
+
+# Meshes: as coarse as the picture allows, and divided into what it shows and the rest.
+try dirfield --needs balls.needs torus.glb -o x.glb
+refused "needs of another scene" 3 1
+is "are refused with what to do" "$(cat "$WORK/.err")" \
+    "dirfield: balls.needs: the needs are those of another scene than torus.glb: render-gl --needs makes them anew"
+meshgen ellipsoid --faces 20000 -o egg.glb
+side='--from 0:0 --size 240x180'
+# shellcheck disable=SC2086
+render-gl egg.glb $side --needs -o egg.needs
+dirfield egg.glb -o egg.full.glb
+dirfield -v --needs egg.needs egg.glb -o egg.field.glb 2>said
+is "-v says how many faces are left out" "$(grep -c '^dirfield: [0-9]* of 20[0-9]* faces left out' said)" 1
+is "and how many are not seen" "$(grep -c '^dirfield: no view shows [1-9][0-9]* of' said)" 1
+ok "a quarter of the bytes, or less" test "$(wc -c <egg.field.glb)" -lt $(($(wc -c <egg.full.glb) / 4))
+for mesh in full field; do
+    # shellcheck disable=SC2086
+    render-gl -q egg.$mesh.glb -t gouraud $side --lines none -o egg.$mesh.png
+done
+is "the picture is the same, but for the tolerance" "$(hatchstat diff egg.full.png egg.field.png |
+    awk 'NR == 2 {print ($3 > -.01 && $3 < .01 && $7 < .15)}')" 1
+lapped-param -q egg.full.glb -o egg.all.glb
+lapped-param -v --needs egg.needs egg.field.glb -o egg.patches.glb 2>said
+is "the mask is smaller" "$(grep -c 'the mask is [1-9][0-9]* of 1024 pixels wide' said)" 1
+ok "patches, too, have a quarter of the bytes" test "$(wc -c <egg.patches.glb)" -lt $(($(wc -c <egg.all.glb) / 4))
+strokegen -q --needs egg.needs egg.field.glb -o egg.strokes.glb
+strokegen -q --needs egg.needs egg.glb -o egg.anew.glb
+for file in egg.patches egg.strokes egg.anew; do
+    options='-t traced' again='it again with the needs of this view'
+    [ $file != egg.patches ] || options='-t rptam'
+    # shellcheck disable=SC2086
+    ok "$file: the view is drawn" render-gl -q $file.glb $options $side -o x.png
+    # shellcheck disable=SC2086
+    try render-gl -q $file.glb $options --from 180:0 --size 240x180 -o back.png
+    refused "$file: the other side is refused" 3 1
+    is "with what to do" "$(sed 's/: [0-9.]* of/: X of/' "$WORK/.err")" \
+        "render-gl: $file.glb: was made for other views: X of this one shows what they do not see; make $again"
+done
+try render-gl -q egg.strokes.glb -t traced --window
+refused "a window, which shows all sides" 3 1
+dirfield -q --needs egg.needs egg.field.glb -o egg.twice.glb
+is "dirfield takes what it has made" "$(grep -ao '"unseen":' egg.twice.glb | wc -l)" 1
+# shellcheck disable=SC2086
+try render-gl -q egg.field.glb --needs --from 180:0 --size 240x180 -o x.needs
+refused "needs of the other side, of the mesh that lacks it" 3 1
+render-gl -q torus.glb --up z --size 320x240 --from 20:30 --needs -o up.needs
+dirfield -v --needs up.needs torus.glb 2>said >up.glb
+ok "a scene that is turned by --up has the same regions" grep -q "no view shows [1-9]" said
+ok "what it sees is there" render-gl -q up.glb --up z --size 320x240 --from 20:30 -t gouraud --lines none -o x.png
+
+# Volumes and thresholds of maps that were cut, and cut by themselves.
+tamgen -q --size 128 --tones 32 --needs turn.needs | tamvol -q -o cut.ktx2
+tamvol -v --needs turn.needs whole.exr -o fit.ktx2 2>said
+is "tamvol says that it makes fewer slices" "$(grep -c '32 slices, not 64' said)" 1
+tamvol -q whole.exr -o all.ktx2
+tamthresh -q --exact --needs turn.needs whole.exr -o exact.ktx2
+tamthresh -q whole.exr -o bins.ktx2
+tamthresh -v --needs turn.needs whole.exr -o few.ktx2 2>said
+is "tamthresh, that it makes fewer bins" "$(grep -c '4 bins, not 7, in 2 layers' said)" 1
+is "which need half of the bytes" "$(($(wc -c <bins.ktx2) / $(wc -c <few.ktx2)))" 1
+ok "fewer slices of a cut map" test "$(wc -c <cut.ktx2)" -lt "$(wc -c <all.ktx2)"
+# mean FILE TECHNIQUE: prints the mean light of a view
+mean() {
+    # shellcheck disable=SC2086
+    render-gl -q torus.glb -t $2 $light --turntable --frames 2 -T $1 -o m%d.exr || echo failed
+    hatchstat frames m?.exr | awk 'NR == 2 {print $2}'
+}
+for pair in "cut.ktx2 all.ktx2 volume" "fit.ktx2 all.ktx2 volume" "exact.ktx2 bins.ktx2 threshold" \
+    "few.ktx2 bins.ktx2 threshold"; do
+    # shellcheck disable=SC2086
+    set -- $pair
+    is "$1 differs by no more than the tolerance" "$(echo "$(mean $1 $3) $(mean $2 $3)" |
+        awk -v drawn="$drawn" '{off = ($1 - $2) / drawn; print (off > -.015 && off < .015)}')" 1
+    # shellcheck disable=SC2086
+    try render-gl -q torus.glb -t $3 -T $1 --light 180:-30 --size 320x240 -o x.png
+    refused "$1: a view that needs darker tones" 3 1
+    is "is told so" "$(sed 's/[0-9.]* *, this/T, this/; s/needs [0-9.]*:/needs T:/' "$WORK/.err")" \
+        "render-gl: $1: was made for tones up to T, this view needs T: make it again with the needs of this view"
+done
+tamthresh -q --bins 3 --needs turn.needs whole.exr -o three.ktx2
+ok "thresholds in two layers are read" render-gl -q torus.glb -t threshold-soft $light -T three.ktx2 -o x.png
+
+# Solid textures.
+render-gl torus.glb --solid-size 64 --size 160x120 --needs -o solid.needs
+is "a period that is asked for has a row" "$(row solid.needs solid-px 0)" 64
+is "which needs half of the texels along a side" "$(solidgen -v --needs solid.needs 2>&1 >solid.ktx2 |
+    grep -c '32 texels along a side, not 64: a period covers 64 pixels; 0.125 of')" 1
+ok "the same as --size" cmp solid.ktx2 "$(solidgen -q --size 32 -o half.ktx2 && echo half.ktx2)"
+is "without one, all are made" "$(solidgen -q --needs s.needs | wc -c)" "$(solidgen -q | wc -c)"
 
 # Usage
 try render-gl torus.glb --needs --technique gouraud

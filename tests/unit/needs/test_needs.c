@@ -50,24 +50,33 @@ START_TEST(no_pixel_needs_no_tone)
 END_TEST
 
 #define HEAD "thing\tindex\tvalue\tunit\n"
-#define ROWS "tolerance\t0\t0.02\t\nrelative\t0\t1\t\nother\tx\ty\tz\ndarkest\t0\t0.5\ttone\n"
+#define BOX                                                                                                            \
+    "region-low\t0\t-1\t\nregion-low\t1\t-2\t\nregion-low\t2\t3\t\nregion-side\t0\t1\t\nregion-side\t1\t2\t\n"         \
+    "region-side\t2\t0\t\n"
+#define ROWS BOX "tolerance\t0\t0.02\t\nrelative\t0\t1\t\nother\tx\ty\tz\ndarkest\t0\t0.5\ttone\n"
 
-static double mesh_px[2];
+static float cells[HATCH_NEEDS_CELLS];
 
 static enum hatch_status parse(const char *text, struct hatch_needs *needs)
 {
-    return hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, mesh_px, 2, needs, &err);
+    return hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, cells, needs, &err);
 }
 
 START_TEST(a_file_is_read)
 {
     struct hatch_needs needs;
-    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\nmesh-unit-px\t1\t7\tpx\n"
-                                  "mesh-unit-px\t2\t9\tpx\n",
+    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\nregion-unit-px\t1\t7\tpx\n"
+                                  "region-unit-px\t32767\t9\tpx\nitem-px\t0\t30\tpx\nitem-px\t70000\t20\tpx\n"
+                                  "solid-px\t0\t64\tpx\n",
                         &needs),
                   &err);
-    ck_assert(mesh_px[0] <= 0);
-    ck_assert_double_eq_tol(mesh_px[1], 7, 1e-12);
+    ck_assert(cells[0] <= 0);
+    ck_assert_float_eq_tol(cells[1], 7, 1e-6f);
+    ck_assert_float_eq_tol(cells[HATCH_NEEDS_CELLS - 1], 9, 1e-6f);
+    ck_assert_double_eq_tol(needs.regions.low[1], -2, 1e-12);
+    ck_assert_double_eq_tol(needs.regions.side[0], 1, 1e-12);
+    ck_assert_double_eq_tol(needs.item_px, 30, 1e-12);
+    ck_assert_double_eq_tol(needs.solid_px, 64, 1e-12);
     ck_assert_double_eq_tol(needs.tolerance, 0.02, 1e-12);
     ck_assert_double_eq_tol(needs.darkest, 0.75, 1e-12);
     ck_assert(needs.relative);
@@ -84,13 +93,15 @@ START_TEST(a_wrong_file_is_refused_with_its_row)
         {HEAD, "no row 'tolerance'"},
         {HEAD "darkest\t2\t0\t\n", "row 2: darkest: want an index from 0 to 1"},
         {HEAD "tolerance\t0\t0.01\t\nrelative\t0\t0\t\n", "no row 'darkest'"},
-        {HEAD ROWS "unit-px\t0\n", "row 6: fewer than 3 fields"},
+        {HEAD ROWS "unit-px\t0\n", "row 12: fewer than 3 fields"},
         {HEAD "tolerance\t0\t0\t\n", "row 2: tolerance: want a number from 1e-06 to 1"},
         {HEAD "darkest\t0\tnan\t\n", "row 2: darkest: want a number from 0 to 1"},
         {HEAD "darkest\t0\t1.5\t\n", "row 2: darkest: want a number from 0 to 1"},
-        {HEAD ROWS "unit-px\t64\t1\tpx\n", "row 6: unit-px: want an index from 0 to 63"},
-        {HEAD ROWS "unit-px\t0.5\t1\tpx\n", "row 6: unit-px: want an index from 0 to 63"},
-        {HEAD ROWS "unit-px\t0\t-1\tpx\n", "row 6: unit-px: want a number"},
+        {HEAD ROWS "unit-px\t64\t1\tpx\n", "row 12: unit-px: want an index from 0 to 63"},
+        {HEAD ROWS "unit-px\t0.5\t1\tpx\n", "row 12: unit-px: want an index from 0 to 63"},
+        {HEAD ROWS "unit-px\t0\t-1\tpx\n", "row 12: unit-px: want a number"},
+        {HEAD ROWS "region-unit-px\t32768\t1\tpx\n", "row 12: region-unit-px: want an index from 0 to 32767"},
+        {HEAD "tolerance\t0\t0.01\t\nrelative\t0\t0\t\ndarkest\t0\t0\t\n", "no row 'region-low'"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct hatch_needs needs = {.darkest = 7};
@@ -140,6 +151,91 @@ START_TEST(a_map_is_as_large_as_pixels_read_it)
 }
 END_TEST
 
+static const double box[2][3] = {{0, 0, 0}, {1, 1, 0}}; /* low; sides of a cell */
+
+static struct hatch_needs_regions regions_of(void)
+{
+    struct hatch_needs_regions regions = {.px = cells};
+    memset(cells, 0, sizeof cells);
+    memcpy(regions.low, box[0], sizeof regions.low);
+    memcpy(regions.side, box[1], sizeof regions.side);
+    return regions;
+}
+
+/* A face from cell (1, 1) to (3, 2): its box touches six cells. */
+START_TEST(a_face_raises_the_cells_of_its_box)
+{
+    struct hatch_needs_regions regions = regions_of();
+    const double face[3][3] = {{1.5, 1.5, 0}, {3.5, 1.5, 5}, {1.5, 2.5, -5}};
+    const double inside[3][3] = {{3.1, 2.1, 0}, {3.2, 2.1, 0}, {3.1, 2.2, 0}};
+    const double beside[3][3] = {{4.1, 2.1, 0}, {4.2, 2.1, 0}, {4.1, 2.2, 0}};
+    const double beyond[3][3] = {{-9, 99, 0}, {-9, 99, 0}, {-9, 99, 0}};
+    hatch_needs_raise(&regions, face, 8);
+    hatch_needs_raise(&regions, inside, 5);
+    uint32_t raised = 0;
+    for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++)
+        raised += cells[i] > 7;
+    ck_assert_uint_eq(raised, 6);
+    ck_assert_double_eq_tol(hatch_needs_px(&regions, inside), 8, 1e-6);
+    ck_assert(hatch_needs_px(&regions, beside) <= 0);
+    hatch_needs_raise(&regions, beyond, 3); /* the outermost cells stand for what lies outside */
+    ck_assert_float_eq_tol(cells[(HATCH_NEEDS_SIDE - 1) * HATCH_NEEDS_SIDE], 3, 1e-6f);
+}
+END_TEST
+
+START_TEST(cells_spread_to_their_neighbours)
+{
+    static float work[HATCH_NEEDS_CELLS];
+    struct hatch_needs_regions regions = regions_of();
+    const uint32_t middle = (5 * HATCH_NEEDS_SIDE + 5) * HATCH_NEEDS_SIDE + 5, corner = HATCH_NEEDS_CELLS - 1;
+    cells[middle] = 4;
+    cells[corner] = 2;
+    hatch_needs_spread(&regions, work);
+    uint32_t fours = 0, twos = 0;
+    for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++) {
+        fours += cells[i] > 3;
+        twos += cells[i] > 1 && cells[i] < 3;
+    }
+    ck_assert_uint_eq(fours, 27);
+    ck_assert_uint_eq(twos, 8); /* at a corner */
+}
+END_TEST
+
+START_TEST(tiles_on_patches_are_as_large_as_a_quarter_of_the_item)
+{
+    struct hatch_needs needs = {.item_px = 500};
+    needs.texels[23] = 1;
+    ck_assert_uint_eq(hatch_needs_tile(&needs, 256, 64), 128);
+    ck_assert_uint_eq(hatch_needs_tile(&needs, 64, 64), 64);
+    needs.item_px = 10;
+    ck_assert_uint_eq(hatch_needs_tile(&needs, 256, 64), 64);
+    needs.texels[5] = 0.001; /* a surface with coordinates of its own */
+    ck_assert_uint_eq(hatch_needs_tile(&needs, 256, 64), 256);
+    needs.texels[5] = 0;
+    needs.item_px = 0; /* nothing is seen */
+    ck_assert_uint_eq(hatch_needs_tile(&needs, 256, 64), 256);
+}
+END_TEST
+
+START_TEST(slices_and_texels_follow_tolerance_and_period)
+{
+    struct hatch_needs needs = {.tolerance = 0.01, .solid_px = 64};
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 32); /* of 1/32, under .04 */
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 16), 16);
+    needs.tolerance = 0.003;
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 64);
+    needs.tolerance = 1;
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 4);
+    ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 32); /* two pixels per texel */
+    needs.solid_px = 65;
+    ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 64);
+    needs.solid_px = 4;
+    ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 8);
+    needs.solid_px = 0; /* unknown */
+    ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 64);
+}
+END_TEST
+
 /* With one family, even response and even width, t / width strokes per pixel make the tone t. */
 START_TEST(strokes_follow_the_law_of_widths)
 {
@@ -176,6 +272,10 @@ static Suite *suite(void)
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
     tcase_add_test(tests, a_map_is_as_large_as_pixels_read_it);
+    tcase_add_test(tests, a_face_raises_the_cells_of_its_box);
+    tcase_add_test(tests, cells_spread_to_their_neighbours);
+    tcase_add_test(tests, tiles_on_patches_are_as_large_as_a_quarter_of_the_item);
+    tcase_add_test(tests, slices_and_texels_follow_tolerance_and_period);
     tcase_add_test(tests, strokes_follow_the_law_of_widths);
     suite_add_tcase(suite, tests);
     return suite;
