@@ -15,9 +15,9 @@
 #include "trace/trace.h"
 
 #define PI 3.14159265358979323846
-#define STROKES_PER_GAP                                                                                                \
-    0.8 /* strokes side by side, of all levels, over a gap of the finest: fewer than there are, since                  \
-           render-gl judges by the nearest corner of the box around a mesh */
+/* Strokes side by side, of all levels, over a gap of the finest. There are more, but render-gl judges by the nearest
+ * corner of the box around a mesh, and wider strokes make lighter tones. */
+#define STROKES_PER_GAP 0.7
 
 static double gap = 0.08, length = 40, hard_deg = 40;
 static int64_t levels = 6;

@@ -110,7 +110,8 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
         keys[count++] = HATCH_TAM_ATTR_SEED;
         keys[count++] = seed;
     }
-    const struct cmd_texture texture = {texels, keys, texels->layers == HATCH_THRESHOLD_LAYERS_FEW ? few_names : layer_names};
+    const struct cmd_texture texture = {texels, keys,
+                                        texels->layers == HATCH_THRESHOLD_LAYERS_FEW ? few_names : layer_names};
     cmd_encode_texture(args, &texture, args->output, file);
 }
 

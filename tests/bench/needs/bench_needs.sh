@@ -94,7 +94,7 @@ light() {
 # frame_ms OPTION ...: prints the time of a frame
 frame_ms() {
     # shellcheck disable=SC2086
-    render-gl -q "$@" --size $size $look --lines none --time 4 | awk -F'\t' '$2 == "frame" {print $4; exit}'
+    render-gl -q "$@" --size $size $look --lines none --tone-range 0:.8 --time 4 | awk -F'\t' '$2 == "frame" {print $4; exit}'
 }
 least() {
     awk 'NR == 1 || $1 < least {least = $1} END {printf "%.3f", least}' "$1"

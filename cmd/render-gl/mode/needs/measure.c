@@ -142,10 +142,10 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
         }
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         const struct hatch_needs_tones *tones = &measure->view_tones[ink];
-        measure->darkest[ink] = fmax(measure->darkest[ink], hatch_needs_darkest(tones, drawn, measure->tolerance));
+        double tolerance = NEEDS_TONES_SHARE * measure->tolerance;
+        measure->darkest[ink] = fmax(measure->darkest[ink], hatch_needs_darkest(tones, drawn, tolerance));
         if (drawn)
-            measure->lightest[ink] =
-                fmin(measure->lightest[ink], hatch_needs_lightest(tones, drawn, measure->tolerance));
+            measure->lightest[ink] = fmin(measure->lightest[ink], hatch_needs_lightest(tones, drawn, tolerance));
     }
     end_boxes(measure, job->scene.unit.item_count);
     measure->views++;

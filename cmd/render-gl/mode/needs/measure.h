@@ -8,6 +8,10 @@
 #include "render-gl/mode/job.h"
 #include "render-gl/mode/needs/technique.h"
 
+/* Share of the tolerance by which the range of tones may be narrowed; the rest is for levels, slices, meshes and
+ * strokes. */
+#define NEEDS_TONES_SHARE 0.5
+
 struct needs_item {
     uint64_t pixels;                /* that show it, in all views */
     uint32_t faces;                 /* of its surface */

@@ -132,7 +132,7 @@ static void check_map(const struct job *job, const struct needs_measure *measure
         if (hatch_needs_excess(tones, drawn, last) <= allowed)
             continue;
         hatch_fail(&err, HATCH_BAD_INPUT, "was made for tones up to %.3g, this view needs %.3g: %s", last,
-                   hatch_needs_darkest(tones, drawn, measure->tolerance), again);
+                   hatch_needs_darkest(tones, drawn, NEEDS_TONES_SHARE * measure->tolerance), again);
         cmd_die(name, &err);
     }
     if (part.cut_levels && (double)measure->finer > allowed * (double)drawn) {
