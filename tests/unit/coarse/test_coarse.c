@@ -15,7 +15,7 @@ static struct hatch_mesh coarse_of(const struct hatch_mesh *mesh, double toleran
     ck_assert_ptr_nonnull(tolerances);
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
         tolerances[v] = tolerance;
-    const struct hatch_coarse_part part = {mesh, tolerances};
+    const struct hatch_coarse_part part = {mesh, tolerances, NULL};
     HATCH_TEST_OK(hatch_coarse_make(&part, 1, &keep, &scratch, &out, &err), &err);
     return out;
 }
@@ -107,6 +107,54 @@ START_TEST(no_removed_point_is_farther_than_its_tolerance)
 }
 END_TEST
 
+/* Makes a mesh coarser, loosely.
+ *   cosine  of the normals, at all vertices */
+static struct hatch_mesh loose_of(const struct hatch_mesh *mesh, double tolerance, float cosine)
+{
+    struct hatch_mesh out;
+    double *tolerances = HATCH_NEW(&keep, double, mesh->vertex_count, &err);
+    float *cosines = HATCH_NEW(&keep, float, mesh->vertex_count, &err);
+    ck_assert(tolerances && cosines);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        tolerances[v] = tolerance;
+        cosines[v] = cosine;
+    }
+    const struct hatch_coarse_part part = {mesh, tolerances, cosines};
+    HATCH_TEST_OK(hatch_coarse_make_loosely(&part, 1, &keep, &scratch, &out, &err), &err);
+    return out;
+}
+
+START_TEST(loosely_a_plane_stays_a_square_without_needles)
+{
+    struct hatch_mesh plane = sheet(40, 0), coarse = loose_of(&plane, 1e-2, -1);
+    ck_assert_uint_le(coarse.face_count, 40);
+    ck_assert_double_eq_tol(area_of(&coarse), 1, 1e-6);
+}
+END_TEST
+
+/* Faces of a sphere whose normals are within an angle a of their corners' have edges of at most about 2 a, and a
+ * circumradius of a. */
+START_TEST(loosely_faces_keep_near_the_normals_of_their_corners)
+{
+    struct hatch_mesh sphere = bare_shape(HATCH_SHAPE_SPHERE, 30000);
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &sphere, 0, &err), &err);
+    for (double cosine = 0.995; cosine > 0.96; cosine -= 0.015) {
+        struct hatch_mesh coarse = loose_of(&sphere, 10, (float)cosine);
+        const float *normals = hatch_mesh_find(&coarse, "NORMAL", 3);
+        ck_assert_uint_lt(coarse.face_count, 30000 / 4);
+        for (uint32_t f = 0; f < coarse.face_count; f++)
+            for (size_t c = 0; c < 3; c++) {
+                double corners[3][3], normal[3], at[3];
+                hatch_mesh_corners(&coarse, f, corners);
+                hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+                hatch_vec_normalize(normal);
+                hatch_vec_of(&normals[3 * (size_t)coarse.indices[3 * (size_t)f + c]], at);
+                ck_assert_double_ge(hatch_vec_dot(normal, at), cosine - 1e-6);
+            }
+    }
+}
+END_TEST
+
 /* Texture coordinates that bend by more than the tolerance keep points on a flat sheet. */
 START_TEST(bent_texture_coordinates_keep_points)
 {
@@ -134,7 +182,7 @@ START_TEST(borders_of_parts_stay_closed)
     for (int i = 0; i < 2; i++) {
         halves[i].face_count /= 2;
         halves[i].indices += i * 3 * (int)halves[i].face_count;
-        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances};
+        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances, NULL};
     }
     HATCH_TEST_OK(hatch_coarse_make(parts, 2, &keep, &scratch, out, &err), &err);
     uint32_t counts[2] = {0, 0};
@@ -168,7 +216,7 @@ START_TEST(borders_on_flat_sheets_keep_their_course)
     for (int i = 0; i < 2; i++) {
         halves[i].face_count /= 2;
         halves[i].indices += i * 3 * (int)halves[i].face_count;
-        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances};
+        parts[i] = (struct hatch_coarse_part){&halves[i], tolerances, NULL};
     }
     HATCH_TEST_OK(hatch_coarse_make(parts, 2, &keep, &scratch, out, &err), &err);
     ck_assert_uint_lt(out[0].face_count, 60);
@@ -237,6 +285,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_plane_becomes_two_faces);
     tcase_add_test(tests, a_box_keeps_its_twelve_faces);
     tcase_add_test(tests, a_sphere_follows_the_sagitta);
+    tcase_add_test(tests, loosely_a_plane_stays_a_square_without_needles);
+    tcase_add_test(tests, loosely_faces_keep_near_the_normals_of_their_corners);
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);
     tcase_add_test(tests, borders_of_parts_stay_closed);
