@@ -83,8 +83,8 @@ vec4 alpha_of(ivec2 texel, int row_first, SeedLayer layer)
 }
 
 // Does the same as stroke_alpha for a pixel with a single sample: images have up to two texels per pixel, of which this
-// takes a mean, with weights of 1, 2 and 1 over three texels and bilinear between them. The middle of a stroke's pixels,
-// weighted by alpha, then is that of the stroke wherever the stroke lies between pixels.
+// takes a mean, with weights of 1, 2 and 1 over three texels and bilinear between them. The middle of a stroke's
+// pixels, weighted by alpha, then is that of the stroke wherever the stroke lies between pixels.
 float stroke_alpha_of_pixel(vec2 place, int row_first, SeedLayer layer)
 {
     place += 0.5 * layer.stroke.zw;
