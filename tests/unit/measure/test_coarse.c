@@ -1,0 +1,195 @@
+/* Figures of coarse meshes beside closed forms: squares that are moved, tilted and cut. */
+#include "fail_alloc.h"
+#include "measure/coarse/coarse_figures.h"
+#include "meshes.h"
+#include "views.h"
+
+#define PIXELS 50.0 /* per unit: a square of two units fills a picture of 100 x 100 pixels */
+
+static const struct hatch_bounds bounds = {.radius = 1, .half = {1, 1, 1}};
+
+/* Makes a square of n x n squares, one unit wide, around a point; it rises by `slope` along x. */
+static struct hatch_mesh square(uint32_t n, double x, double z, double slope)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, (n + 1) * (n + 1), 2 * n * n, &mesh, &err), &err);
+    for (uint32_t i = 0; i < (n + 1) * (n + 1); i++) {
+        double along = (double)(i % (n + 1)) / n - 0.5;
+        float *at = &mesh.attributes[0].data[3 * (size_t)i];
+        at[0] = (float)(x + along);
+        at[1] = (float)((double)(i / (n + 1)) / n - 0.5);
+        at[2] = (float)(z + slope * along);
+    }
+    for (uint32_t q = 0; q < n * n; q++) {
+        uint32_t a = q / n * (n + 1) + q % n, b = a + 1, c = a + n + 1, d = c + 1;
+        const uint32_t faces[6] = {a, b, c, b, d, c};
+        memcpy(&mesh.indices[6 * (size_t)q], faces, sizeof faces);
+    }
+    return mesh;
+}
+
+static struct hatch_coarse_figures figures_of(const struct hatch_mesh *full, const struct hatch_mesh *coarse,
+                                              atomic_uint *worst)
+{
+    struct hatch_view view = view_facing;
+    const struct hatch_view_set views = {&bounds, 1, &view, 100, 100};
+    struct hatch_coarse_figures figures = {0};
+    HATCH_TEST_OK(hatch_measure_coarse(full, coarse, &views, worst, NULL, &scratch, &figures, &err), &err);
+    return figures;
+}
+
+START_TEST(a_mesh_does_not_differ_from_itself)
+{
+    struct hatch_mesh full = square(9, 0, 0, 0.25);
+    struct hatch_coarse_figures figures = figures_of(&full, &full, NULL);
+    ck_assert_double_le(figures.displacement_px, 1e-6);
+    ck_assert_double_le(figures.displacement_p999_px, 1e-6);
+    ck_assert_double_eq(figures.outline_px, 0);
+    ck_assert_double_eq(figures.outline_p999_px, 0);
+    ck_assert_double_le(figures.normal_deg, 1e-4);
+}
+END_TEST
+
+/* Fine and coarse squares, each in the place of the other: the distance is the same everywhere. */
+START_TEST(a_raised_square_is_displaced_by_its_height)
+{
+    struct hatch_mesh fine = square(9, 0, 0, 0), coarse = square(1, 0, 0.03, 0), flat = square(1, 0, 0, 0);
+    const struct hatch_mesh *sides[4] = {&fine, &coarse, &flat, &coarse};
+    for (int side = 0; side < 3; side++) {
+        struct hatch_coarse_figures figures = figures_of(sides[side], sides[side + 1], NULL);
+        ck_assert_double_eq_tol(figures.displacement_px, 0.03 * PIXELS, 1e-5);
+        ck_assert_double_eq_tol(figures.displacement_p999_px, 0.03 * PIXELS, 1e-5);
+        ck_assert_double_eq(figures.outline_px, 0);
+        ck_assert_double_le(figures.normal_deg, 1e-4);
+    }
+}
+END_TEST
+
+/* A square whose side moves by 4 eighths of a pixel: half of its outline moves, and all of that as far. */
+START_TEST(a_square_that_moves_aside_moves_its_outline)
+{
+    struct hatch_mesh full = square(3, 0, 0, 0), coarse = square(1, 0.01, 0, 0);
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, NULL);
+    ck_assert_double_eq_tol(figures.displacement_px, 0.01 * PIXELS, 1e-5);
+    ck_assert_double_eq(figures.outline_px, 0.5);
+    ck_assert_double_eq(figures.outline_p999_px, 0.5);
+    ck_assert_double_le(figures.normal_deg, 1e-4);
+}
+END_TEST
+
+/* Distances of outlines beyond 16 pixels count as 16; those of surfaces, which the histogram does not reach, as they
+ * are. */
+START_TEST(far_places_count_as_the_farthest)
+{
+    struct hatch_mesh full = square(3, -0.2, 0, 0), coarse = square(1, 0.2, 0, 0);
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, NULL);
+    ck_assert_double_eq_tol(figures.displacement_px, 0.4 * PIXELS, 1e-4);
+    ck_assert_double_eq_tol(figures.displacement_p999_px, 0.4 * PIXELS, 1e-4);
+    ck_assert_double_eq(figures.outline_px, 16);
+    ck_assert_double_eq(figures.outline_p999_px, 16);
+}
+END_TEST
+
+START_TEST(normals_of_vertices_come_before_those_of_faces)
+{
+    struct hatch_mesh full = square(3, 0, 0, 0), coarse = square(1, 0, 0, 0);
+    float *normals;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &full, "NORMAL", 3, &normals, &err), &err);
+    for (uint32_t v = 0; v < full.vertex_count; v++) {
+        normals[3 * v] = (float)sin(0.2);
+        normals[3 * v + 2] = (float)cos(0.2);
+    }
+    ck_assert_double_eq_tol(figures_of(&full, &coarse, NULL).normal_deg, 0.2 * 180 / PI, 1e-3);
+    ck_assert_double_eq_tol(figures_of(&coarse, &full, NULL).normal_deg, 0.2 * 180 / PI, 1e-3);
+}
+END_TEST
+
+START_TEST(a_tilted_square_tilts_its_normals)
+{
+    struct hatch_mesh full = square(5, 0, 0, 0), coarse = square(1, 0, 0, tan(0.1));
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, NULL);
+    ck_assert_double_eq_tol(figures.normal_deg, 0.1 * 180 / PI, 1e-3);
+    /* The edge of the full square lies 0.5 sin 0.1 beside the plane of the other. */
+    ck_assert_double_eq_tol(figures.displacement_px, 0.5 * tan(0.1) * PIXELS, 0.02);
+}
+END_TEST
+
+/* The worst displacement of each face, in thousandths of a pixel, rounded up: where the other surface rises along x, it
+ * is that of the face's higher side. Other figures are not measured. */
+START_TEST(faces_know_their_worst_displacement)
+{
+    enum { N = 10 };
+    double slope = 0.1, cosine = 1 / sqrt(1 + slope * slope);
+    struct hatch_mesh full = square(N, 0, 0, 0), coarse = square(1, 0, 0, slope);
+    atomic_uint worst[2 * N * N] = {0};
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, worst);
+    ck_assert_double_eq(figures.outline_px, 0);
+    ck_assert_double_eq(figures.normal_deg, 0);
+    for (uint32_t f = 0; f < 2 * N * N; f++) {
+        double left = (double)(f / 2 % N) / N - 0.5, high = fmax(fabs(left), fabs(left + 1.0 / N));
+        double expected = 1000 * PIXELS * slope * high;
+        /* Samples lie within the face, up to two thirds of its width from its higher side. */
+        ck_assert_double_ge(worst[f], floor(cosine * (expected - 1000 * PIXELS * slope / N * 2 / 3)));
+        /* Places of the coarse square may count for a face beside them. */
+        ck_assert_uint_le(worst[f], (unsigned)ceil(expected * 1.06));
+    }
+    ck_assert_double_eq_tol(figures.displacement_px, 0.5 * slope * PIXELS, 0.02);
+}
+END_TEST
+
+/* One place in a thousand may be farther away than the percentile: a far small face beside a large square. */
+START_TEST(the_percentile_leaves_out_few_places)
+{
+    struct hatch_mesh full = square(1, 0, 0, 0), small = square(1, 0, 0.2, 0);
+    for (uint32_t v = 0; v < 4; v++)
+        for (uint32_t k = 0; k < 2; k++)
+            small.attributes[0].data[3 * v + k] *= 1e-3f;
+    struct hatch_mesh coarse = both(&full, &small);
+    full = square(80, 0, 0, 0);
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, NULL);
+    ck_assert_double_eq_tol(figures.displacement_px, 0.2 * PIXELS, 1e-4);
+    ck_assert_double_le(figures.displacement_p999_px, 1.0 / 256);
+}
+END_TEST
+
+struct again {
+    struct hatch_mesh full, coarse;
+    struct hatch_coarse_figures figures;
+};
+
+static enum hatch_status measure_again(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                       struct hatch_err *error)
+{
+    struct again *again = context;
+    struct hatch_view view = view_facing;
+    const struct hatch_view_set views = {&bounds, 1, &view, 100, 100};
+    (void)arena;
+    return hatch_measure_coarse(&again->full, &again->coarse, &views, NULL, NULL, temporary, &again->figures, error);
+}
+
+START_TEST(allocations_may_fail)
+{
+    struct again again = {.full = square(3, 0, 0, 0), .coarse = square(1, 0, 0.01, 0)};
+    hatch_test_fail_alloc(measure_again, &again, NULL, 0);
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("measure coarse");
+    TCase *tests = tcase_create("figures");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_mesh_does_not_differ_from_itself);
+    tcase_add_test(tests, a_raised_square_is_displaced_by_its_height);
+    tcase_add_test(tests, a_square_that_moves_aside_moves_its_outline);
+    tcase_add_test(tests, far_places_count_as_the_farthest);
+    tcase_add_test(tests, normals_of_vertices_come_before_those_of_faces);
+    tcase_add_test(tests, a_tilted_square_tilts_its_normals);
+    tcase_add_test(tests, faces_know_their_worst_displacement);
+    tcase_add_test(tests, the_percentile_leaves_out_few_places);
+    tcase_add_test(tests, allocations_may_fail);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+
+HATCH_TEST_MAIN(suite)
