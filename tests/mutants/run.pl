@@ -140,7 +140,7 @@ sub put {
 # code's form.
 sub build_tests {
     my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
-    my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/render-gl,cli/strokes,cli/solid,prop,stability,bad,memory}/*.t';
+    my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory}/*.t';
     for my $of (sort keys %flags) {
         build($of, 'all', 'tests/bad/maps', @programs)
             or die "run.pl: the unchanged tree does not build\n", contents('make.log');
