@@ -48,8 +48,11 @@ static void make_volume(enum hatch_volume_layout layout)
     struct hatch_volume_options how = {.tones = TONES / 2, .layout = layout};
     struct hatch_volume_figures figures;
     HATCH_TEST_OK(hatch_volume_make(&map, &how, NULL, &frame.args.keep, &volume, &figures, &frame.err), &frame.err);
-    asset.texture = (struct tone_texture){
-        .holds = TONE_TEXTURE_VOLUME, .texels = volume.texels, .levels = volume.levels, .darkest = volume.darkest};
+    asset.texture = (struct tone_texture){.holds = TONE_TEXTURE_VOLUME,
+                                          .texels = volume.texels,
+                                          .levels = volume.levels,
+                                          .darkest = volume.darkest,
+                                          .top = volume.top};
 }
 
 static void make_thresholds(void)

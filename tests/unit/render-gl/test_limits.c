@@ -78,8 +78,11 @@ static void make_volume(enum hatch_volume_layout layout)
     struct hatch_volume volume;
     HATCH_TEST_OK(hatch_volume_make(&asset.map, &how, NULL, &frame.args.keep, &volume, &figures, &frame.err),
                   &frame.err);
-    asset.texture = (struct tone_texture){
-        .holds = TONE_TEXTURE_VOLUME, .texels = volume.texels, .levels = volume.levels, .darkest = volume.darkest};
+    asset.texture = (struct tone_texture){.holds = TONE_TEXTURE_VOLUME,
+                                          .texels = volume.texels,
+                                          .levels = volume.levels,
+                                          .darkest = volume.darkest,
+                                          .top = volume.top};
 }
 
 START_TEST(volumes_keep_to_the_largest_texture)
