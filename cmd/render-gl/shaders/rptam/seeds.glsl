@@ -83,22 +83,17 @@ vec4 alpha_of(ivec2 texel, int row_first, SeedLayer layer)
 }
 
 // Does the same as stroke_alpha for a pixel with a single sample: images have up to two texels per pixel, of which this
-// takes a mean, with weights of 1, 2 and 1 over three texels and bilinear between them. The middle of a stroke's
-// pixels, weighted by alpha, then is that of the stroke wherever the stroke lies between pixels.
+// takes a mean across the stroke, with weights of 1, 2 and 1 over three texels and linear between them. The mean place
+// of a stroke's pixels, weighted by alpha, is then that of the stroke, wherever it lies between pixels.
 float stroke_alpha_of_pixel(vec2 place, int row_first, SeedLayer layer)
 {
     place += 0.5 * layer.stroke.zw;
-    if (any(lessThan(place, vec2(-1.0))) || any(greaterThan(place, layer.stroke.zw + 1.0)))
-        return 0.0;
     ivec2 texel = ivec2(floor(place));
     vec2 share = place - vec2(texel);
-    vec4 x = vec4(1.0 - share.x, 2.0 - share.x, 1.0 + share.x, share.x); // of texels -1 to 2
-    vec4 y = vec4(1.0 - share.y, 2.0 - share.y, 1.0 + share.y, share.y), sum = vec4(0.0);
-    sum += x.xyxy * y.xxyy * alpha_of(texel - 1, row_first, layer);
-    sum += x.zwzw * y.xxyy * alpha_of(texel + ivec2(1, -1), row_first, layer);
-    sum += x.xyxy * y.zzww * alpha_of(texel + ivec2(-1, 1), row_first, layer);
-    sum += x.zwzw * y.zzww * alpha_of(texel + 1, row_first, layer);
-    return dot(sum, vec4(1.0 / 16.0));
+    vec4 above = alpha_of(texel - ivec2(0, 1), row_first, layer);
+    vec4 below = alpha_of(texel + ivec2(0, 1), row_first, layer);
+    vec4 rows = mix(vec4(above.xz, below.xz), vec4(above.yw, below.yw), share.x); // texels -1 to 2 across
+    return 0.25 * dot(rows, vec4(1.0 - share.y, 2.0 - share.y, 1.0 + share.y, share.y));
 }
 
 // Is called for each stroke that may cover the fragment. seed: its entry in seeds; tile: the one that its seed point is

@@ -10,6 +10,7 @@ layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean
 layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width of strokes that are drawn whole
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
 
+const float SHORTER = 0.75; // exponent of the length of a thin stroke; 1: only the length changes with the ink
 const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
 const float SHORT_WIDTHS = 3.0; // a stroke of so many widths of the pen keeps its length
 const float WIDEST = 1.5;   // greatest width, in widths of the pen
@@ -76,11 +77,11 @@ float profile_at(float t)
     return mix(profile[low], profile[low + 1], at - float(low));
 }
 
-// Returns the share of its length that a stroke keeps: a thin one is drawn shorter instead of thinner, and stays black.
+// Returns the share of its length that a stroke keeps: a thin one gets rather shorter than thinner, and stays black.
 float share_kept(float mean_width, float length_px)
 {
-    float share = clamp(mean_width / max(thinnest, 1e-6), SHORTEST * SHORTEST, 1.0);
-    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : sqrt(share);
+    float share = pow(max(mean_width, 0.0) / max(thinnest, 1e-6), SHORTER);
+    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : clamp(share, SHORTEST, 1.0);
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
