@@ -112,11 +112,6 @@ static void read_needs(struct job *job)
     float targets[HATCH_TAM_TONES_MAX];
     struct hatch_needs needs;
     cmd_read_needs(&job->args, needs_path, &needs);
-    job->tones = hatch_needs_tones(&needs, job->tones);
-    if (job->tones < tones)
-        cmd_note("%u columns from paper to ink, not %d: closer ones differ by less than the tolerance", job->tones,
-                 (int)tones);
-    tones = job->tones;
     uint32_t tile_px = levels_given ? job->size_px : hatch_needs_tile(&needs, job->size_px, HATCH_TAM_SIZE_MIN);
     if (tile_px < job->size_px)
         cmd_note("a tile of %u pixels, not %u: no patch is larger in the pictures", tile_px, job->size_px);

@@ -102,13 +102,6 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
     return HATCH_OK;
 }
 
-uint32_t hatch_needs_tones(const struct hatch_needs *needs, uint32_t tones)
-{
-    while (HATCH_NEEDS_COLUMN * needs->tolerance * (tones / 2) >= 1)
-        tones /= 2;
-    return tones;
-}
-
 uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones)
 {
     double tone = needs->darkest * (needs->relative ? (double)targets[tones - 1] : 1);

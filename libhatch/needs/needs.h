@@ -11,7 +11,6 @@
 #define HATCH_NEEDS_TONES 64u   /* parts of equal width of the scale of tones, from paper to ink */
 #define HATCH_NEEDS_SLICE 4.0   /* greatest tone of a slice of a volume, in tolerances */
 #define HATCH_NEEDS_SOLID 2.0   /* pixels per texel of a solid texture, at least */
-#define HATCH_NEEDS_COLUMN 1.6  /* difference in tone of a map's columns, in tolerances, at least */
 #define HATCH_NEEDS_PATCHES 4.0 /* patches side by side on the largest item, at least */
 #define HATCH_NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
 
@@ -34,10 +33,6 @@ struct hatch_needs {
  * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing. */
 enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struct hatch_needs *needs,
                                     struct hatch_err *err) HATCH_MUST_USE;
-
-/* Returns how many columns a map needs from paper to ink: tones or, where these are closer than HATCH_NEEDS_COLUMN
- * tolerances, tones divided by a power of two. */
-uint32_t hatch_needs_tones(const struct hatch_needs *needs, uint32_t tones);
 
 /* Returns how many columns of a map are needed: up to the first that is dark enough.
  *   targets  tones of the columns, ascending

@@ -132,6 +132,26 @@ START_TEST(loosely_a_plane_stays_a_square_without_needles)
 }
 END_TEST
 
+/* Waves of height .1 keep their height where the mean distance is a hundredth of it. */
+START_TEST(loosely_waves_keep_their_height)
+{
+    struct hatch_mesh waves = sheet(60, 0.1), coarse = loose_of(&waves, 1e-3, -1);
+    double farthest = 0;
+    ck_assert_uint_lt(coarse.face_count, waves.face_count / 4);
+    for (uint32_t v = 0; v < waves.vertex_count; v++) {
+        double at[3], least = INFINITY;
+        hatch_vec_of(&waves.attributes[0].data[3 * (size_t)v], at);
+        for (uint32_t f = 0; f < coarse.face_count; f++) {
+            double corners[3][3], share[3];
+            hatch_mesh_corners(&coarse, f, corners);
+            least = fmin(least, hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share));
+        }
+        farthest = fmax(farthest, sqrt(least));
+    }
+    ck_assert_double_le(farthest, 5e-3);
+}
+END_TEST
+
 /* Faces of a sphere whose normals are within an angle a of their corners' have edges of at most about 2 a, and a
  * circumradius of a. */
 START_TEST(loosely_faces_keep_near_the_normals_of_their_corners)
@@ -286,6 +306,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_box_keeps_its_twelve_faces);
     tcase_add_test(tests, a_sphere_follows_the_sagitta);
     tcase_add_test(tests, loosely_a_plane_stays_a_square_without_needles);
+    tcase_add_test(tests, loosely_waves_keep_their_height);
     tcase_add_test(tests, loosely_faces_keep_near_the_normals_of_their_corners);
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);

@@ -220,9 +220,6 @@ END_TEST
 START_TEST(slices_and_texels_follow_tolerance_and_period)
 {
     struct hatch_needs needs = {.tolerance = 0.01, .solid_px = 64};
-    ck_assert_uint_eq(hatch_needs_tones(&needs, 128), 64); /* .0156 apart */
-    ck_assert_uint_eq(hatch_needs_tones(&needs, 124), 124);
-    ck_assert_uint_eq(hatch_needs_tones(&needs, 6), 6);
     ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 32); /* of 1/32, under .04 */
     ck_assert_uint_eq(hatch_needs_slices(&needs, 16), 16);
     needs.tolerance = 0.003;
