@@ -114,7 +114,7 @@ for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon
     [ -e "$file" ] || continue
     rm -f default.* fit.*
     assets default "$name" ''
-    for technique in tam volume threshold traced rptam; do
+    for technique in tam volume threshold traced $([ $own = yes ] || echo rptam); do
         files $technique default >files
         for tolerance in $tolerances; do
             # shellcheck disable=SC2086
@@ -131,7 +131,7 @@ for name in ${SCENES:-scan figure engine textured far zoom rock crowd shade icon
         printf '%s\tneeds\t%s\t%d\t0\t%s\t%s\t0\t0\t0\n' "$name" "$tolerance" "$(wc -c <x.needs)" \
             "$(sum needs)" "$(sum drawn)"
         assets fit "$name" '--needs x.needs'
-        for technique in tam volume threshold traced rptam; do
+        for technique in tam volume threshold traced $([ $own = yes ] || echo rptam); do
             files $technique fit >files.fit
             # shellcheck disable=SC2086
             light fit "$(views)" $drawn
