@@ -8,6 +8,9 @@
 #     make -f lapped.mk MESHES='bunny.ply horse.ply'          both in one picture: row.png
 #     make -f lapped.mk MESH=bunny.ply FIELD='--direction min' LAPPED='--size .2' OPTIONS='--hatch-turn 30'
 #
+#     make -f lapped.mk MESH=scan.ply TURN=90 NEEDS=.01       patches no finer than these pictures, and only where they
+#                                                             show the surface; OPTIONS must suit render-gl --needs
+#
 # dirfield computes the directions, lapped-param covers the surface with patches along them, render-gl draws.
 # SHOW=1 also draws pictures of the directions and of the patches. The commands are found on PATH. Copy this
 # file and change it.
@@ -23,6 +26,7 @@ SEED      ?= 1
 OUT       ?= .
 FIELD     ?=
 LAPPED    ?=
+NEEDS     ?=
 OPTIONS   ?=
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
@@ -33,7 +37,13 @@ SHELL := /bin/bash
 # STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
-cover = dirfield $(FIELD) "$(1)" | lapped-param --seed $(SEED) $(LAPPED)
+# What the views need, before the patches are made.
+$(if $(NEEDS),$(if $(MESHES),$(error NEEDS is for one MESH)))
+views = $(if $(filter-out 0,$(TURN)),--turntable --frames $(TURN),$(if $(filter-out 0,$(FRAMES)),--frames $(FRAMES)))
+measure = $(if $(NEEDS),render-gl --size $(SIZE) $(OPTIONS) $(views) --needs --tolerance $(NEEDS) \
+    -o "$$name.needs" "$(1)" &&)
+fit = $(if $(NEEDS),--needs "$$name.needs")
+cover = $(measure) dirfield $(fit) $(FIELD) "$(1)" | lapped-param $(fit) --seed $(SEED) $(LAPPED)
 # The shell computes the name, because make would split a file name at spaces.
 name = name=$$(basename -- "$(1)") && name="$(OUT)/$${name%.*}"
 

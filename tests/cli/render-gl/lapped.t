@@ -31,6 +31,9 @@ meshgen sphere --faces 200 -o ball.glb
 meshgen plane --faces 50 -o plane.glb
 ok "lapped.mk draws several meshes in a row" make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' SIZE=96x48
 ok "lapped.mk draws a turntable" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 TURN=2 SHOW=1
+ok "lapped.mk draws one with patches that it needs" make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb SIZE=48x48 \
+    TURN=2 NEEDS=.02 OUT=needed
+ok "which are fewer" test "$(wc -c <needed/ball.lapped.glb)" -lt "$(wc -c <ball.lapped.glb)"
 is "lapped.mk writes all pictures of a turntable" "$(echo ball-*.png)" "ball-000.png ball-001.png ball-field.png ball-patches.png"
 printf 'width 3\n' >my.style
 ok "gltf.mk draws with the user's style into another folder" make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=./my.style OUT=away SIZE=48x48
