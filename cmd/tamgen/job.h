@@ -40,14 +40,16 @@ struct replay_job {
     const char *path;
     bool is_svg; /* true: an SVG drawing; false: a script */
     struct hatch_bytes file;
-    double keep; /* as in struct hatch_replay_options */
-    bool fit;    /* likewise */
+    double keep;       /* as in struct hatch_replay_options */
+    bool fit;          /* likewise */
+    const char *needs; /* path; NULL: all columns and levels are needed */
+    bool all_levels;   /* with needs: levels are not left out */
 };
 
 /* Reads the strokes of a script or an SVG drawing into job->strokes and warns of parts that are not replayed. */
 void read_drawing(struct job *job, const struct replay_job *replay);
 
-/* Makes a map of job->strokes and passes its columns to job->columns. */
+/* Makes a map of job->strokes and passes its columns to job->columns; with needs, begins these. */
 void replay_drawing(struct job *job, const struct replay_job *replay);
 
 #endif

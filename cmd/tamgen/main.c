@@ -49,7 +49,8 @@ static const struct cmd_option options[] = {
 static const struct cmd_rule rules[] = {
     {"keep fit", "replay", NULL},
     {"keep", "!fit", "which computes the share"},
-    {"method growth candidates needs", "!replay", "its strokes are given"},
+    {"method growth candidates", "!replay", "its strokes are given"},
+    {"ids", "!replay|!needs", "whose strokes are listed in the last column"},
     {NULL, NULL, NULL},
 };
 
@@ -164,11 +165,14 @@ int main(int argc, char **argv)
 
     read_style(&job);
     job.color = job.style.color_count > 0;
-    if (needs_path)
+    replay.needs = needs_path;
+    replay.all_levels = levels_given;
+    if (needs_path && !replay.path)
         read_needs(&job);
     if (replay.path)
         read_drawing(&job, &replay);
-    begin_columns(&job);
+    if (!replay.path || !needs_path)
+        begin_columns(&job);
     if (replay.path)
         replay_drawing(&job, &replay);
     else

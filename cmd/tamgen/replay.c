@@ -1,6 +1,7 @@
 /* tamgen --replay: makes a map of the strokes of a drawing. */
 #include "io/svg/svg.h"
 #include "job.h"
+#include "kept.h"
 #include "stroke/script.h"
 
 /* Warns of the parts of a drawing that are not replayed; dies if there is no stroke to replay. */
@@ -80,7 +81,10 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
                                            .color = job->color,
                                            .keep = (float)replay->keep,
                                            .fit = replay->fit};
-    const struct hatch_tam_sink sink = {columns_take, &job->columns};
+    static struct kept_columns kept;
+    kept.arena = &job->args.keep;
+    const struct hatch_tam_sink sink = replay->needs ? (struct hatch_tam_sink){kept_take, &kept}
+                                                     : (struct hatch_tam_sink){columns_take, &job->columns};
     float targets[HATCH_TAM_TONES_MAX];
     const char *name = cmd_input_name(replay->path);
     uint32_t drawn = job->strokes.count;
@@ -91,4 +95,6 @@ void replay_drawing(struct job *job, const struct replay_job *replay)
     warn_of_range(job, name, &result);
     cmd_note("%u of %u strokes, tone up to %.3f", job->strokes.count, drawn, (double)result.darkest);
     report_errors(job, replay, &result);
+    if (replay->needs)
+        kept_pass_on(job, replay->needs, replay->all_levels, &kept);
 }

@@ -281,8 +281,20 @@ try render-gl torus.glb --needs --samples 4
 refused "--needs with samples" 2 2
 try strokegen --needs s.needs --levels 3 torus.glb
 refused "strokegen: --needs with --levels" 2 2
-try tamgen --needs s.needs --replay x.svg
-refused "tamgen: --needs with --replay" 2 2
+
+# A drawing that is replayed.
+tamgen -q --size 128 --tones 12 -r drawing.tsv -o drawn.exr
+tamgen -q --replay drawing.tsv --size 128 --tones 12 -o drawing.exr
+tamgen -v --replay drawing.tsv --size 128 --tones 12 --needs turn.needs -o some.exr 2>said
+columns=$(hatchstat tam some.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
+is "some of its columns are left out" "$(grep -c "^tamgen: $((12 - columns)) of 12 columns left out" said)" 1
+tampack -q --layout png drawing.exr -o drawing
+tampack -q --layout png some.exr -o some
+is "the others are the same" "$(for file in some.*.png; do cmp "$file" "drawing.${file#some.}" 2>&1; done)" ""
+# shellcheck disable=SC2086
+ok "they draw the views" render-gl -q torus.glb -t tam-triple $light --turntable --frames 4 -T some.exr -o r%d.png
+try tamgen --needs s.needs --replay drawing.tsv --ids -o x.exr
+refused "tamgen: --ids of a drawing by needs" 2 2
 try tamgen --needs torus.glb
 refused "tamgen: a file that is none of needs" 3 1
 finish
