@@ -127,10 +127,12 @@ done
 refuses "--bands out of range" 2 2 "--bands: '16' is not a whole number from 1 to 15" --bands 16
 # Looks of other techniques: watercolor paints their pictures; the others and their options go with this one.
 draw="render-gl --size 32x24 -o picture.png torus.glb -t gouraud"
-for option in solid:waves.ktx2 inks:red solid-size:80 grain:.5; do
+for option in solid:waves.ktx2 inks:red grain:.5; do
     refuses "--${option%:*} without a look" 2 2 "--${option%:*} needs --technique solid or --look watercolor or --window" \
         --${option%:*} ${option#*:}
 done
+refuses "--solid-size without a look" 2 2 \
+    "--solid-size needs --technique solid or --look watercolor or --window or --needs" --solid-size 80
 refuses "--texture-color without a look" 2 2 \
     "--texture-color needs --technique solid or --look watercolor or --window" --texture-color
 for look in binary collage; do
