@@ -293,7 +293,7 @@ START_TEST(allocations_may_fail)
     ck_assert_uint_le(torus.vertex_count, 400);
     for (uint32_t v = 0; v < torus.vertex_count; v++)
         tolerances[v] = 0.01;
-    struct again again = {.part = {&torus, tolerances}};
+    struct again again = {.part = {&torus, tolerances, NULL}};
     hatch_test_fail_alloc(make_again, &again, &again, sizeof again);
 }
 END_TEST
