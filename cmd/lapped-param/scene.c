@@ -104,12 +104,7 @@ void lapped_param_replace(struct cmd_args *args, struct hatch_scene *scene, cons
     cmd_check(meshes && total < HATCH_NONE ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         memcpy(meshes + first[i], parts[i].made, parts[i].made_count * sizeof *meshes);
-    for (uint32_t n = 0; n < scene->node_count; n++) {
-        struct hatch_node *node = &scene->nodes[n];
-        uint32_t end = first[node->first_mesh + node->mesh_count];
-        node->first_mesh = first[node->first_mesh];
-        node->mesh_count = end - node->first_mesh;
-    }
+    hatch_scene_renumber(scene, first);
     scene->meshes = meshes;
     scene->mesh_count = (uint32_t)total;
 }

@@ -25,3 +25,13 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
     *scene = made;
     return HATCH_OK;
 }
+
+void hatch_scene_renumber(struct hatch_scene *scene, const uint32_t *first)
+{
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        struct hatch_node *node = &scene->nodes[n];
+        uint32_t end = first[node->first_mesh + node->mesh_count];
+        node->first_mesh = first[node->first_mesh];
+        node->mesh_count = end - node->first_mesh;
+    }
+}

@@ -149,6 +149,10 @@ struct hatch_scene {
 enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                       struct hatch_scene *scene, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Makes nodes draw the meshes that have taken the place of theirs.
+ *   first  per mesh and one more: the number of the first of those that take its place; rising */
+void hatch_scene_renumber(struct hatch_scene *scene, const uint32_t *first);
+
 /* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors;
  * front faces are then clockwise.
  *   animation  index, or HATCH_NONE: the rest pose

@@ -266,12 +266,7 @@ void cmd_split_unseen(struct cmd_args *args, const char *name, const struct hatc
         unseen += meshes[count - 1].unseen_tolerance > 0 ? meshes[count - 1].mesh.face_count : 0;
     }
     first[scene->mesh_count] = count;
-    for (uint32_t n = 0; n < scene->node_count; n++) {
-        struct hatch_node *node = &scene->nodes[n];
-        uint32_t end = first[node->first_mesh + node->mesh_count];
-        node->first_mesh = first[node->first_mesh];
-        node->mesh_count = end - node->first_mesh;
-    }
+    hatch_scene_renumber(scene, first);
     scene->meshes = meshes;
     scene->mesh_count = count;
     cmd_note("no view shows %llu of %llu faces", (unsigned long long)unseen, (unsigned long long)all);

@@ -90,19 +90,25 @@ START_TEST(a_sphere_follows_the_sagitta)
 }
 END_TEST
 
+/* Returns the distance of a vertex of a mesh from another mesh. */
+static double distance_from(const struct hatch_mesh *coarse, const struct hatch_mesh *mesh, uint32_t vertex)
+{
+    double at[3], least = INFINITY;
+    hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)vertex], at);
+    for (uint32_t f = 0; f < coarse->face_count; f++) {
+        double corners[3][3], share[3];
+        hatch_mesh_corners(coarse, f, corners);
+        least = fmin(least, hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share));
+    }
+    return sqrt(least);
+}
+
 START_TEST(no_removed_point_is_farther_than_its_tolerance)
 {
     struct hatch_mesh waves = sheet(40, 0.1), coarse = coarse_of(&waves, 0.01);
     ck_assert_uint_lt(coarse.face_count, 200);
     for (uint32_t v = 0; v < waves.vertex_count; v++) {
-        double at[3], least = INFINITY;
-        hatch_vec_of(&waves.attributes[0].data[3 * (size_t)v], at);
-        for (uint32_t f = 0; f < coarse.face_count; f++) {
-            double corners[3][3], share[3];
-            hatch_mesh_corners(&coarse, f, corners);
-            least = fmin(least, hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share));
-        }
-        ck_assert_double_le(sqrt(least), 0.01 + 1e-7);
+        ck_assert_double_le(distance_from(&coarse, &waves, v), 0.01 + 1e-7);
     }
 }
 END_TEST
@@ -140,14 +146,7 @@ START_TEST(loosely_waves_keep_their_height)
     ck_assert_uint_lt(coarse.face_count, waves.face_count / 4);
     ck_assert_uint_gt(coarse.face_count, 2 * loose_of(&waves, 1e-2, -1).face_count);
     for (uint32_t v = 0; v < waves.vertex_count; v++) {
-        double at[3], least = INFINITY;
-        hatch_vec_of(&waves.attributes[0].data[3 * (size_t)v], at);
-        for (uint32_t f = 0; f < coarse.face_count; f++) {
-            double corners[3][3], share[3];
-            hatch_mesh_corners(&coarse, f, corners);
-            least = fmin(least, hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share));
-        }
-        farthest = fmax(farthest, sqrt(least));
+        farthest = fmax(farthest, distance_from(&coarse, &waves, v));
     }
     ck_assert_double_le(farthest, 5e-4);
 }
