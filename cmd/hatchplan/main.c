@@ -77,7 +77,7 @@ static const struct cmd_rule rules[] = {
 
 static const char *const examples[] = {
     "meshgen teapot -o teapot.glb && hatchplan teapot.glb --size 320x240",
-    "hatchplan teapot.glb --budget 'ms=20 mb=1' --tolerance .04 --make -o plan.mk",
+    "hatchplan teapot.glb --budget mb=1 --tolerance .04 --make -o plan.mk",
     NULL,
 };
 

@@ -101,7 +101,7 @@ static void compare(const float *before, const float *now, size_t points, struct
 static void print_changes(const char *motion, const struct changes *changes)
 {
     size_t bin = 0;
-    for (uint64_t below = changes->bins[0]; below < 0.99 * (double)changes->count; below += changes->bins[bin])
+    for (uint64_t below = changes->bins[0]; (double)below < 0.99 * (double)changes->count; below += changes->bins[bin])
         bin++;
     printf("%s\t%llu\t%.4f\t%.3f\t%.5f\n", motion, (unsigned long long)changes->count,
            changes->sum / (double)changes->count, BIN_PX * (double)(bin + 1),
