@@ -24,14 +24,14 @@ struct joints {
 };
 
 static enum hatch_status add_joint(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
-                                   uint32_t face, const float place[2], double arc, struct joints *joints,
+                                   uint32_t face, const double place[2], double arc, struct joints *joints,
                                    struct hatch_err *err)
 {
     HATCH_TRY(hatch_trace_reserve(tracer->scratch, &joints->list, sizeof *joints->list, joints->count,
                                   &joints->capacity, err));
     struct hatch_trace_joint *joint = &joints->list[joints->count++];
     const struct hatch_trace_pose *pose = &tracer->ground.poses[face];
-    *joint = (struct hatch_trace_joint){.face = face, .x = (double)place[0], .y = (double)place[1], .arc = arc};
+    *joint = (struct hatch_trace_joint){.face = face, .x = place[0], .y = place[1], .arc = arc};
     hatch_trace_position(pose, joint->x, joint->y, joint->at);
     hatch_trace_normal(pose, joint->normal);
     joint->log_threshold = hatch_trace_threshold_at(tracer, stroke, arc);
@@ -44,8 +44,9 @@ static enum hatch_status add_half(const struct hatch_tracer *tracer, const struc
 {
     for (uint32_t n = stroke->first[way]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next) {
         const struct hatch_trace_piece *piece = &tracer->pieces[n];
+        const double place[2] = {(double)piece->to[0], (double)piece->to[1]};
         double arc = way ? -(double)piece->arc : (double)piece->arc;
-        HATCH_TRY(add_joint(tracer, stroke, piece->face, piece->to, arc, joints, err));
+        HATCH_TRY(add_joint(tracer, stroke, piece->face, place, arc, joints, err));
     }
     return HATCH_OK;
 }
@@ -53,7 +54,7 @@ static enum hatch_status add_half(const struct hatch_tracer *tracer, const struc
 static enum hatch_status list_joints(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
                                      struct joints *joints, struct hatch_err *err)
 {
-    const float seed[2] = {(float)stroke->seed.x, (float)stroke->seed.y};
+    const double seed[2] = {stroke->seed.x, stroke->seed.y};
     joints->count = 0;
     HATCH_TRY(add_half(tracer, stroke, 1, joints, err));
     for (uint32_t i = 0; i < joints->count / 2; i++) {
