@@ -98,9 +98,9 @@ is "without the other commands" "$status $(cat .err)" \
     "4 hatchplan: render-gl: cannot run this command of hatch: no such file or directory"
 is "nothing is left of all these" "$(ls -A own)" ""
 
-# Signals end the command that runs, too, and leave nothing.
+# Signals end the command that runs, too, and leave nothing; also where the caller of this test ignores them.
 for signal in HUP TERM; do
-    hatchplan --exhaustive torus.glb >/dev/null 2>&1 &
+    env --default-signal=$signal hatchplan --exhaustive torus.glb >/dev/null 2>&1 &
     process=$!
     is_drawing() {
         child=$(cat /proc/$process/task/$process/children 2>/dev/null) && [ -n "$child" ]
