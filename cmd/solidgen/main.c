@@ -154,8 +154,8 @@ static void fit(struct cmd_args *args)
     cmd_read_needs(args, needs_path, &needs);
     uint32_t needed = hatch_needs_solid(&needs, (uint32_t)size, HATCH_SOLID_SIZE_MIN);
     if (needed < size)
-        cmd_note("%u texels along a side, not %d: a period covers %g pixels; %.3g of the texels are made", needed,
-                 (int)size, needs.solid_px, pow((double)needed / (double)size, 3));
+        cmd_note("%u texels along a side, not %d: a period covers %g pixels; %.3g %% of the texels are made", needed,
+                 (int)size, needs.solid_px, 100 * pow((double)needed / (double)size, 3));
     size = needed;
 }
 

@@ -19,7 +19,7 @@ struct cmd_map_part cmd_find_map_part(const struct hatch_needs *needs, const flo
                  (double)targets[part.tones - 1]);
     if (part.finer)
         cmd_note("levels finer than %u pixels left out", size_px >> part.finer);
-    cmd_note("%.3g of the texels are made", part.tones / (double)tones / (double)(1u << 2 * part.finer));
+    cmd_note("%.3g %% of the texels are made", 100.0 * part.tones / tones / (double)(1u << 2 * part.finer));
     return part;
 }
 

@@ -84,8 +84,8 @@ tamgen -v --size 128 --tones 32 --needs turn.needs -o cut.exr 2>said
 columns=$(hatchstat tam cut.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
 is "some columns are left out" "$(awk -v n="$columns" 'BEGIN {print (n > 8 && n < 32)}')" 1
 ok "-v says how many" grep -q "^tamgen: $((32 - columns)) of 32 columns left out: tones over" said
-is "and what that saves" "$(sed -n 's/^tamgen: \(.*\) of the texels are made/\1/p' said)" \
-    "$(awk -v n="$columns" 'BEGIN {printf "%.3g", n / 32}')"
+is "and what that saves" "$(sed -n 's/^tamgen: \(.*\) % of the texels are made/\1/p' said)" \
+    "$(awk -v n="$columns" 'BEGIN {printf "%.3g", 100 * n / 32}')"
 tampack -q --layout png whole.exr -o whole
 tampack -q --layout png cut.exr -o cut
 is "all columns that are made have the pixels of the whole map" "$(for file in cut.*.png; do
@@ -146,7 +146,7 @@ is "pictures have the same tone, and at 64 pixels, too" "$(hatchstat diff small.
 # shellcheck disable=SC2086
 try render-gl -q torus.glb $view --zoom 2 -T small.exr -o near.png
 refused "a nearer view is refused" 3 1
-is "since it needs finer levels" "$(sed 's/: [0-9.]* of/: X of/' "$WORK/.err")" \
+is "since it needs finer levels" "$(sed 's/: [0-9.]* % of/: X of/' "$WORK/.err")" \
     "render-gl: small.exr: was made for surfaces seen from farther away: X of this view needs finer levels; make it again with the needs of this view"
 
 # Strokes: as many levels as the picture's size asks for.
@@ -217,7 +217,7 @@ for file in egg.patches egg.strokes egg.anew; do
     # shellcheck disable=SC2086
     try render-gl -q $file.glb $options --from 180:0 --size 240x180 -o back.png
     refused "$file: the other side is refused" 3 1
-    is "with what to do" "$(sed 's/: [0-9.]* of/: X of/' "$WORK/.err")" \
+    is "with what to do" "$(sed 's/: [0-9.]* % of/: X of/' "$WORK/.err")" \
         "render-gl: $file.glb: was made for other views: X of this one shows what they do not see; make $again"
 done
 try render-gl -q egg.strokes.glb -t traced --window
@@ -268,7 +268,7 @@ ok "thresholds in two layers are read" render-gl -q torus.glb -t threshold-soft 
 render-gl torus.glb --solid-size 64 --size 160x120 --needs -o solid.needs
 is "a period that is asked for has a row" "$(row solid.needs solid-px 0)" 64
 is "which needs half of the texels along a side" "$(solidgen -v --needs solid.needs 2>&1 >solid.ktx2 |
-    grep -c '32 texels along a side, not 64: a period covers 64 pixels; 0.125 of')" 1
+    grep -c '32 texels along a side, not 64: a period covers 64 pixels; 12.5 % of')" 1
 ok "the same as --size" cmp solid.ktx2 "$(solidgen -q --size 32 -o half.ktx2 && echo half.ktx2)"
 is "without one, all are made" "$(solidgen -q --needs s.needs | wc -c)" "$(solidgen -q | wc -c)"
 

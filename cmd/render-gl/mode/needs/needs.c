@@ -113,8 +113,8 @@ static void check_scene(const struct job *job, const struct needs_measure *measu
     double allowed = LEEWAY * measure->unseen_tolerance;
     if ((double)measure->unseen <= allowed * (double)drawn)
         return;
-    hatch_fail(&err, HATCH_BAD_INPUT, "was made for other views: %.2g of this one shows what they do not see; %s",
-               (double)measure->unseen / (double)drawn, again);
+    hatch_fail(&err, HATCH_BAD_INPUT, "was made for other views: %.3g %% of this one shows what they do not see; %s",
+               100 * (double)measure->unseen / (double)drawn, again);
     cmd_die(job->name, &err);
 }
 
@@ -137,8 +137,8 @@ static void check_map(const struct job *job, const struct needs_measure *measure
     }
     if (part.cut_levels && (double)measure->finer > allowed * (double)drawn) {
         hatch_fail(&err, HATCH_BAD_INPUT,
-                   "was made for surfaces seen from farther away: %.2g of this view needs finer levels; %s",
-                   (double)measure->finer / (double)drawn, again);
+                   "was made for surfaces seen from farther away: %.3g %% of this view needs finer levels; %s",
+                   100 * (double)measure->finer / (double)drawn, again);
         cmd_die(name, &err);
     }
 }
