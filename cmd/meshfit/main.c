@@ -65,8 +65,8 @@ static void report(struct meshfit *fit, struct meshfit_level *level, uint64_t be
         cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
 }
 
-/* Removes normals that the file does not have, which are those of flat faces: their borders are everywhere. */
-static void drop_computed_normals(struct hatch_scene *scene)
+/* Removes the normals of flat faces, which a glTF without normals gets: their borders are everywhere. */
+static void drop_flat_normals(struct hatch_scene *scene)
 {
     for (uint32_t m = 0; m < scene->mesh_count; m++) {
         struct hatch_mesh *mesh = &scene->meshes[m].mesh;
@@ -94,7 +94,8 @@ int main(int argc, char **argv)
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     for (uint32_t m = 0; m < scene.mesh_count; m++)
         before += scene.meshes[m].mesh.face_count;
-    drop_computed_normals(&scene);
+    cmd_add_normals(&args, fit.name, &scene);
+    drop_flat_normals(&scene);
     meshfit_begin(&fit, &chosen);
     for (int64_t i = 0; i < level_count; i++) {
         if (faces > 0)

@@ -93,6 +93,19 @@ static void warn_library(const char *path, const char *library)
         cmd_warn(path, "material library %s does not exist: materials of OBJ files are not used", library);
 }
 
+void cmd_add_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    for (uint32_t m = 0; scene->up_undefined && m < scene->mesh_count; m++) {
+        struct hatch_scene_mesh *mesh = &scene->meshes[m];
+        if (mesh->had_normals)
+            continue;
+        cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh->mesh, CMD_CREASE_RAD, &err), name, &err);
+        mesh->had_normals = true;
+        mesh->file_vertices = mesh->mesh.vertex_count;
+    }
+}
+
 void cmd_warn_up(const char *name, const struct hatch_scene *scene)
 {
     if (scene->up_undefined && hatch_mesh_stands_along_z(&scene->meshes[0].mesh))

@@ -27,6 +27,11 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
 void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
                              struct hatch_scene *scene, struct hatch_mesh_notes *notes);
 
+/* Adds normals, with creases of CMD_CREASE_RAD, to the meshes of a scene that is no glTF where the file has none, so
+ * that it looks the same when it is written as glTF, which has flat faces without normals. Dies on failure.
+ *   scene  in, out: new arrays are in args->keep */
+void cmd_add_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene);
+
 /* Warns of a mesh, of a format that does not define which axis points up, that seems to stand along z. */
 void cmd_warn_up(const char *name, const struct hatch_scene *scene);
 

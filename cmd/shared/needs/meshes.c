@@ -114,19 +114,6 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
     }
 }
 
-/* Adds normals where a file of a format without them has none. Returns whether the mesh may get coarser. */
-static bool prepare(struct cmd_args *args, const char *name, const struct hatch_scene *scene,
-                    struct hatch_scene_mesh *mesh)
-{
-    struct hatch_err err;
-    if (!scene->up_undefined && !mesh->had_normals)
-        return false;
-    cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh->mesh, CMD_CREASE_RAD, &err), name, &err);
-    mesh->had_normals = true;
-    mesh->file_vertices = mesh->mesh.vertex_count;
-    return true;
-}
-
 /* Makes the meshes of a node coarser: they are one surface, whose borders stay closed. */
 static void coarsen_node(struct cmd_args *args, const char *name, const struct hatch_node *node,
                          const struct errors *errors, struct hatch_scene_mesh *meshes)
@@ -165,8 +152,9 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
     cmd_check(HATCH_ALLOC(&args->keep, &errors.cosines, scene->mesh_count, &err), name, &err);
     errors.scale = extent.scale;
     errors.unseen = extent.diagonal * UNSEEN_SHARE;
+    cmd_add_normals(args, name, scene);
     for (uint32_t m = 0; m < scene->mesh_count; m++) {
-        if (!prepare(args, name, scene, &scene->meshes[m]))
+        if (!scene->meshes[m].had_normals)
             return;
         uint32_t count = scene->meshes[m].mesh.vertex_count;
         cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors.vertices[m], count, &err), name, &err);

@@ -15,6 +15,10 @@ faces() {
 displacement() {
     hatchstat coarse -q $small "$@" | column displacement_px
 }
+# json FILE: the JSON of a GLB file
+json() {
+    tail -c +21 "$1" | head -c "$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')"
+}
 # below A B: whether A is at most B
 below() {
     awk -v a="$1" -v b="$2" 'BEGIN {exit !(a <= b)}'
@@ -66,16 +70,33 @@ try meshfit $small --faces 4 torus.glb -o /dev/null
 refused "too few faces for a torus" 3 1
 is "which says how many it needs" "$(grep -c '^meshfit: torus.glb: --faces 4: the surface cannot have fewer than [0-9]*$' .err)" 1
 
+# Scans have no normals, and glTF without normals is flat: a coarse mesh gets those of the full one.
+awk 'BEGIN {
+    n = 40
+    for (i = 0; i <= n; i++)
+        for (j = 0; j <= n; j++)
+            print "v", i / n, 0.1 * sin(6.3 * i / n) * sin(6.3 * j / n), j / n
+    for (i = 0; i < n; i++)
+        for (j = 1; j <= n; j++) {
+            a = i * (n + 1) + j
+            print "f", a, a + 1, a + n + 2
+            print "f", a, a + n + 2, a + n + 1
+        }
+}' >waves.obj
+ok "a mesh without normals" meshfit $small --error 1 waves.obj -o waves.glb
+ok "becomes coarser" test "$(faces waves.glb)" -lt 1600
+is "and has normals" "$(json waves.glb | grep -c '"NORMAL"')" 1
+printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '0 0 1' '1 0 1' '1 1 1' '0 1 1' >box.obj
+printf 'f %s\n' '1 4 3 2' '5 6 7 8' '1 2 6 5' '2 3 7 6' '3 4 8 7' '4 1 5 8' >>box.obj
+meshfit $small -q box.obj -o box.glb
+is "edges of a box stay sharp" "$(hatchstat mesh -q box.glb | column vertices)" 24
+
 try meshfit $small -v torus.glb -o /dev/null
 is "-v reports faces and errors" "$(grep -cE '^meshfit: [0-9]+ of [0-9]+ faces; displacement 0\.[0-9]+ px at most, 99\.9 % within 0\.[0-9]+ px; outlines [0-9.]+ px at most; normals [0-9.]+ degrees in the mean$' .err)" 1
 try meshfit $small torus.glb -o /dev/null
 is "without it, nothing is said" "$(cat .err)" ""
 is "the options are in the file" "$(grep -ac '"meshfit --error 0.5 --levels 1 --size 320x180 --fov 30 --zoom 1"' fit.glb)" 1
 
-# json FILE: the JSON of a GLB file
-json() {
-    tail -c +21 "$1" | head -c "$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')"
-}
 meshfit $small --levels 3 torus.glb -o levels.glb
 is "--levels writes coarser nodes that are not part of the scene" \
     "$(json levels.glb | grep -o '"scenes":.*"meshes"')" \
