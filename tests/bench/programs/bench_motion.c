@@ -16,7 +16,7 @@
 
 enum { WIDTH = 960, HEIGHT = 720, BINS = 4000, TURNS = 12, ZOOMS = 48 };
 
-#define LIGHT_RAD (-40 * HATCH_RADIANS) /* from the camera of the first frame; the light stays with the scene */
+#define LIGHT_RAD (-40 * HATCH_RADIANS) /* from the camera of the first frame */
 #define BIN_PX 0.002                    /* width of a bin of changes */
 #define VISIBLE_PX 0.3                  /* a narrower point is not seen to go */
 
@@ -61,6 +61,21 @@ static struct hatch_view view_at(double azimuth_rad, double distance)
     for (int k = 0; k < 3; k++)
         view.eye[k] *= distance;
     return view;
+}
+
+/* Makes the light come from where it came from in a view, as it stays with the scene. */
+static void keep_light(const struct hatch_view *first, const struct hatch_view *view)
+{
+    const double level = cos(-LIGHT_RAD);
+    double x = 0, y = 0, z = 0;
+    for (int k = 0; k < 3; k++) {
+        double from = level * sin(LIGHT_RAD) * first->right[k] + sin(-LIGHT_RAD) * first->up[k] +
+                      level * cos(LIGHT_RAD) * first->back[k];
+        x += from * view->right[k];
+        y += from * view->up[k];
+        z += from * view->back[k];
+    }
+    frame.shown.style.light = (struct hatch_key_light){.azimuth_rad = atan2(x, z), .elevation_rad = asin(y)};
 }
 
 /* Draws a view.
@@ -112,7 +127,7 @@ START_TEST(measure)
 {
     static struct changes turn, zoom;
     open_scene();
-    struct hatch_view view = view_at(30 * HATCH_RADIANS, 1);
+    const struct hatch_view first = view_at(30 * HATCH_RADIANS, 1);
     frame_picture(&frame, "traced");
     technique_traced.read(&frame.technique_context, &frame.instances[0]);
     const struct traced_state *state = frame.instances[0].state;
@@ -121,17 +136,16 @@ START_TEST(measure)
     float *ribbons[2];
     for (int i = 0; i < 2; i++)
         ribbons[i] = HATCH_NEW(&frame.args.keep, float, TRACED_RIBBON_FLOATS *points, &frame.err);
-    frame.shown.style.light = (struct hatch_key_light){.azimuth_rad = LIGHT_RAD, .elevation_rad = -LIGHT_RAD};
     for (int i = 0; i <= TURNS; i++) {
-        view = view_at((30 + 2.5 * i) * HATCH_RADIANS, 1);
-        frame.shown.style.light.azimuth_rad = LIGHT_RAD - 2.5 * i * HATCH_RADIANS;
+        const struct hatch_view view = view_at((30 + 2.5 * i) * HATCH_RADIANS, 1);
+        keep_light(&first, &view);
         draw(&view, ribbons[i % 2]);
         if (i > 0)
             compare(ribbons[1 - i % 2], ribbons[i % 2], points, &turn);
     }
-    frame.shown.style.light.azimuth_rad = LIGHT_RAD;
+    keep_light(&first, &first);
     for (int i = 0; i <= ZOOMS; i++) {
-        view = view_at(30 * HATCH_RADIANS, exp2(3 - i / 16.0));
+        const struct hatch_view view = view_at(30 * HATCH_RADIANS, exp2(3 - i / 16.0));
         draw(&view, ribbons[i % 2]);
         if (i > 0)
             compare(ribbons[1 - i % 2], ribbons[i % 2], points, &zoom);
