@@ -59,13 +59,19 @@ static double ink_beyond(double factor)
                : 0;
 }
 
+double hatch_stroke_grazing(double scale, double facing_scale, double grazing)
+{
+    return pow(1 + pow(grazing * facing_scale / fmax(scale, 1e-9 * facing_scale), 4), 0.25);
+}
+
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
-                             double densest, double raised)
+                             double densest, double raised, double denser)
 {
     double whole_px = hatch_stroke_whole_px(pen, tone), covered = tone * scale / HATCH_STROKE_GAIN;
-    double wanted = covered / whole_px, drawn = fmax(fmin(wanted, densest / HATCH_STROKE_SPARE), 1e-300),
-           factor = densest / drawn;
+    double wanted = covered / whole_px;
+    denser = fmax(fmin(denser, densest / (HATCH_STROKE_FADE * fmax(wanted, 1e-300))), 1);
+    double drawn = fmax(fmin(wanted * denser, densest / HATCH_STROKE_SPARE), 1e-300), factor = densest / drawn;
     double lacking = (ink_beyond(factor) - ink_beyond(raised * factor) / raised) / HATCH_STROKE_GAIN;
-    whole_px *= fmin(wanted / drawn / (1 - lacking), HATCH_STROKE_WIDEST);
+    whole_px *= fmin(wanted * denser / drawn / (1 - lacking), HATCH_STROKE_WIDEST) / denser;
     return whole_px * hatch_stroke_share(drawn / threshold);
 }

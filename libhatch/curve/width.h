@@ -8,7 +8,11 @@
  * with the tone, from 0 at half the limit to a share HATCH_STROKE_HALF at the limit and to 1 at twice the limit. Where
  * each level of strokes halves the gaps of the one before, so that thresholds are powers of two, the levels then make
  * exactly as much ink together as is wanted at any tone, for any gap. Where the surface has fewer strokes than wanted,
- * they are wider, up to a factor HATCH_STROKE_WIDEST. */
+ * they are wider, up to a factor HATCH_STROKE_WIDEST.
+ *
+ * Next to silhouettes of surfaces that turn, the scale changes fast, and strokes would come and go. Where a surface is
+ * seen at a grazing angle across its strokes, they are denser and as much thinner (hatch_stroke_grazing): their number
+ * changes slowly, and so do their widths. Pens of one width and dots do without this. */
 #ifndef HATCH_CURVE_WIDTH_H
 #define HATCH_CURVE_WIDTH_H
 
@@ -20,6 +24,7 @@
 #define HATCH_STROKE_WIDEST 2.4
 #define HATCH_STROKE_SPARE                                                                                             \
     1.4 /* least ratio of the densest strokes to those drawn: if more are wanted, strokes get wider */
+#define HATCH_STROKE_GRAZING 0.3 /* foreshortening across strokes under which their density hardly falls */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
@@ -61,13 +66,20 @@ double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone);
  *   ratio  of the strokes that are wanted to the point's threshold */
 double hatch_stroke_share(double ratio);
 
+/* Returns the factor, at least 1, by which strokes are denser and thinner because the surface is seen at a grazing
+ * angle across them: the scale times it is never under `grazing` times facing_scale. scale, facing_scale  as below, of
+ * the surface, and of one that faces the camera; facing_scale over 0 grazing              HATCH_STROKE_GRAZING, or 0:
+ * the factor is 1 */
+double hatch_stroke_grazing(double scale, double facing_scale, double grazing);
+
 /* Returns the width of a stroke at a point, in pixels; 0: it is not drawn there.
  *   tone       share of the surface that the strokes of this family cover together, 0 .. 1
  *   threshold  of the point, in strokes per mesh unit across
  *   scale      ppu * cos / s, in pixels per mesh unit
  *   densest    greatest threshold of the mesh's strokes: the others are wider, as far as they lack
- *   raised     factor of the thresholds of denser strokes, that is to say, how few of them there are; HUGE_VAL: none */
+ *   raised     factor of the thresholds of denser strokes, that is to say, how few of them there are; HUGE_VAL: none
+ *   denser     factor of hatch_stroke_grazing; it is used as far as the mesh has so many strokes */
 double hatch_stroke_width_px(const struct hatch_stroke_pen *pen, double tone, double threshold, double scale,
-                             double densest, double raised);
+                             double densest, double raised, double denser);
 
 #endif

@@ -144,11 +144,12 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
     state->pen.mark_px *= wider;
     state->pen.gap_px *= wider;
     state->pen.taper_px *= wider;
+    const bool dots = hatch_pen_has_dots(&state->pen);
     struct traced_block block = {
         .pen = {state->pen.width_px, pen->thin, (float)frame->request.canvas->side, tanf(pen->turn_rad)},
         .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(state->pen.taper_px, 1e-3f)},
-        .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain},
-        .marks = {state->pen.mark_px, state->pen.gap_px, pen->scatter, hatch_pen_has_dots(&state->pen) ? 1 : 0}};
+        .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain, pen_px > 0 || dots ? 0 : (float)HATCH_STROKE_GRAZING},
+        .marks = {state->pen.mark_px, state->pen.gap_px, pen->scatter, dots ? 1 : 0}};
     traced_set_look(&pen->look, (double)state->pen.width_px, pen_px > 0, &block);
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
@@ -187,7 +188,8 @@ static double threshold_limit(const struct frame *frame, const struct hatch_item
         depth = 1;
     else if (depth < NARROWEST)
         return HUGE_VAL;
-    return HATCH_STROKE_FADE * OFF_AXIS * unit * height_px / (2 * view->half_height * depth * width_px);
+    return hatch_stroke_grazing(1, 1, HATCH_STROKE_GRAZING) * HATCH_STROKE_FADE * OFF_AXIS * unit * height_px /
+           (2 * view->half_height * depth * width_px);
 }
 
 static void set_lift(const struct frame *frame, const struct hatch_item *item, double chord, GLuint program)

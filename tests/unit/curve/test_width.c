@@ -41,7 +41,7 @@ START_TEST(strokes_of_all_thresholds_cover_the_tone)
     for (double tone = 0.125; tone <= 1; tone += 0.125) {
         double covered = 0;
         for (double threshold = 0.05; threshold < 2000; threshold += 0.1)
-            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale, 1e6, HUGE_VAL) / scale;
+            covered += 0.1 * hatch_stroke_width_px(&pen, tone, threshold, scale, 1e6, HUGE_VAL, 1) / scale;
         ck_assert_double_eq_tol(covered, tone, 0.002);
     }
 }
@@ -56,7 +56,7 @@ START_TEST(levels_that_halve_gaps_cover_the_tone_evenly)
         double covered = 0;
         for (int level = -20; level < 20; level++)
             covered += ldexp(threshold, level) *
-                       hatch_stroke_width_px(&pen, 0.5, ldexp(threshold, level), scale, 1e6, HUGE_VAL);
+                       hatch_stroke_width_px(&pen, 0.5, ldexp(threshold, level), scale, 1e6, HUGE_VAL, 1);
         least = fmin(least, covered);
         most = fmax(most, covered);
     }
@@ -74,7 +74,7 @@ START_TEST(wider_strokes_make_up_for_those_that_lack)
             for (double threshold = 0.05; threshold < 4000; threshold += 0.1)
                 covered += 0.1 *
                            hatch_stroke_width_px(&pen, tone, threshold < densest ? threshold : raised * threshold,
-                                                 scale, densest, raised) /
+                                                 scale, densest, raised, 1) /
                            scale;
             ck_assert_double_eq_tol(covered, tone, 0.002);
         }
@@ -85,14 +85,31 @@ START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
 {
     double before = 0;
     for (double tone = 0; tone <= 1; tone += 0.01) {
-        double width = hatch_stroke_width_px(&pen, tone, 50, 300, 1e6, HUGE_VAL);
+        double width = hatch_stroke_width_px(&pen, tone, 50, 300, 1e6, HUGE_VAL, 1);
         ck_assert_double_ge(width, before);
         ck_assert_double_le(width, hatch_stroke_whole_px(&pen, tone) + 1e-12);
         before = width;
     }
-    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300, 1e6, HUGE_VAL) <= 0);
-    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 1e6, HUGE_VAL), 2, 1e-12);
-    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 30, HUGE_VAL), 2 * HATCH_STROKE_WIDEST, 1e-12);
+    ck_assert(hatch_stroke_width_px(&pen, 0.1, 1000, 300, 1e6, HUGE_VAL, 1) <= 0);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 1e6, HUGE_VAL, 1), 2, 1e-12);
+    ck_assert_double_eq_tol(hatch_stroke_width_px(&pen, 0.5, 1, 300, 30, HUGE_VAL, 1), 2 * HATCH_STROKE_WIDEST, 1e-12);
+}
+END_TEST
+
+START_TEST(strokes_at_grazing_angles_are_denser)
+{
+    const double grazing = HATCH_STROKE_GRAZING, facing = 300;
+    double before = 0;
+    for (double scale = 1e-3; scale <= facing; scale *= 1.01) {
+        double dense = scale * hatch_stroke_grazing(scale, facing, grazing);
+        ck_assert_double_ge(dense, before * (1 - 1e-12)); /* they never get fewer where more are in sight */
+        ck_assert_double_ge(dense * (1 + 1e-12), fmax(scale, grazing * facing)); /* the fourth powers add up: */
+        ck_assert_double_eq_tol(pow(dense, 4), pow(scale, 4) + pow(grazing * facing, 4), 1e-9 * pow(facing, 4));
+        before = dense;
+    }
+    ck_assert_double_eq_tol(hatch_stroke_grazing(facing, facing, grazing), 1, 0.011);
+    ck_assert_double_eq_tol(hatch_stroke_grazing(5, facing, 0), 1, 1e-15);
+    ck_assert(isfinite(hatch_stroke_grazing(0, facing, grazing)));
 }
 END_TEST
 
@@ -105,6 +122,7 @@ static Suite *suite(void)
     tcase_add_test(tests, levels_that_halve_gaps_cover_the_tone_evenly);
     tcase_add_test(tests, wider_strokes_make_up_for_those_that_lack);
     tcase_add_test(tests, a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold);
+    tcase_add_test(tests, strokes_at_grazing_angles_are_denser);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -14,6 +14,7 @@
 #include "trace/trace.h"
 
 enum { TONES = 21, THRESHOLDS = 41, SCALES = 13, DENSEST = 5, WIDTHS = TONES * THRESHOLDS * SCALES * DENSEST };
+#define FACING 4.0f /* scale of a surface that faces the camera */
 enum { WIDTH = 300, HEIGHT = 200, TILE = 90, SIDE = 2 };
 
 static struct test_frame frame;
@@ -26,10 +27,12 @@ static GLuint width_program(void)
                               "layout(std430, binding = 0) readonly buffer Places { vec4 places[]; };\n"
                               "layout(std430, binding = 1) writeonly buffer Widths { float widths[]; };\n"
                               "layout(location = 0) uniform vec2 pen;\n"
+                              "layout(location = 1) uniform float facing;\n"
                               "void main()\n"
                               "{\n"
                               "    vec4 at = places[gl_GlobalInvocationID.x];\n"
-                              "    vec3 law = width_law(pen, at.x, at.y, at.z, vec2(at.w, 1.5), false);\n"
+                              "    float denser = grazing_factor(at.z, facing, 0.4);\n"
+                              "    vec3 law = width_law(pen, at.x, at.y, at.z, vec2(at.w, 1.5), denser, false);\n"
                               "    widths[gl_GlobalInvocationID.x] = law.x * law.y;\n"
                               "}\n";
     const char *const texts[] = {begin, shader_text("traced/width.glsl"), end};
@@ -58,6 +61,7 @@ static void compare_widths(GLuint program, const struct hatch_stroke_pen *pen, f
         gpu_storage_bind(k, buffers[k]);
     glUseProgram(program);
     glUniform2f(0, pen->width_px, pen->thin);
+    glUniform1f(1, FACING);
     glDispatchCompute(WIDTHS, 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gpu_buffer_read(buffers[1], widths, sizeof widths);
@@ -65,7 +69,8 @@ static void compare_widths(GLuint program, const struct hatch_stroke_pen *pen, f
     for (int i = 0; i < WIDTHS; i++) {
         const float *at = places[i];
         const double whole = hatch_stroke_whole_px(pen, (double)at[0]);
-        const double want = hatch_stroke_width_px(pen, (double)at[0], (double)at[1], (double)at[2], (double)at[3], 1.5);
+        const double scale = (double)at[2], denser = hatch_stroke_grazing(scale, FACING, 0.4);
+        const double want = hatch_stroke_width_px(pen, (double)at[0], (double)at[1], scale, (double)at[3], 1.5, denser);
         ck_assert_msg(fabs((double)widths[i] - want) <= 2e-5 * whole,
                       "tone %g, threshold %g, scale %g, densest %g: %.7g on the GPU, %.7g on the processor",
                       (double)at[0], (double)at[1], (double)at[2], (double)at[3], (double)widths[i], want);

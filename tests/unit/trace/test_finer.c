@@ -110,7 +110,7 @@ static double widths_of(const struct hatch_finer_found *found, double densest, d
         for (uint32_t c = 0; c < found->curves.sets[s].count && found->curves.sets[s].level >= from_level; c++) {
             const struct hatch_curve *curve = &found->curves.curves[found->curves.sets[s].first + c];
             double threshold = (double)found->curves.points[curve->first + curve->count / 2].threshold;
-            sum += hatch_stroke_width_px(&pen, 1, threshold, scale, densest, found->raised);
+            sum += hatch_stroke_width_px(&pen, 1, threshold, scale, densest, found->raised, 1);
         }
     return sum;
 }

@@ -124,11 +124,14 @@ void main()
     bool behind = area * lift.w < 0.0;
     if (behind && side > 0.0)
         return;
+    float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
+    float unit_px = right_length() * viewport.x / at.w, flat_rise = toward_eye / unit_px;
     float scale = abs(area) / (point.stroke.y * length_px);
+    float denser = grazing_factor(scale, length(vec2(length_px, way.z / flat_rise)), matter.z);
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
     bool dots = marks.w > 0.0;
     vec3 law =
-        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, dots);
+        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, denser, dots);
     float width = law.x * (dots ? float(law.y > 0.0) : law.y), sparser = dots ? min(law.z, SPARSEST) : 1.0;
     float period = period_px(marks, tone), scatter = marks.z * period * sparser;
     period /= sparser;
@@ -145,9 +148,7 @@ void main()
     float wobble = hand.z * (0.4 * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
                              0.6 * stroke_noise(corners.w ^ 0x2545f491u, point.stroke.z, octave - 2.0)) +
                    pen.w * point.rest.z * turned * tanh(0.5 * (ends.x - ends.y) / turned);
-    float toward_eye = (lift.x - place.z * lift.y) / at.w; // change of depth per unit towards the eye
-    float unit_px = right_length() * viewport.x / at.w;
-    float flat_rise = toward_eye / unit_px, rise = dot(gradient, across), steep = length(gradient) / flat_rise;
+    float rise = dot(gradient, across), steep = length(gradient) / flat_rise;
     scatter /= 1.0 + steep * steep / 25.0; // and dots, which are farther away, less so
     float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
     if (behind)

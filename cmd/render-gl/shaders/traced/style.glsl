@@ -2,7 +2,7 @@
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Style {
     vec4 pen;  // width in pixels, thin; samples along a pixel's side; tangent of the greatest turn
     vec4 hand; // vary, pressure, wobble in pixels, length of tapered ends in pixels
-    vec4 matter; // darkness of a stroke, grain
+    vec4 matter; // darkness of a stroke, grain, grazing
     vec4 marks; // length and gap in pixels, scatter; 1: they are dots
     vec4 tones[8][9]; // per family: tone at ink 0, 1/32 .. 1
     vec4 zigzag; // amplitude and wave in pixels; waves along a whole stroke, 0: as many as its length has; stretch

@@ -36,7 +36,7 @@ struct gathering {
 static double drawn(const struct hatch_vector_pen *pen, double wanted_px)
 {
     const struct hatch_stroke_pen alike = {.width_px = (float)pen->width_px, .thin = 1};
-    return wanted_px - hatch_stroke_width_px(&alike, 1, 1 / pen->width_px, 1, HUGE_VAL, HUGE_VAL);
+    return wanted_px - hatch_stroke_width_px(&alike, 1, 1 / pen->width_px, 1, HUGE_VAL, HUGE_VAL, 1);
 }
 
 /* Computes the position of a point in the unit scene.

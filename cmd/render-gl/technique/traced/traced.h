@@ -11,7 +11,7 @@
 struct traced_block {
     float pen[4];   /* width in pixels, thin (curve/width.h); samples along a pixel's side; tangent of turn_rad */
     float hand[4];  /* vary, pressure, wobble_px, taper_px (curve/width.h) */
-    float ink[4];   /* darkness of a stroke, grain; unused */
+    float ink[4];   /* darkness of a stroke, grain; HATCH_STROKE_GRAZING, or 0 for dots and pens; unused */
     float marks[4]; /* length and gap of marks in pixels, scatter; 1: they are dots */
     float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
     float zigzag[4];                          /* amplitude and wave in pixels; waves along a whole stroke, 0: as many as
