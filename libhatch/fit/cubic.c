@@ -3,20 +3,22 @@
 #include <math.h>
 
 #define MOMENTS 7u
-#define PASSES 4u
 
 /* Polynomials and weights are rounded to multiples of powers of two, so that doubles hold their sums exactly, in any
- * order: polynomials to 2^-GRID_BITS or, of strokes of over 2^13 fragments, to coarser ones; times a weight in 128ths
- * and a whole number up to 2^14, and summed, they stay within 2^53 of these multiples. */
+ * order: the bits of a polynomial, a weight, a whole coordinate and the number of fragments are at most SUM_BITS
+ * together. Polynomials have GRID_BITS, and weights as many of the rest as there are of them; of large strokes weights
+ * have no more than SHARE_BITS_LEAST, and polynomials what is left. */
+#define SUM_BITS 53
 #define GRID_BITS 19
-#define SHARES 128.0f
+#define SHARE_BITS 15 /* of the middle of a 16384th */
+#define SHARE_BITS_LEAST 7
 #define WEIGHTS 65536.0f
 
-/* Penalty on the factors of degrees 2 and 3 of a very short stroke, in the unit of the polynomials' sums of squares
- * over the fragments. A stroke of SHORT_PX pixels has half of it, and longer ones have less, by the square of their
- * length. */
-#define PENALTY 2.0
-#define SHORT_PX 50.0
+/* Roundings of a stroke. */
+struct grid {
+    float polynomials; /* inverse of what they are rounded to */
+    int share_bits;    /* of weights, which are rounded to the middle of 2^(1 - share_bits) */
+};
 
 /* Sums over the fragments of a stroke. */
 struct sums {
@@ -33,9 +35,11 @@ static void legendre(float u, uint32_t count, float *values)
         values[k] = ((float)(2 * k - 1) * u * values[k - 1] - (float)(k - 1) * values[k - 2]) / (float)k;
 }
 
-static void find_range(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
+/* Finds the ranges of t and of places. Returns the greatest coordinate from the origin. */
+static float find_range(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
 {
     double weight = 0;
+    float far[2] = {0, 0};
     *cubic = (struct hatch_cubic){.t = {fragments->t, fragments->t}, .origin = {fragments->x, fragments->y}};
     for (size_t i = 0; i < count; i++) {
         const struct hatch_fragment *f = &fragments[i];
@@ -43,34 +47,49 @@ static void find_range(const struct hatch_fragment *fragments, size_t count, str
         cubic->t[1] = fmaxf(cubic->t[1], f->t);
         cubic->origin[0] = fminf(cubic->origin[0], f->x);
         cubic->origin[1] = fminf(cubic->origin[1], f->y);
+        far[0] = fmaxf(far[0], f->x);
+        far[1] = fmaxf(far[1], f->y);
         weight += (double)rintf(f->weight * WEIGHTS);
     }
     cubic->weight = (float)(weight / (double)WEIGHTS);
+    return fmaxf(far[0] - cubic->origin[0], far[1] - cubic->origin[1]);
 }
 
-/* Returns how much a fragment counts: what its stroke covers of the pixel, the middle of a 64th. */
-static double share_of(const struct hatch_fragment *fragment)
+/* Returns how much a fragment counts: what its stroke covers of the pixel, rounded. */
+static double share_of(const struct hatch_fragment *fragment, int bits)
 {
-    return (double)((2 * floorf(rintf(fragment->weight * 65535) / 1024) + 1) / SHARES);
+    const uint32_t weight = (uint32_t)rintf(fragment->weight * 65535);
+    return ldexp((double)(2 * (weight >> (17 - bits)) + 1), -bits);
 }
 
-/* Returns the inverse of what polynomials are rounded to. */
-static float grid_of(size_t count)
+/* Returns the number of bits of numbers below a limit. */
+static int bits_below(double limit)
 {
     int bits = 0;
-    while ((size_t)1 << bits < count)
+    while (ldexp(1, bits) < limit)
         bits++;
-    return ldexpf(1, bits > 13 ? GRID_BITS + 13 - bits : GRID_BITS);
+    return bits;
 }
 
-static void add(const struct hatch_cubic *cubic, const struct hatch_fragment *fragment, float grid, struct sums *sums)
+/* Returns the roundings of a stroke.
+ *   extent_px  greatest whole coordinate from the origin */
+static struct grid grid_of(size_t count, float extent_px)
 {
-    const double share = share_of(fragment);
+    const int rest = SUM_BITS - bits_below((double)count) - bits_below((double)extent_px + 1);
+    const int spare = rest - GRID_BITS;
+    const int share_bits = spare > SHARE_BITS ? SHARE_BITS : spare < SHARE_BITS_LEAST ? SHARE_BITS_LEAST : spare;
+    return (struct grid){ldexpf(1, rest - share_bits < GRID_BITS ? rest - share_bits : GRID_BITS), share_bits};
+}
+
+static void add(const struct hatch_cubic *cubic, const struct hatch_fragment *fragment, struct grid grid,
+                struct sums *sums)
+{
+    const double share = share_of(fragment, grid.share_bits);
     const float from[2] = {fragment->x - cubic->origin[0], fragment->y - cubic->origin[1]};
     float values[MOMENTS];
     legendre(hatch_cubic_u(cubic, fragment->t), MOMENTS, values);
     for (uint32_t k = 0; k < MOMENTS; k++) {
-        double value = share * (double)(rintf(values[k] * grid) / grid);
+        double value = share * (double)(rintf(values[k] * grid.polynomials) / grid.polynomials);
         sums->moments[k] += value;
         for (int axis = 0; axis < 2 && k < HATCH_CUBIC_TERMS; axis++)
             sums->places[axis][k] += value * (double)from[axis];
@@ -97,12 +116,13 @@ static void find_penalties(double product[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS],
 {
     double share = product[1][0] / product[0][0], half[2];
     penalty[0] = 0;
-    penalty[1] = 1e-9;
+    penalty[1] = HATCH_CUBIC_LINE_PENALTY;
     for (int axis = 0; axis < 2; axis++)
         half[axis] = (sums->places[axis][1] - share * sums->places[axis][0]) /
                      (product[1][1] - share * product[1][0] + penalty[1]);
     double square = 4 * (half[0] * half[0] + half[1] * half[1]);
-    penalty[2] = PENALTY * product[0][0] / (double)count / (1 + square / (SHORT_PX * SHORT_PX));
+    penalty[2] = HATCH_CUBIC_PENALTY * product[0][0] / (double)count /
+                 (1 + square / (HATCH_CUBIC_SHORT_PX * HATCH_CUBIC_SHORT_PX));
     penalty[3] = penalty[2];
 }
 
@@ -132,7 +152,7 @@ static void solve(const struct sums *sums, size_t count, struct hatch_cubic *cub
     factorize(a, pivots);
     for (int axis = 0; axis < 2; axis++) {
         double x[HATCH_CUBIC_TERMS] = {0};
-        for (uint32_t pass = 0; pass < PASSES; pass++) {
+        for (uint32_t pass = 0; pass < HATCH_CUBIC_PASSES; pass++) {
             for (uint32_t i = 0; i < HATCH_CUBIC_TERMS; i++) {
                 x[i] = sums->places[axis][i] + penalty[i] * x[i];
                 for (uint32_t j = 0; j < i; j++)
@@ -152,8 +172,7 @@ static void solve(const struct sums *sums, size_t count, struct hatch_cubic *cub
 void hatch_cubic_fit(const struct hatch_fragment *fragments, size_t count, struct hatch_cubic *cubic)
 {
     struct sums sums = {.moments = {0}};
-    const float grid = grid_of(count);
-    find_range(fragments, count, cubic);
+    const struct grid grid = grid_of(count, find_range(fragments, count, cubic));
     for (size_t i = 0; i < count; i++)
         add(cubic, &fragments[i], grid, &sums);
     solve(&sums, count, cubic);

@@ -15,6 +15,17 @@
 
 #define HATCH_CUBIC_TERMS 4u
 
+/* The problem. With the weighted sum of squared distances of the fragments from the curve, each pass makes the sum of
+ * the penalties least, each times the square of its factor's distance from that of the pass before; first from 0. The
+ * penalty on degrees 2 and 3 is HATCH_CUBIC_PENALTY times the mean weight for a very short stroke. A stroke of
+ * HATCH_CUBIC_SHORT_PX pixels has half of it, and longer ones have less, by the square of their length, which is that
+ * of the line through the fragments. The penalty on degree 1 only keeps the solution finite where all fragments have
+ * one parameter. */
+#define HATCH_CUBIC_PASSES 4u
+#define HATCH_CUBIC_PENALTY 2.0
+#define HATCH_CUBIC_SHORT_PX 50.0
+#define HATCH_CUBIC_LINE_PENALTY 1e-9
+
 /* A pixel of a stroke. */
 struct hatch_fragment {
     float t;      /* along the stroke, 0 .. 1 */

@@ -1,15 +1,16 @@
 #!/bin/sh
-# Measures how far the curves of fitted strokes are from the pseudo-inverse in doubles of the same fragments, in views of
-# five scenes, 960x720 pixels, with the options' defaults (programs/bench_fit_views.c, which has the kinds of systems).
-# Without ../shared, two shapes take the place of Duck.glb and CesiumMan.glb. p50, p99, most: of the distances of strokes,
-# in pixels; over: strokes of more than a pixel.
+# Measures how far the curves of fitted strokes are from the pseudo-inverse in doubles of the same fragments, and from the
+# problem that the fit states (stated_...), solved in doubles by another way; in views of five scenes, 960x720 pixels, with
+# the options' defaults (programs/bench_fit_views.c, which has the kinds of systems). Without ../shared, two shapes take the
+# place of Duck.glb and CesiumMan.glb. p50, p99, most: of the distances of strokes, in pixels; over: strokes of more than a
+# pixel.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
 files=$(dirname "$0")/../../../../shared/data/gltf
 style=$(dirname "$(command -v render-gl)")/../share/hatch/styles/ink.style
-printf 'scene\twhat\tkind\tstrokes\tp50\tp99\tmost\tover\n'
+printf 'scene\twhat\tkind\tstrokes\tp50\tp99\tmost\tover\tstated_p50\tstated_p99\tstated_most\tstated_over\n'
 shapes="teapot torus sphere"
 for name in Duck CesiumMan; do
     if [ -e "$files/$name.glb" ]; then

@@ -1,19 +1,20 @@
 /* Compares the curves of the strokes that a view shows with those that they should have:
  *     bench_fit_views NAME OPTION ...   as render-gl, for one picture with --technique strokes
  * The fragments of all strokes are read back from the GPU. hatch_cubic_fit, which tests/unit/render-gl/test_strokes.c
- * compares with the shaders, is compared with the pseudo-inverse in doubles (fit/reference.h); the distance of a stroke
- * is the largest one at its fragments. Standard output gets rows of two kinds: `whole` strokes, and those `drawn`, of
- * which some are parts of a stroke that no cubic follows; each for four kinds of systems:
- *     regular    all others
- *     few        fewer than four different parameters, or a range of them under 1 / 64
- *     ill        fragments with errors of a pixel would give a factor an error of more than a pixel
- *     scattered  so much of the weight lies so far from the curve that render-gl divides the stroke; of drawn ones,
- * what remains of strokes of too many parts */
+ * compares with the shaders, is compared with the pseudo-inverse in doubles (fit/reference.h), and with the problem
+ * that fit/cubic.h states, solved in doubles from singular values (fit/stated.h); the distance of a stroke is the
+ * largest one at its fragments. Standard output gets rows of two kinds: `whole` strokes, and those `drawn`, of which
+ * some are parts of a stroke that no cubic follows; each for all strokes, by the number of different parameters, and
+ * for four kinds of systems: regular    all others few        fewer than four different parameters, or a range of them
+ * under 1 / 64 ill        fragments with errors of a pixel would give a factor an error of more than a pixel scattered
+ * so much of the weight lies so far from the curve that render-gl divides the stroke; of drawn ones, what remains of
+ * strokes of too many parts */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
-#include "fit/reference.h"
 #include "fit/split.h"
+#include "fit/stated.h"
 #include "fit/strokes.h"
 #include "math/percentile.h"
 #include "render-gl/gpu/buffer.h"
@@ -25,16 +26,20 @@
 #define REACH 1.5      /* in widths, and a pixel more: as in technique/strokes/fit.c */
 #define MISSED_MOST 0.05
 
-enum kind { REGULAR, FEW, ILL, SCATTERED, KINDS };
-static const char *const kinds[] = {"regular", "few", "ill", "scattered"};
+enum kind { REGULAR, FEW, ILL, SCATTERED, ALL, COUNTED, KINDS = COUNTED + 7 };
+static const char *const kinds[] = {"regular", "few", "ill", "scattered", "all",  "1",
+                                    "2",       "3",   "4",   "5-8",       "9-16", "17-"};
+static const uint32_t most_parameters[] = {1, 2, 3, 4, 8, 16, UINT32_MAX};
 
 static struct job job;
 static struct hatch_err err;
 
+enum reference { PLAIN, STATED, REFERENCES };
+
 /* Distances of strokes of one kind, in pixels. */
 struct distances {
     size_t count;
-    struct hatch_weighted *of;
+    struct hatch_weighted *of[REFERENCES];
 };
 
 /* The strokes of the picture, and their fragments. */
@@ -52,39 +57,71 @@ static void *memory(size_t size)
     return made;
 }
 
-static bool has_few_parameters(const struct hatch_fragment *fragments, size_t count, const struct hatch_cubic *cubic)
+static int compare_parameters(const void *a, const void *b)
 {
-    float seen[HATCH_CUBIC_TERMS];
-    uint32_t different = 0;
-    for (size_t i = 0; i < count && different < HATCH_CUBIC_TERMS; i++) {
-        uint32_t k = 0;
-        while (k < different && (fragments[i].t < seen[k] || fragments[i].t > seen[k]))
-            k++;
-        if (k == different)
-            seen[different++] = fragments[i].t;
-    }
-    return different < HATCH_CUBIC_TERMS || (double)(cubic->t[1] - cubic->t[0]) < RANGE_LEAST;
+    const float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
 }
 
-/* Notes the distance of a stroke among those of its kind. */
-static void compare(const struct hatch_fragment *fragments, size_t count, double reach_px, struct distances *all)
+/* Returns the number of different parameters. */
+static uint32_t count_parameters(const struct hatch_fragment *fragments, size_t count)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&job.args.keep);
+    float *t = memory(sizeof *t * count);
+    uint32_t different = 1;
+    for (size_t i = 0; i < count; i++)
+        t[i] = fragments[i].t;
+    qsort(t, count, sizeof *t, compare_parameters);
+    for (size_t i = 1; i < count; i++)
+        different += t[i] > t[i - 1];
+    hatch_arena_rewind(&job.args.keep, mark);
+    return different;
+}
+
+/* Finds the largest distances of a stroke's curve from the references. */
+static void find_distances(const struct hatch_fragment *fragments, size_t count, const struct hatch_cubic *cubic,
+                           double largest[REFERENCES])
 {
     struct fit_reference reference;
-    struct hatch_cubic cubic;
-    double largest = 0;
-    hatch_cubic_fit(fragments, count, &cubic);
+    struct fit_stated stated;
     fit_reference_find(fragments, count, &reference);
+    fit_stated_find(fragments, count, &stated);
+    largest[PLAIN] = largest[STATED] = 0;
     for (size_t i = 0; i < count; i++) {
-        double here[2], there[2];
-        fit_curve_at(&cubic, (double)fragments[i].t, here);
-        fit_reference_at(&reference, (double)fragments[i].t, there);
-        largest = fmax(largest, hypot(here[0] - there[0], here[1] - there[1]));
+        double here[2], there[REFERENCES][2];
+        fit_curve_at(cubic, (double)fragments[i].t, here);
+        fit_reference_at(&reference, (double)fragments[i].t, there[PLAIN]);
+        fit_stated_at(&stated, (double)fragments[i].t, there[STATED]);
+        for (int k = 0; k < REFERENCES; k++)
+            largest[k] = fmax(largest[k], hypot(here[0] - there[k][0], here[1] - there[k][1]));
     }
-    enum kind kind = has_few_parameters(fragments, count, &cubic)                           ? FEW
-                     : hatch_cubic_missed(&cubic, fragments, count, reach_px) > MISSED_MOST ? SCATTERED
-                     : fit_reference_determined(fragments, count) < DETERMINED              ? ILL
-                                                                                            : REGULAR;
-    all[kind].of[all[kind].count++] = (struct hatch_weighted){largest, 1};
+}
+
+static void note(const double largest[REFERENCES], struct distances *kind)
+{
+    for (int k = 0; k < REFERENCES; k++)
+        kind->of[k][kind->count] = (struct hatch_weighted){largest[k], 1};
+    kind->count++;
+}
+
+/* Notes the distances of a stroke among those of its kinds. */
+static void compare(const struct hatch_fragment *fragments, size_t count, double reach_px, struct distances *all)
+{
+    struct hatch_cubic cubic;
+    double largest[REFERENCES];
+    hatch_cubic_fit(fragments, count, &cubic);
+    find_distances(fragments, count, &cubic, largest);
+    uint32_t parameters = count_parameters(fragments, count), counted = 0;
+    const bool few = parameters < HATCH_CUBIC_TERMS || (double)(cubic.t[1] - cubic.t[0]) < RANGE_LEAST;
+    const enum kind kind = few                                                                    ? FEW
+                           : hatch_cubic_missed(&cubic, fragments, count, reach_px) > MISSED_MOST ? SCATTERED
+                           : fit_reference_determined(fragments, count) < DETERMINED              ? ILL
+                                                                                                  : REGULAR;
+    while (parameters > most_parameters[counted])
+        counted++;
+    note(largest, &all[kind]);
+    note(largest, &all[ALL]);
+    note(largest, &all[COUNTED + counted]);
 }
 
 /* Divides the fragments of a stroke as render-gl does.
@@ -106,24 +143,28 @@ static void print_rows(const char *name, const char *what, struct distances all[
 {
     static const double shares[] = {0.5, 0.99, 1};
     for (int kind = 0; kind < KINDS; kind++) {
-        double found[3] = {NAN, NAN, NAN};
-        size_t over = 0;
-        for (size_t i = 0; i < all[kind].count; i++)
-            over += all[kind].of[i].value > 1;
-        if (all[kind].count)
-            hatch_percentiles(all[kind].of, all[kind].count, shares, 3, found);
-        printf("%s\t%s\t%s\t%zu\t%.4g\t%.4g\t%.4g\t%zu\n", name, what, kinds[kind], all[kind].count, found[0], found[1],
-               found[2], over);
+        printf("%s\t%s\t%s\t%zu", name, what, kinds[kind], all[kind].count);
+        for (int k = 0; k < REFERENCES; k++) {
+            double found[3] = {NAN, NAN, NAN};
+            size_t over = 0;
+            for (size_t i = 0; i < all[kind].count; i++)
+                over += all[kind].of[k][i].value > 1;
+            if (all[kind].count)
+                hatch_percentiles(all[kind].of[k], all[kind].count, shares, 3, found);
+            printf("\t%.4g\t%.4g\t%.4g\t%zu", found[0], found[1], found[2], over);
+        }
+        printf("\n");
     }
 }
 
 static void compare_all(const char *name, const struct strokes *strokes)
 {
     struct distances whole[KINDS] = {{0}}, drawn[KINDS] = {{0}};
-    for (int kind = 0; kind < KINDS; kind++) {
-        whole[kind].of = memory(sizeof *whole->of * strokes->count);
-        drawn[kind].of = memory(sizeof *drawn->of * strokes->count * HATCH_FIT_PARTS_MAX);
-    }
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int k = 0; k < REFERENCES; k++) {
+            whole[kind].of[k] = memory(sizeof **whole->of * strokes->count);
+            drawn[kind].of[k] = memory(sizeof **drawn->of * strokes->count * HATCH_FIT_PARTS_MAX);
+        }
     for (uint32_t i = 0; i < strokes->count; i++) {
         const struct strokes_slot *slot = &strokes->slots[i];
         struct hatch_arena_mark mark = hatch_arena_mark(&job.args.keep);

@@ -15,7 +15,7 @@ layout(location = 5) out uvec2 o_id;
 void main()
 {
     float t = 2.0 * t_of(v_fragment.zw) - 1.0, square = t * t, hash = float(v_fragment.x >> 8);
-    float share = share_of(v_fragment.zw);
+    float share = share_of(v_fragment.zw, SHARE_BITS);
     vec2 place = pixel_of(v_fragment.zw) - viewport.xy;
     o_powers = share * vec4(1.0, t, square, square * t);
     o_higher = vec4(share * square * square * vec3(1.0, t, square), float(v_fragment.w >> 16) / 65535.0);

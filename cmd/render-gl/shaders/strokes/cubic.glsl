@@ -3,7 +3,7 @@
 
 layout(std430, binding = STORAGE_SORTED) readonly buffer Sorted { uvec2 sorted[]; };
 
-const int GRID_BITS = 19;
+const int SUM_BITS = 53, GRID_BITS = 19, SHARE_BITS_LEAST = 7;
 const double PENALTY = 2.0, SHORT_PX = 50.0;
 const int PASSES = 4;
 
@@ -15,32 +15,38 @@ void legendre(float u, out float values[7])
         values[k] = (float(2 * k - 1) * u * values[k - 1] - float(k - 1) * values[k - 2]) / float(k);
 }
 
-// Finds the ranges of the fragments first .. first + count - 1.
-void find_range(uint first, uint count, inout Cubic cubic)
+// Finds the ranges of the fragments first .. first + count - 1. Returns the greatest coordinate from the origin.
+float find_range(uint first, uint count, inout Cubic cubic)
 {
     double weight = 0.0;
+    vec2 far = vec2(0.0);
     cubic.range = vec2(2.0, -1.0);
     cubic.origin = vec2(1e9);
     for (uint i = first; i < first + count; i++) {
         float t = t_of(sorted[i]);
         cubic.range = vec2(min(cubic.range.x, t), max(cubic.range.y, t));
         cubic.origin = min(cubic.origin, pixel_of(sorted[i]));
+        far = max(far, pixel_of(sorted[i]));
         weight += double(sorted[i].y >> 16);
     }
     cubic.weight = float(weight / 65535.0);
+    return max(far.x - cubic.origin.x, far.y - cubic.origin.y);
 }
 
 // Sums over the fragments, which doubles hold exactly, in any order.
-void add_all(uint first, uint count, Cubic cubic, out double moments[7], out double x[4], out double y[4])
+// extent: greatest coordinate from the origin
+void add_all(uint first, uint count, float extent, Cubic cubic, out double moments[7], out double x[4], out double y[4])
 {
     for (int k = 0; k < 7; k++)
         moments[k] = 0.0;
     for (int k = 0; k < 4; k++)
         x[k] = y[k] = 0.0;
-    float grid = exp2(float(min(GRID_BITS, GRID_BITS + 12 - findMSB(count - 1u))));
+    int rest = SUM_BITS - (findMSB(count - 1u) + 1) - (findMSB(uint(extent)) + 1);
+    int share_bits = clamp(rest - GRID_BITS, SHARE_BITS_LEAST, SHARE_BITS);
+    float grid = exp2(float(min(GRID_BITS, rest - share_bits)));
     for (uint i = first; i < first + count; i++) {
         vec2 from = pixel_of(sorted[i]) - cubic.origin;
-        double share = double(share_of(sorted[i]));
+        double share = double(share_of(sorted[i], share_bits));
         float values[7];
         legendre(u_of(cubic, t_of(sorted[i])), values);
         for (int k = 0; k < 7; k++) {
@@ -118,8 +124,8 @@ Cubic fit(uint first, uint count)
 {
     Cubic cubic;
     double moments[7], x[4], y[4], a[4][4], penalty[4], pivots[4];
-    find_range(first, count, cubic);
-    add_all(first, count, cubic, moments, x, y);
+    float extent = find_range(first, count, cubic);
+    add_all(first, count, extent, cubic, moments, x, y);
     products(moments, a);
     find_penalties(a, x, y, count, penalty);
     for (int k = 0; k < 4; k++)

@@ -11,10 +11,12 @@ float t_of(uvec2 fragment)
     return float(fragment.y & 0xffffu) / 65535.0;
 }
 
-// Returns what the fragment counts: the share of the pixel that is covered, the middle of a 64th.
-float share_of(uvec2 fragment)
+const int SHARE_BITS = 15; // at most
+
+// Returns what the fragment counts: the share of the pixel that is covered, the middle of 2^(1 - bits).
+float share_of(uvec2 fragment, int bits)
 {
-    return float(2u * (fragment.y >> 26) + 1u) / 128.0;
+    return ldexp(float(2u * (fragment.y >> (33 - bits)) + 1u), -bits);
 }
 
 vec2 pixel_of(uvec2 fragment)
