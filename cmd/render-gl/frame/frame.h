@@ -39,6 +39,7 @@ struct frame_request {
     const struct canvas *canvas; /* as large as the tile; the result is drawn on it */
     const float *background;     /* R G B, linear light */
     double line_px;              /* width of feature lines that will be drawn over the frame; 0: none */
+    uint32_t film; /* number of the frame in its film, from 1, which technique_foresee has seen; 0: it stands alone */
 };
 
 /* State that is kept from frame to frame. The owner zeroes it and sets programs, scene, style and size_max_px. */

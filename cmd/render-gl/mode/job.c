@@ -385,6 +385,19 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view)
         hatch_view_turn(view, -360 * HATCH_RADIANS * frame / options->frames);
 }
 
+uint32_t job_set_film_frame(struct job *job, uint32_t frame, job_foresee *foresee, void *data, struct hatch_view *view)
+{
+    const struct options *options = job->options;
+    const bool depends = options->frames > 1 && options->technique->foresee;
+    struct hatch_err err;
+    for (; depends && job->foreseen < options->frames && job->foreseen <= frame + TECHNIQUE_AHEAD; job->foreseen++) {
+        job_set_frame(job, job->foreseen, view);
+        cmd_check(foresee(data, job->foreseen + 1, view, &err), NULL, &err);
+    }
+    job_set_frame(job, frame, view);
+    return depends ? frame + 1 : 0;
+}
+
 void job_make_canvas(struct job *job, struct canvas *canvas)
 {
     const struct options *options = job->options;

@@ -32,6 +32,7 @@ struct job {
     struct hatch_view fixed_view;    /* the view of all frames, unless it follows the scene's pose */
     struct hatch_view first_view;    /* the view of the first frame */
     uint32_t changes;                /* number of calls of the technique's `changed` */
+    uint32_t foreseen;               /* number of frames that have been foreseen, from the first */
     double changes_ms;               /* total time of these calls */
 };
 
@@ -82,6 +83,16 @@ enum hatch_status job_refresh(struct job *job, struct technique_instance *instan
  *   frame  index from 0
  *   view   out */
 void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view);
+
+/* Foresees a frame of a film, which is posed.
+ *   film  its number, from 1
+ *   data  of the caller */
+typedef enum hatch_status job_foresee(void *data, uint32_t film, const struct hatch_view *view, struct hatch_err *err);
+
+/* Poses the scene for a frame of a film, the one after that of the last call, or the first. If it depends on later
+ * ones, these are posed and foreseen before. Exits with a message on failure. view  out Returns the number of the frame
+ * from 1, or 0 if it does not depend on others. */
+uint32_t job_set_film_frame(struct job *job, uint32_t frame, job_foresee *foresee, void *data, struct hatch_view *view);
 
 /* Computes the view that the options describe, at the scene's current pose.
  *   time_s  time of the animation at that pose

@@ -19,15 +19,22 @@ static double line_px(const struct picture *picture)
     return picture->draws_lines ? picture->lines->lines.style.width_px : 0;
 }
 
+static struct frame_request request_of(const struct picture *picture, const struct hatch_view *view,
+                                       const struct hatch_tile *tile, const struct canvas *canvas)
+{
+    return (struct frame_request){.view = view,
+                                  .tile = tile,
+                                  .canvas = canvas,
+                                  .background = picture->context->frame->style.inks.paper,
+                                  .line_px = line_px(picture),
+                                  .film = picture->film};
+}
+
 enum hatch_status picture_draw_tile(const struct picture *picture, const struct hatch_view *view,
                                     const struct hatch_tile *tile, const struct canvas *canvas, struct hatch_err *err)
 {
     struct frame *frame = picture->context->frame;
-    const struct frame_request request = {.view = view,
-                                          .tile = tile,
-                                          .canvas = canvas,
-                                          .background = frame->style.inks.paper,
-                                          .line_px = line_px(picture)};
+    const struct frame_request request = request_of(picture, view, tile, canvas);
     HATCH_TRY(technique_draw(picture->context, picture->instance, &request, err));
     if (picture->draws_lines) {
         picture->lines->lines.style.brush = technique_line_brush(picture->instance);
@@ -44,21 +51,39 @@ static uint32_t reach_px(const struct picture *picture)
     return picture->lines && reach < HATCH_LINES_REACH_PX ? HATCH_LINES_REACH_PX : reach;
 }
 
+/* Draws the tiles of a picture, or foresees them.
+ *   image  NULL: they are foreseen */
+static enum hatch_status go_over(const struct picture *picture, const struct hatch_view *view,
+                                 const struct canvas *canvas, uint32_t full_width, uint32_t full_height,
+                                 struct hatch_image *image, struct hatch_err *err)
+{
+    uint32_t reach = reach_px(picture);
+    uint32_t left = full_width > canvas->width ? reach : 0, below = full_height > canvas->height ? reach : 0;
+    uint32_t width = canvas->width - 2 * left, height = canvas->height - 2 * below;
+    assert(canvas->width > 2 * left && canvas->height > 2 * below);
+    for (uint32_t y = 0; y < full_height; y += height)
+        for (uint32_t x = 0; x < full_width; x += width) {
+            const struct hatch_tile tile = {(double)x - left, (double)y - below, canvas->width,
+                                            canvas->height,   full_width,        full_height};
+            const struct gpu_rectangle seen = {left, below, least(width, full_width - x),
+                                               least(height, full_height - y)};
+            const struct frame_request request = request_of(picture, view, &tile, canvas);
+            HATCH_TRY(image ? picture_draw_tile(picture, view, &tile, canvas, err)
+                            : technique_foresee(picture->context, picture->instance, &request, 0, err));
+            if (image)
+                canvas_read(canvas, seen, image, x, y);
+        }
+    return HATCH_OK;
+}
+
+enum hatch_status picture_foresee(const struct picture *picture, const struct hatch_view *view,
+                                  const struct canvas *canvas, uint32_t width, uint32_t height, struct hatch_err *err)
+{
+    return go_over(picture, view, canvas, width, height, NULL, err);
+}
+
 enum hatch_status picture_draw(const struct picture *picture, const struct hatch_view *view,
                                const struct canvas *canvas, struct hatch_image *image, struct hatch_err *err)
 {
-    uint32_t reach = reach_px(picture);
-    uint32_t left = image->width > canvas->width ? reach : 0, below = image->height > canvas->height ? reach : 0;
-    uint32_t width = canvas->width - 2 * left, height = canvas->height - 2 * below;
-    assert(canvas->width > 2 * left && canvas->height > 2 * below);
-    for (uint32_t y = 0; y < image->height; y += height)
-        for (uint32_t x = 0; x < image->width; x += width) {
-            const struct hatch_tile tile = {(double)x - left, (double)y - below, canvas->width,
-                                            canvas->height,   image->width,      image->height};
-            const struct gpu_rectangle seen = {left, below, least(width, image->width - x),
-                                               least(height, image->height - y)};
-            HATCH_TRY(picture_draw_tile(picture, view, &tile, canvas, err));
-            canvas_read(canvas, seen, image, x, y);
-        }
-    return HATCH_OK;
+    return go_over(picture, view, canvas, image->width, image->height, image, err);
 }

@@ -13,6 +13,7 @@ struct picture {
     struct technique_instance *instance; /* prepared */
     struct line_overlay *lines;          /* NULL: not made */
     bool draws_lines;                    /* whether lines are drawn; false if `lines` is NULL */
+    uint32_t film;                       /* as in struct frame_request */
 };
 
 /* Makes a canvas for pictures of a size. It is as large as the picture, or smaller: then pictures are drawn in tiles.
@@ -26,6 +27,13 @@ enum hatch_status picture_canvas(struct frame *frame, uint32_t width, uint32_t h
 enum hatch_status picture_draw_tile(const struct picture *picture, const struct hatch_view *view,
                                     const struct hatch_tile *tile, const struct canvas *canvas,
                                     struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds in a frame of a film, the posed scene, what frames before it depend on.
+ *   canvas         made by picture_canvas for a picture of that size
+ *   width, height  of the picture */
+enum hatch_status picture_foresee(const struct picture *picture, const struct hatch_view *view,
+                                  const struct canvas *canvas, uint32_t width, uint32_t height,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* Draws a whole picture of the posed scene.
  *   canvas  made by picture_canvas for the image's size

@@ -64,6 +64,21 @@ static void note_film(const struct options *options, const struct technique_coun
                  all->fragments, all->waited, options->frames);
 }
 
+/* The picture of a frame that is foreseen, and its canvas. */
+struct film {
+    struct picture picture;
+    const struct canvas *canvas;
+    const struct options *options;
+};
+
+static enum hatch_status foresee(void *data, uint32_t film, const struct hatch_view *view, struct hatch_err *err)
+{
+    struct film *frames = data;
+    frames->picture.film = film;
+    return picture_foresee(&frames->picture, view, frames->canvas, frames->options->width, frames->options->height,
+                           err);
+}
+
 void pictures_write(struct job *job)
 {
     const struct options *options = job->options;
@@ -78,6 +93,7 @@ void pictures_write(struct job *job)
     cmd_check(hatch_image_make(keep, options->width, options->height, "RGB", &image, &err), NULL, &err);
     job_make_canvas(job, &canvas);
     const struct picture picture = job_picture(job, job_open(job, options->technique, &err));
+    struct film film = {.picture = picture, .canvas = &canvas, .options = options};
     struct technique_counts all = {.strokes = 0};
     uint32_t blank = 0;
     if (job->times_output)
@@ -85,8 +101,8 @@ void pictures_write(struct job *job)
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
-        job_set_frame(job, frame, &view);
-        cmd_check(picture_draw(&picture, &view, &canvas, &image, &err), NULL, &err);
+        film.picture.film = job_set_film_frame(job, frame, foresee, &film, &view);
+        cmd_check(picture_draw(&film.picture, &view, &canvas, &image, &err), NULL, &err);
         note_counts(picture.instance, &all);
         blank += !job->empty && is_blank(&image, job->frame.style.inks.paper);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);

@@ -29,6 +29,7 @@ struct drawing {
     struct job *job;
     struct hatch_lines lines;
     struct hatch_arena *arena;            /* of one frame */
+    uint32_t film;                        /* of the frame, as in struct frame_request */
     struct canvas canvas;                 /* zeroed: the technique has no curves */
     uint32_t stroke_layers;               /* of the frame */
     const struct hatch_stroke_look *look; /* of its strokes */
@@ -71,6 +72,28 @@ static enum hatch_status add_curves(struct drawing *drawing, const struct hatch_
     return hatch_vector_append(&drawing->paths, &dashes, err);
 }
 
+static struct hatch_tile whole(const struct drawing *drawing)
+{
+    const double width = drawing->job->options->width, height = drawing->job->options->height;
+    return (struct hatch_tile){0, 0, width, height, width, height};
+}
+
+/* film: as in struct frame_request */
+static struct frame_request request_of(const struct drawing *drawing, const struct hatch_view *view,
+                                       const struct hatch_tile *tile, uint32_t film)
+{
+    return (struct frame_request){.view = view,
+                                  .tile = tile,
+                                  .canvas = &drawing->canvas,
+                                  .background = drawing->job->options->inks.paper,
+                                  .film = film};
+}
+
+static double pen_px(const struct drawing *drawing)
+{
+    return drawing->pen_mm / drawing->pixel_mm;
+}
+
 /* Adds the visible parts of the technique's strokes. */
 static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch_view *view,
                                      const struct hatch_occluders *occluders, struct hatch_err *err)
@@ -78,13 +101,12 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
     struct job *job = drawing->job;
     const struct options *options = job->options;
     struct hatch_arena *arena = drawing->arena, *scratch = &job->args.scratch;
-    const struct hatch_tile tile = {0, 0, options->width, options->height, options->width, options->height};
-    const struct frame_request request = {
-        .view = view, .tile = &tile, .canvas = &drawing->canvas, .background = options->inks.paper};
+    const struct hatch_tile tile = whole(drawing);
+    const struct frame_request request = request_of(drawing, view, &tile, drawing->film);
     struct technique_curves strokes;
     struct hatch_vector_paths visible;
-    HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request,
-                                    drawing->pen_mm / drawing->pixel_mm, arena, &strokes, err));
+    HATCH_TRY(technique_find_curves(&job->context, job_open(job, options->technique, err), &request, pen_px(drawing),
+                                    arena, &strokes, err));
     visible = strokes.paths;
     if (strokes.curves.count)
         HATCH_TRY(
@@ -96,6 +118,27 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
     drawing->stroke_layers = strokes.layer_count;
     drawing->look = strokes.look;
     return hatch_vector_append(&drawing->paths, &visible, err);
+}
+
+/* Sets the page, and the pen, which --animate may change. */
+static void set_page(struct drawing *drawing)
+{
+    const struct options *options = drawing->job->options;
+    drawing->page = options->page;
+    drawing->pixel_mm = hatch_page_pixel_mm(&drawing->page, options->width, options->height);
+    drawing->pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * drawing->pixel_mm;
+}
+
+/* Foresees the strokes of a drawing. */
+static enum hatch_status foresee(void *data, uint32_t film, const struct hatch_view *view, struct hatch_err *err)
+{
+    struct drawing *drawing = data;
+    struct job *job = drawing->job;
+    const struct hatch_tile tile = whole(drawing);
+    const struct frame_request request = request_of(drawing, view, &tile, film);
+    set_page(drawing);
+    return technique_foresee(&job->context, job_open(job, job->options->technique, err), &request, pen_px(drawing),
+                             err);
 }
 
 /* Finds the paths of the posed scene on the page. */
@@ -134,14 +177,12 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
 {
     const struct options *options = drawing->job->options;
     struct hatch_drawing made = {.layers = NULL};
-    struct hatch_page *page = &drawing->page;
+    const struct hatch_page *page = &drawing->page;
     struct hatch_drawing_layer layers[LAYER_COUNT] = {
         {.name = "outlines"},  {.name = "hidden"},    {.name = "strokes-1"}, {.name = "strokes-2"},
         {.name = "strokes-3"}, {.name = "strokes-4"}, {.name = "strokes-5"}, {.name = "strokes-6"},
         {.name = "strokes-7"}, {.name = "strokes-8"}};
-    *page = options->page;
-    drawing->pixel_mm = hatch_page_pixel_mm(page, options->width, options->height);
-    drawing->pen_mm = options->pen_mm > 0 ? options->pen_mm : options->line_px * drawing->pixel_mm;
+    set_page(drawing);
     for (int i = 0; i < LAYER_COUNT; i++) {
         memcpy(layers[i].color, i < LAYER_STROKES ? options->line_color : options->inks.ink, sizeof layers[i].color);
         layers[i].pen_mm = drawing->pen_mm;
@@ -178,7 +219,7 @@ void vectors_write(struct job *job)
     for (uint32_t frame = 0; frame < options->frames; frame++) {
         struct hatch_view view;
         cmd_progress("drawing", (double)frame / options->frames);
-        job_set_frame(job, frame, &view);
+        drawing.film = job_set_film_frame(job, frame, foresee, &drawing, &view);
         struct hatch_arena_mark mark = hatch_arena_mark(keep);
         struct hatch_buffer bytes = {.arena = keep};
         cmd_check(draw(&drawing, &view, &bytes, &empty, &err), NULL, &err);

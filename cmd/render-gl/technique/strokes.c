@@ -116,6 +116,11 @@ static enum hatch_status make_indices(struct strokes_state *state, uint32_t coun
     return gpu_check_memory(err, "%u strokes", count);
 }
 
+static bool is_drawn(const struct strokes_list *list, uint32_t i)
+{
+    return !list->lasts || list->lasts[i];
+}
+
 /* Draws the ribbons in a pass that has begun. */
 static void draw_ribbons(const struct strokes_state *state, const struct strokes_list *list)
 {
@@ -128,8 +133,12 @@ static void draw_ribbons(const struct strokes_state *state, const struct strokes
     glBindVertexArray(state->array);
     while (first < list->count) {
         uint32_t end = first, ink = list->strokes[first].id[0] & 1;
-        while (end < list->count && (list->strokes[end].id[0] & 1) == ink)
+        while (end < list->count && (list->strokes[end].id[0] & 1) == ink && is_drawn(list, end))
             end++;
+        if (end == first) {
+            first++;
+            continue;
+        }
         glUniform1i(UNIFORM_INK, (GLint)ink);
         glDrawElements(GL_TRIANGLES, (GLsizei)(each * (end - first)), GL_UNSIGNED_INT,
                        (const void *)(sizeof(uint32_t) * each * first));
@@ -189,15 +198,24 @@ static enum hatch_status take_pen(struct technique_context *context, struct tech
     return rptam_changed(context, instance, err);
 }
 
+/* Applies the options to the strokes of a frame. */
+static enum hatch_status begin(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                               struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    if (pen_px > 0 && !instance->tones)
+        HATCH_TRY(take_pen(context, instance, pen_px, err));
+    state->most = (uint32_t)most_strokes;
+    state->width_px = (double)strokes_look(instance).width_px;
+    return HATCH_OK;
+}
+
 enum hatch_status strokes_find(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                struct strokes_list *list, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
     struct hatch_arena *scratch = &context->args->scratch;
-    if (pen_px > 0 && !instance->tones)
-        HATCH_TRY(take_pen(context, instance, pen_px, err));
-    state->most = (uint32_t)most_strokes;
-    state->width_px = (double)strokes_look(instance).width_px;
+    HATCH_TRY(begin(context, instance, pen_px, err));
     HATCH_TRY(strokes_gather(context, instance, list, err));
     state->found_count = 0;
     if (!list->count)
@@ -213,6 +231,20 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     return HATCH_OK;
 }
 
+enum hatch_status strokes_take(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                               struct strokes_list *list, struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    if (!context->frame->request.film)
+        return strokes_find(context, instance, pen_px, list, err);
+    HATCH_TRY(begin(context, instance, pen_px, err));
+    HATCH_TRY(strokes_recall(context, instance, list, err));
+    if (list->count)
+        set_style(context->frame, pen_px, instance);
+    strokes_use_brush(state, pen_px > 0);
+    return HATCH_OK;
+}
+
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err)
 {
@@ -222,7 +254,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct strokes_list list;
     HATCH_TRY(frame_draw_items(frame, &frame->request.canvas->samples, &strokes_paper, "", &state->paper, err));
-    enum hatch_status status = strokes_find(context, instance, 0, &list, err);
+    enum hatch_status status = strokes_take(context, instance, 0, &list, err);
     if (status == HATCH_OK)
         status = make_indices(state, list.count, scratch, err);
     if (status == HATCH_OK && list.count)
@@ -260,6 +292,7 @@ static void free_state(struct technique_instance *instance)
     glDeleteTextures(2, state->brush);
     glDeleteVertexArrays(1, &state->array);
     strokes_blend_free(&state->blend);
+    strokes_film_free(state);
     rptam_free(instance);
 }
 
@@ -284,6 +317,7 @@ const struct technique technique_strokes = {
     .prepare = prepare,
     .draw = draw,
     .count = count,
+    .foresee = strokes_foresee,
     .curves = strokes_curves,
     .reach_px = reach_px,
     .changed = rptam_changed,

@@ -86,6 +86,13 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
     return frame_end(context->frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
 }
 
+enum hatch_status technique_foresee(struct technique_context *context, struct technique_instance *instance,
+                                    const struct frame_request *request, double pen_px, struct hatch_err *err)
+{
+    HATCH_TRY(begin(context, instance, request, err));
+    return instance->technique->foresee(context, instance, pen_px, err);
+}
+
 enum hatch_status technique_find_curves(struct technique_context *context, struct technique_instance *instance,
                                         const struct frame_request *request, double pen_px, struct hatch_arena *arena,
                                         struct technique_curves *curves, struct hatch_err *err)

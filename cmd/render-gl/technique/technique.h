@@ -12,6 +12,7 @@
 #include "vector/paths.h"
 
 #define SHADED_DEFINES_BYTES 256u
+#define TECHNIQUE_AHEAD 2u /* frames of a film that are foreseen after one before it is drawn */
 
 /* Features of a technique; bits. */
 enum technique_feature {
@@ -97,6 +98,11 @@ struct technique {
     /* Draws the scene into the canvas of the frame, between frame_begin and frame_end. NULL: shaded_draw. */
     enum hatch_status (*draw)(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err);
+    /* Finds in a frame of a film what frames before it depend on, after frame_begin; nothing is drawn. A frame is drawn
+     * when it and TECHNIQUE_AHEAD frames after it have been foreseen. NULL: frames do not depend on others.
+     *   pen_px  as in `curves`; 0: for `draw` */
+    enum hatch_status (*foresee)(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                 struct hatch_err *err);
     /* Counts the strokes of the frames that it has drawn since the last call: those of a picture. NULL: it cannot. */
     struct technique_counts (*count)(struct technique_instance *instance);
     /* Finds the strokes of the posed scene as curves, between frame_begin and frame_end. NULL: it has none.
@@ -137,6 +143,13 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
 /* Draws a tile of the posed scene into the request's canvas and averages the samples. */
 enum hatch_status technique_draw(struct technique_context *context, struct technique_instance *instance,
                                  const struct frame_request *request, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds what a tile of the posed scene, of a frame of a film, has that frames before it depend on.
+ *   request  as that with which the frame will be drawn
+ *   pen_px   width of the pen that will draw its curves; 0: it will be a picture */
+enum hatch_status technique_foresee(struct technique_context *context, struct technique_instance *instance,
+                                    const struct frame_request *request, double pen_px,
+                                    struct hatch_err *err) HATCH_MUST_USE;
 
 /* Finds the strokes of the posed scene as curves.
  *   request  its tile is the whole picture; its canvas may be smaller

@@ -51,6 +51,23 @@ done
 render-gl -q -t gouraud --lines none --size 48x36 torus.glb --time 1 --frames 2 --turntable --json -o times.json
 ok "the film of a technique without strokes" grep -q '"span": *"film", *"frames": *2,.*"waited": *null' times.json
 
+# A film leaves out strokes that are in sight for one or two frames; before the first and after the last, all are.
+film="torus.glb -q -t strokes --lines none --size 240x180"
+for threads in 1 2; do
+    render-gl $film --frames 5 --animate from=0:20..40:20 --threads $threads -o film$threads-%d.png
+done
+for from in 0 20 40; do
+    render-gl $film --from $from:20 -o alone$from.png
+done
+is "threads do not change a film" "$(cat film1-?.png | cksum)" "$(cat film2-?.png | cksum)"
+is "strokes come into sight in its first picture" "$(cksum <film1-0.png)" "$(cksum <alone0.png)"
+is "and go in its last" "$(cksum <film1-4.png)" "$(cksum <alone40.png)"
+hatchstat diff film1-2.png alone20.png >diff.tsv
+ok "between, some do not last" awk 'NR == 2 {exit !($3 > 0)}' diff.tsv
+render-gl $film --frames 5 --animate from=0:20..200:20 -o far%d.png
+render-gl $film --from 100:20 -o alone100.png
+is "views far apart have all strokes" "$(cksum <far2.png)" "$(cksum <alone100.png)"
+
 # The table grows with the strokes, and none is lost.
 draw sort plane.glb --stroke 5x1 -o sort.exr
 draw blend plane.glb --stroke 5x1 -o blend.exr

@@ -1,5 +1,5 @@
 /* Fitted strokes on the GPU: shaders/strokes/cubic.glsl fits as fit/cubic.c does, strokes keep their ids while the view
- * turns, and pictures drawn in tiles are those drawn at once. */
+ * turns, pictures drawn in tiles are those drawn at once, and films leave out strokes that do not last. */
 #include <math.h>
 #include <string.h>
 
@@ -212,6 +212,18 @@ static uint32_t note_frame(int number, struct sighting *all, uint32_t *count)
     return flickers;
 }
 
+/* Returns a view that is turned around the vertical axis. */
+static struct hatch_view turned(struct hatch_view view, double angle)
+{
+    double c = cos(angle), s = sin(angle), *const vectors[] = {view.eye, view.right, view.up, view.back};
+    for (int k = 0; k < 4; k++) {
+        double x = vectors[k][0], z = vectors[k][2];
+        vectors[k][0] = c * x + s * z;
+        vectors[k][2] = c * z - s * x;
+    }
+    return view;
+}
+
 /* The view turns by 3 degrees a frame. */
 START_TEST(strokes_keep_their_ids)
 {
@@ -221,14 +233,7 @@ START_TEST(strokes_keep_their_ids)
     begin_torus();
     const struct hatch_view from = frame_view(&frame, (double)WIDTH / HEIGHT);
     for (int i = 0; i < FRAMES; i++) {
-        struct hatch_view view = from;
-        double angle = i * 3 * HATCH_RADIANS, c = cos(angle), s = sin(angle);
-        double *const vectors[] = {view.eye, view.right, view.up, view.back};
-        for (int k = 0; k < 4; k++) {
-            double x = vectors[k][0], z = vectors[k][2];
-            vectors[k][0] = c * x + s * z;
-            vectors[k][2] = c * z - s * x;
-        }
+        const struct hatch_view view = turned(from, i * 3 * HATCH_RADIANS);
         frame_draw(&frame, "strokes", &view, WIDTH, HEIGHT, 1, &image);
         flickers += note_frame(i, all, &count);
     }
@@ -243,6 +248,81 @@ START_TEST(strokes_keep_their_ids)
 }
 END_TEST
 
+/* Draws a film.
+ *   images  out: of the frames */
+static void draw_film(const struct hatch_view *views, uint32_t count, struct hatch_image *images)
+{
+    struct picture picture = frame_picture(&frame, "strokes");
+    struct canvas canvas;
+    uint32_t foreseen = 0;
+    HATCH_TEST_OK(picture_canvas(&frame.shown, TILED, TILED, 1, &canvas, &err), &err);
+    for (uint32_t i = 0; i < count; i++) {
+        for (; foreseen < count && foreseen <= i + TECHNIQUE_AHEAD; foreseen++) {
+            picture.film = foreseen + 1;
+            HATCH_TEST_OK(picture_foresee(&picture, &views[foreseen], &canvas, TILED, TILED, &err), &err);
+        }
+        picture.film = i + 1;
+        HATCH_TEST_OK(hatch_image_make(&frame.args.keep, TILED, TILED, "RGB", &images[i], &err), &err);
+        HATCH_TEST_OK(picture_draw(&picture, &views[i], &canvas, &images[i], &err), &err);
+    }
+    canvas_free(&canvas);
+}
+
+static bool is_seen(const struct strokes_moment *moment, uint64_t id)
+{
+    const uint64_t *ids = (const uint64_t *)(const void *)moment->ids.data;
+    for (size_t i = 0; i < moment->ids.size / sizeof *ids; i++)
+        if (ids[i] == id)
+            return true;
+    return false;
+}
+
+/* Checks that of the strokes of a frame those last that another one has, too. Returns their number.
+ *   film, other  numbers of the frames in the film, from 1 */
+static uint32_t check_lasting(uint32_t film, uint32_t other)
+{
+    const struct strokes_state *state = frame.instances[0].state;
+    const struct strokes_moment *moments = state->moments;
+    uint32_t lasting = 0;
+    for (const struct strokes_tile *tile = moments[film % HATCH_LASTING_SPAN].tiles; tile; tile = tile->next)
+        for (uint32_t i = 0; i < tile->list.count; i++) {
+            const bool seen = is_seen(&moments[other % HATCH_LASTING_SPAN], tile->list.wholes[i]);
+            ck_assert(tile->list.lasts[i] == seen);
+            lasting += seen;
+        }
+    return lasting;
+}
+
+/* The frame in the middle is turned: of its strokes, those alone are drawn that the others have, too. The other frames
+ * are those that are drawn alone. If it is turned by much, it is another picture, and also drawn as if alone. */
+START_TEST(strokes_of_a_single_frame_are_not_drawn)
+{
+    enum { COUNT = 5, MIDDLE = 2 };
+    begin_torus();
+    const struct hatch_view view = frame_view(&frame, 1);
+    const bool jumps = _i == 2;
+    struct hatch_view views[COUNT];
+    struct hatch_image images[COUNT], alone, other;
+    for (int i = 0; i < COUNT; i++)
+        views[i] = i == MIDDLE ? turned(view, (jumps ? 150 : 10) * HATCH_RADIANS) : view;
+    if (_i == 1)
+        frame.shown.size_max_px = TILE; /* in tiles */
+    frame_draw(&frame, "strokes", &view, TILED, TILED, 1, &alone);
+    frame_draw(&frame, "strokes", &views[MIDDLE], TILED, TILED, 1, &other);
+    draw_film(views, COUNT, images);
+    for (int i = 0; i < COUNT; i++)
+        if (i != MIDDLE)
+            ck_assert_double_le(frame_difference(&images[i], &alone), 0);
+    if (jumps)
+        ck_assert_double_le(frame_difference(&images[MIDDLE], &other), 0);
+    else {
+        ck_assert_uint_gt(check_lasting(MIDDLE + 1, MIDDLE), 0);
+        ck_assert_double_gt(hatch_image_mean(&images[MIDDLE]), hatch_image_mean(&other));
+    }
+    frame_finish(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render strokes");
@@ -251,6 +331,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shaders_fit_as_the_library_does);
     tcase_add_test(tests, tiles_make_the_whole_picture);
     tcase_add_test(tests, strokes_keep_their_ids);
+    tcase_add_loop_test(tests, strokes_of_a_single_frame_are_not_drawn, 0, 3);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -148,7 +148,7 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct strok
         const double mean = mean_half_width(points);
         const struct point *line = points;
         uint32_t count;
-        if (list->strokes[i].id[0] & 1)
+        if ((list->strokes[i].id[0] & 1) || (list->lasts && !list->lasts[i]))
             continue;
         *layer_count = layer >= *layer_count ? layer + 1 : *layer_count;
         if (2 * mean < drawing->thin_px)
@@ -174,7 +174,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
     struct strokes_list list;
     struct point *points;
     *curves = (struct technique_curves){.shortest_px = SHORTEST_PX, .look = &state->seeds.source.drawing.pen.look};
-    HATCH_TRY(strokes_find(context, instance, pen_px, &list, err));
+    HATCH_TRY(strokes_take(context, instance, pen_px, &list, err));
     drawing.thin_px = DRAWN * state->width_px;
     if (list.count) {
         HATCH_TRY(HATCH_ALLOC_UNSET(arena, &points, (size_t)RIBBON_POINTS * list.count, err));

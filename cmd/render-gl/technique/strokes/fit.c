@@ -174,8 +174,13 @@ static enum hatch_status divide_all(struct strokes_state *state, struct strokes_
     const double reach_px = (double)REACH * state->width_px + 1;
     struct strokes_slot *strokes, parts[HATCH_FIT_PARTS_MAX];
     uint32_t(*words)[2], size, first = 0, count = list->count, part_count;
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, count + (size_t)HATCH_FIT_PARTS_MAX * *poor_count, err));
+    uint64_t *wholes;
+    const size_t most = count + (size_t)HATCH_FIT_PARTS_MAX * *poor_count;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, most, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &wholes, most, err));
     memcpy(strokes, list->strokes, sizeof *strokes * count);
+    for (uint32_t i = 0; i < count; i++)
+        wholes[i] = strokes_id(&strokes[i]);
     HATCH_TRY(read_fragments(state, strokes, poor, *poor_count, &words, &size, scratch, err));
     for (uint32_t i = 0; i < *poor_count; i++) {
         struct strokes_slot *stroke = &strokes[poor[i]];
@@ -184,12 +189,13 @@ static enum hatch_status divide_all(struct strokes_state *state, struct strokes_
         HATCH_TRY(divide(stroke, reach_px, words + stroke->first, scratch, parts, &part_count, err));
         *stroke = parts[0];
         memcpy(&strokes[count], &parts[1], sizeof *parts * (part_count - 1));
-        count += part_count - 1;
+        while (--part_count)
+            wholes[count++] = wholes[poor[i]];
     }
     for (uint32_t i = list->count; i < count; i++)
         poor[(*poor_count)++] = i;
     gpu_buffer_update(state->divided.name, words, STROKES_SORTED_BYTES * size);
-    *list = (struct strokes_list){.strokes = strokes, .count = count, .fragments = list->fragments};
+    *list = (struct strokes_list){.strokes = strokes, .count = count, .fragments = list->fragments, .wholes = wholes};
     return HATCH_OK;
 }
 

@@ -3,6 +3,7 @@
 #ifndef RENDER_TECHNIQUE_STROKES_H
 #define RENDER_TECHNIQUE_STROKES_H
 
+#include "fit/lasting.h"
 #include "render-gl/technique/rptam.h"
 #include "render-gl/technique/technique.h"
 
@@ -38,6 +39,34 @@ struct strokes_fragments_head {
     uint32_t count, unused[3];
 };
 
+/* The strokes of a frame, ordered by strokes_compare. */
+struct strokes_list {
+    struct strokes_slot *strokes; /* in the scratch arena */
+    uint32_t count;
+    uint32_t fragments;     /* of all strokes together */
+    const uint64_t *wholes; /* ids of the strokes of which these are parts; NULL: none was divided */
+    const bool *lasts;      /* those that last, which are drawn; NULL: all are */
+};
+
+/* Strokes of a tile of a film's frame, found before it is drawn. */
+struct strokes_tile {
+    struct strokes_tile *next; /* of the same frame */
+    struct hatch_tile tile;
+    struct strokes_list list;
+    struct strokes_buffer points;
+    GLuint points_view;
+    struct technique_counts counts;
+};
+
+/* Strokes of a film's frame. Zeroed: none. */
+struct strokes_moment {
+    uint32_t film; /* number of the frame, from 1; 0: none */
+    uint32_t tile_count;
+    struct strokes_tile *tiles; /* the first tile_count are those of the frame */
+    struct hatch_arena arena;   /* lists of the tiles */
+    struct hatch_buffer ids;    /* uint64_t: of all tiles */
+};
+
 struct strokes_state {
     struct rptam_state seeds;   /* first: functions of the technique rptam find it there */
     struct frame_shader paper;  /* programs that draw bare paper */
@@ -58,6 +87,7 @@ struct strokes_state {
     float zigzag[4];                /* of struct traced_block */
     GLuint points_view;             /* texture through which the points are read */
     GLuint array, block_buffer;
+    struct strokes_moment moments[HATCH_LASTING_SPAN];
     bool has_brush;  /* the ribbons have the image of a brush */
     GLuint brush[2]; /* textures: its alpha, its grain */
 };
@@ -66,12 +96,11 @@ struct strokes_state {
 #define STROKES_FRAGMENT_BYTES (4 * sizeof(uint32_t))
 #define STROKES_SORTED_BYTES (2 * sizeof(uint32_t))
 
-/* The strokes of a frame, ordered by strokes_compare. */
-struct strokes_list {
-    struct strokes_slot *strokes; /* in the scratch arena */
-    uint32_t count;
-    uint32_t fragments; /* of all strokes together */
-};
+/* Returns the id as one word. */
+static inline uint64_t strokes_id(const struct strokes_slot *stroke)
+{
+    return (uint64_t)stroke->id[0] << 32 | stroke->id[1];
+}
 
 /* Orders strokes by ink, layer and id. */
 int strokes_compare(const void *a, const void *b);
@@ -127,6 +156,21 @@ enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *s
  *   list    out: in the scratch arena */
 enum hatch_status strokes_find(struct technique_context *context, struct technique_instance *instance, double pen_px,
                                struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds the strokes of a frame to come: the function `foresee` of the technique. */
+enum hatch_status strokes_foresee(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                                  struct hatch_err *err) HATCH_MUST_USE;
+
+/* Recalls the foreseen strokes of the frame and their ribbons, and finds out which of them last. */
+enum hatch_status strokes_recall(const struct technique_context *context, struct technique_instance *instance,
+                                 struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds the strokes of the frame, or recalls them if they have been foreseen.
+ *   pen_px, list  as for strokes_find */
+enum hatch_status strokes_take(struct technique_context *context, struct technique_instance *instance, double pen_px,
+                               struct strokes_list *list, struct hatch_err *err) HATCH_MUST_USE;
+
+void strokes_film_free(struct strokes_state *state);
 
 /* Finds the strokes of a frame as paths: the function `curves` of the technique. */
 enum hatch_status strokes_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
