@@ -14,8 +14,8 @@ float grazing_factor(float scale, float facing_scale, float grazing)
 
 // Returns the width of a whole stroke in pixels, the share of it that is drawn, and by what factor strokes are sparser
 // than wanted.
-// pen: width in pixels, thin; densest: greatest threshold, and the factor of those beyond; denser: grazing_factor; dots:
-// sparse strokes have more dots, and are no wider
+// pen: width in pixels, thin; densest: greatest threshold, and the factor of those beyond; denser: grazing_factor;
+// dots: sparse strokes have more dots, and are no wider
 vec3 width_law(vec2 pen, float tone, float threshold, float scale, vec2 densest, float denser, bool dots)
 {
     float whole = pen.x * (pen.y + (1.0 - pen.y) * 2.0 * tone), wanted = tone * scale / (GAIN * whole);
