@@ -1,7 +1,7 @@
 # Every command writes the same bytes whichever compiler and optimisation built it. With LONG=1 alone: it builds all
 # commands again for each of them, and executes the list of runs, tests/bytes/list.sh.
 . "${TOP:-.}/tests/tap.sh"
-[ -n "$LONG" ] || { skip "bytes of all commands" "only with LONG=1"; finish; }
+[ -n "${LONG:-}" ] || { skip "bytes of all commands" "only with LONG=1"; finish; }
 sh "$TOP/tests/bytes/runs.sh" "$BUILD" >runs.tsv
 ok "there are runs" test "$(wc -l <runs.tsv)" -gt 100
 for compiler in "gcc -O0" "gcc -O1" "clang -O2"; do
