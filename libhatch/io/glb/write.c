@@ -1,10 +1,8 @@
-/* Writes the GLB container (Khronos, "glTF 2.0 Specification", §4.4). */
 #include <assert.h>
 
 #include "base/json.h"
+#include "io/glb/container.h"
 #include "io/glb/parts.h"
-
-enum { GLB_HEADER = 12, CHUNK_HEADER = 8 };
 
 static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
 {
@@ -29,24 +27,10 @@ static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
 
 static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_buffer *file)
 {
-    const struct hatch_buffer *json = &glb->json;
-    size_t chunk = glb->size > 0 ? CHUNK_HEADER + glb->size : 0;
-    size_t total = GLB_HEADER + CHUNK_HEADER + json->size + chunk;
-    if (total > UINT32_MAX)
-        return hatch_fail(glb->err, HATCH_LIMIT, "%zu bytes: a GLB file holds at most %u", total, UINT32_MAX);
-    HATCH_TRY(hatch_buffer_reserve(file, total, glb->err));
-    HATCH_TRY(hatch_buffer_add(file, "glTF", 4, glb->err));
-    HATCH_TRY(hatch_buffer_add_u32le(file, 2, glb->err));
-    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)total, glb->err));
-    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)json->size, glb->err));
-    HATCH_TRY(hatch_buffer_add(file, "JSON", 4, glb->err));
-    HATCH_TRY(hatch_buffer_add(file, json->data, json->size, glb->err));
-    if (chunk == 0)
-        return HATCH_OK;
-    HATCH_TRY(hatch_buffer_add_u32le(file, (uint32_t)glb->size, glb->err));
-    HATCH_TRY(hatch_buffer_add(file, "BIN", 4, glb->err));
-    HATCH_TRY(hatch_buffer_add(file, NULL, glb->size, glb->err));
-    hatch_glb_put_views(glb, file->data + file->size - glb->size);
+    struct hatch_bytes json = {glb->json.data, glb->json.size};
+    HATCH_TRY(hatch_glb_add_container(json, glb->size, file, glb->err));
+    if (glb->size > 0)
+        hatch_glb_put_views(glb, file->data + file->size - glb->size);
     return HATCH_OK;
 }
 

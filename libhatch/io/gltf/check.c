@@ -79,9 +79,11 @@ struct scan {
     size_t size, at;
     uint32_t depth;
     struct level levels[HATCH_GLTF_DEPTH_MAX + 1]; /* [0]: outside the root */
-    struct hatch_gltf_lengths *lengths;
-    uint64_t buffer_length; /* byteLength of the glTF buffer whose JSON is being read */
-    bool buffer_has_file;   /* whether that buffer is an external file */
+    struct hatch_gltf_buffers *buffers;
+    size_t buffer_start;     /* place of the glTF buffer whose JSON is being read */
+    uint64_t buffer_length;  /* its byteLength */
+    bool buffer_has_file;    /* whether it is an external file */
+    bool buffer_is_fallback; /* whether only compressed views are read instead of it */
 };
 
 static bool is(struct text text, const char *word)
@@ -163,15 +165,22 @@ static bool in_buffer(const struct scan *s)
     return s->depth == 3 && s->levels[3].object && is(s->levels[2].name, "buffers");
 }
 
+/* Returns whether the value being read says that the buffer around it is a fallback. */
+static bool in_fallback(const struct scan *s)
+{
+    return s->depth == 5 && is(s->levels[2].name, "buffers") && is(s->levels[5].name, "EXT_meshopt_compression") &&
+           is(s->levels[5].key, "fallback");
+}
+
 /* Fails for a required extension that is not supported. This comes before parsing, since a file that needs one may not
  * look like glTF otherwise. Extensions of materials are accepted: apart from the base colour, they do not matter for
  * strokes. */
 static enum hatch_status check_extension(struct text name, struct hatch_err *err)
 {
     static const char materials[] = "KHR_materials_";
-    static const char *const known[] = {
-        "EXT_mesh_gpu_instancing", "EXT_texture_avif",   "EXT_texture_webp",      "KHR_lights_punctual",
-        "KHR_mesh_quantization",   "KHR_texture_basisu", "KHR_texture_transform", NULL};
+    static const char *const known[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_avif",
+                                        "EXT_texture_webp",        "KHR_lights_punctual",     "KHR_mesh_quantization",
+                                        "KHR_texture_basisu",      "KHR_texture_transform",   NULL};
     size_t prefix = sizeof materials - 1;
     if (in_list(name, known) || (name.length > prefix && memcmp(name.start, materials, prefix) == 0))
         return HATCH_OK;
@@ -197,6 +206,8 @@ static enum hatch_status check_value(struct scan *s, struct text word, struct ha
         s->buffer_has_file = word.length < strlen(data) || memcmp(word.start, data, strlen(data)) != 0;
     if (in_buffer(s) && is(level->key, "byteLength"))
         s->buffer_length = number;
+    if (in_fallback(s))
+        s->buffer_is_fallback = is(word, "true");
     if (good)
         return HATCH_OK;
     struct text key = level->object ? level->key : level->name;
@@ -213,21 +224,32 @@ static enum hatch_status open_level(struct scan *s, bool object, struct hatch_er
     const struct level *around = &s->levels[s->depth];
     struct text name = around->object ? around->key : around->name;
     s->levels[++s->depth] = (struct level){.object = object, .key_next = object, .name = name};
+    if (in_buffer(s))
+        s->buffer_start = s->at;
     s->at++;
     return HATCH_OK;
 }
 
+/* Notes the buffer whose JSON ends here. */
+static enum hatch_status close_buffer(struct scan *s, struct hatch_err *err)
+{
+    struct hatch_gltf_range range = {s->buffer_start, s->at + 1};
+    uint64_t length = s->buffer_length;
+    bool has_file = s->buffer_has_file, is_fallback = s->buffer_is_fallback;
+    s->buffer_length = 0;
+    s->buffer_has_file = s->buffer_is_fallback = false;
+    if (s->buffers && is_fallback)
+        return hatch_buffer_add(&s->buffers->fallbacks, &range, sizeof range, err);
+    return s->buffers && has_file ? hatch_buffer_add(&s->buffers->lengths, &length, sizeof length, err) : HATCH_OK;
+}
+
 static enum hatch_status close_level(struct scan *s, struct hatch_err *err)
 {
-    bool keep = in_buffer(s) && s->buffer_has_file && s->lengths;
-    uint64_t length = s->buffer_length;
-    if (in_buffer(s)) {
-        s->buffer_length = 0;
-        s->buffer_has_file = false;
-    }
+    if (in_buffer(s))
+        HATCH_TRY(close_buffer(s, err));
     s->depth -= s->depth > 0;
     s->at++;
-    return keep ? hatch_buffer_add(&s->lengths->bytes, &length, sizeof length, err) : HATCH_OK;
+    return HATCH_OK;
 }
 
 static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
@@ -266,10 +288,10 @@ static enum hatch_status scan_token(struct scan *s, struct hatch_err *err)
     }
 }
 
-enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_lengths *lengths,
+enum hatch_status hatch_gltf_check_json(struct hatch_bytes json, struct hatch_gltf_buffers *buffers,
                                         struct hatch_err *err)
 {
-    struct scan s = {.text = (const char *)json.data, .size = json.size, .lengths = lengths};
+    struct scan s = {.text = (const char *)json.data, .size = json.size, .buffers = buffers};
     s.levels[0].name = s.levels[0].key = (struct text){"", 0};
     while (s.at < s.size)
         HATCH_TRY(scan_token(&s, err));

@@ -38,8 +38,8 @@ namespace
 struct Files {
     const struct hatch_gltf_resolver *resolver;
     struct hatch_arena *scratch;
-    struct hatch_gltf_lengths lengths; /* of buffers that are files; tinygltf reads these files first, in this order */
-    size_t next;                       /* offset in lengths of the next file's length */
+    struct hatch_gltf_buffers buffers; /* tinygltf reads those that are files first, in this order */
+    size_t next;                       /* offset in buffers.lengths of the next file's length */
     struct hatch_err err;              /* the first failure; more precise than tinygltf's message */
     bool left_folder;
 };
@@ -48,9 +48,9 @@ struct Files {
 enum hatch_status fit_length(Files &files, const char *uri, struct hatch_bytes *bytes, struct hatch_err *err)
 {
     uint64_t length;
-    if (files.next + sizeof length > files.lengths.bytes.size)
+    if (files.next + sizeof length > files.buffers.lengths.size)
         return HATCH_OK; /* the file is an image */
-    std::memcpy(&length, files.lengths.bytes.data + files.next, sizeof length);
+    std::memcpy(&length, files.buffers.lengths.data + files.next, sizeof length);
     files.next += sizeof length;
     if (bytes->size < length)
         return hatch_fail(err, HATCH_BAD_INPUT, "%.100s has %zu bytes, but its byteLength is %llu", uri, bytes->size,
@@ -199,6 +199,41 @@ bool parse_parts(tinygltf::TinyGLTF &parser, const struct hatch_gltf_parts &part
                                        static_cast<unsigned int>(parts.file.size), "");
 }
 
+/* Adds the JSON of a file in which each fallback buffer is one of a single byte: tinygltf refuses buffers without data,
+ * and their files need not be there. */
+enum hatch_status add_json(const struct hatch_buffer &fallbacks, struct hatch_bytes json, struct hatch_buffer *to,
+                           struct hatch_err *err)
+{
+    static const char one_byte[] = "{\"byteLength\":1,\"uri\":\"data:application/octet-stream;base64,AA==\"}";
+    size_t from = 0;
+    for (size_t i = 0; i < fallbacks.size; i += sizeof(struct hatch_gltf_range)) {
+        struct hatch_gltf_range range;
+        std::memcpy(&range, fallbacks.data + i, sizeof range);
+        HATCH_TRY(hatch_buffer_add(to, json.data + from, range.start - from, err));
+        HATCH_TRY(hatch_buffer_add(to, one_byte, sizeof one_byte - 1, err));
+        from = range.end;
+    }
+    return hatch_buffer_add(to, json.data + from, json.size - from, err);
+}
+
+/* Replaces the fallback buffers of a file; its parts are then in scratch. */
+enum hatch_status replace_fallbacks(const struct hatch_buffer &fallbacks, struct hatch_arena *scratch,
+                                    struct hatch_gltf_parts *parts, struct hatch_err *err)
+{
+    struct hatch_buffer json = {}, file = {};
+    json.arena = file.arena = scratch;
+    HATCH_TRY(add_json(fallbacks, parts->json, &json, err));
+    while (json.size % 4 != 0)
+        HATCH_TRY(hatch_buffer_add(&json, " ", 1, err));
+    parts->json = {json.data, json.size};
+    if (parts->binary.size == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_add_container(parts->json, parts->binary.size, &file, err));
+    std::memcpy(file.data + file.size - parts->binary.size, parts->binary.data, parts->binary.size);
+    parts->file = {file.data, file.size};
+    return HATCH_OK;
+}
+
 /* Upper bound of the memory that parsed JSON takes, in bytes per byte of text. */
 const size_t json_growth = 32;
 
@@ -213,8 +248,10 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
         return hatch_fail(err, HATCH_LIMIT, "parsing %zu bytes of JSON needs more memory than the limit",
                           parts.json.size);
     Files files = {resolver, scratch, {}, 0, {}, false};
-    files.lengths.bytes.arena = scratch;
-    HATCH_TRY(hatch_gltf_check_json(parts.json, &files.lengths, err));
+    files.buffers.lengths.arena = files.buffers.fallbacks.arena = scratch;
+    HATCH_TRY(hatch_gltf_check_json(parts.json, &files.buffers, err));
+    if (files.buffers.fallbacks.size > 0)
+        HATCH_TRY(replace_fallbacks(files.buffers.fallbacks, scratch, &parts, err));
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(keep_image, nullptr);
     parser.SetFsCallbacks(callbacks_for(files));
@@ -225,7 +262,7 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
         return hatch_fail(err, files.err.status, "%s", files.err.text);
     if (!parsed && text.find(std::bad_alloc().what()) != std::string::npos)
         return fail_memory(err); /* tinygltf passes on what the JSON parser throws as text */
-    return parsed ? HATCH_OK : fail_with(text, err);
+    return parsed ? expand_views(model, scratch, err) : fail_with(text, err);
 }
 
 /* Fails when the transform of a node in the scene is not finite: products of finite transforms may overflow. */

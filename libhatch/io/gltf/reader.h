@@ -14,6 +14,7 @@
 extern "C" {
 #include "io/gltf/gltf.h"
 #include "io/gltf/check.h"
+#include "io/glb/container.h"
 }
 #pragma GCC diagnostic pop
 
@@ -56,6 +57,10 @@ enum hatch_status read_indices(Reader &r, int accessor, const std::string &where
 /* Finds the bytes of a buffer view; fails when they exceed the buffer.
  *   stride  out: bytes from element to element, 0 when unset */
 enum hatch_status find_view(Reader &r, int view, const std::string &where, struct hatch_bytes *bytes, size_t *stride);
+
+/* Decompresses the buffer views that EXT_meshopt_compression compresses: each becomes one of a buffer of its own.
+ *   limit  its limit bounds the memory */
+enum hatch_status expand_views(tinygltf::Model *model, const struct hatch_arena *limit, struct hatch_err *err);
 
 /* Copies count numbers, which must be finite; if from is empty, to is unchanged.
  *   what  name of the property, for messages */

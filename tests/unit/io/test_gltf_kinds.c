@@ -136,8 +136,8 @@ END_TEST
 START_TEST(required_extensions_are_checked_first)
 {
     refuses("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":9}],\"extensionsRequired\":["
-            "\"KHR_texture_transform\",\"EXT_meshopt_compression\"]}",
-            "extensionsRequired: EXT_meshopt_compression is not supported");
+            "\"KHR_texture_transform\",\"KHR_draco_mesh_compression\"]}",
+            "extensionsRequired: KHR_draco_mesh_compression is not supported");
     reads("{\"asset\":{\"version\":\"2.0\"},\"extras\":{\"extensionsRequired\":[\"none\"]}}");
 }
 END_TEST
