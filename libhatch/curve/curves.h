@@ -18,6 +18,9 @@ struct hatch_curve_point {
     uint32_t face;   /* of the mesh */
     float share[2];  /* barycentric coordinates of the face's corners 1 and 2; that of corner 0 is the rest to 1 */
     float threshold; /* strokes per mesh unit, greater than 0 */
+    float width; /* of a narrow face that the point lies on, along the strokes of the family `across`, in mesh units;
+                    0: of none */
+    uint32_t across; /* the family whose strokes cross the narrow face by the shortest way; 0 without one */
 };
 
 struct hatch_curve {
@@ -64,9 +67,11 @@ bool hatch_curve_find_share(const struct hatch_mesh *mesh, uint32_t face, const 
  * values are whole numbers of 16 bits. */
 #define HATCH_CURVE_FACE "_HATCH_FACE"     /* 2: the face's number: its low and its high 16 bits */
 #define HATCH_CURVE_STROKE "_HATCH_STROKE" /* 2: the threshold's code; at a stroke's ends, half of its id */
+#define HATCH_CURVE_NARROW                                                                                             \
+    "_HATCH_NARROW" /* 2: on a narrow face 1 + the family across, and the width's code; else 0. Missing: all are 0 */
 
-#define HATCH_CURVE_CODE_STEPS 4096.0   /* codes of thresholds in an octave */
-#define HATCH_CURVE_CODE_MIDDLE 32768.0 /* that of one stroke per gap of the set */
+#define HATCH_CURVE_CODE_STEPS 4096.0   /* codes of thresholds and widths in an octave */
+#define HATCH_CURVE_CODE_MIDDLE 32768.0 /* that of one stroke per gap of the set, and of a width of one gap */
 #define HATCH_CURVE_HALF_BITS 15u       /* bits of half an id; the one above them is set where the end is free */
 
 #define HATCH_CURVE_PART_MAX 65535u /* vertices that indices of 16 bits name; the largest index is reserved */

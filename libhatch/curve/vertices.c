@@ -95,15 +95,16 @@ static enum hatch_status add_targets(const struct hatch_curve_point *points, uin
     return HATCH_OK;
 }
 
-static float code_of(float threshold, float gap)
+/* Returns the code of a ratio. */
+static float code_of(double ratio)
 {
-    double code = HATCH_CURVE_CODE_MIDDLE + HATCH_CURVE_CODE_STEPS * log2((double)threshold * (double)gap);
+    double code = HATCH_CURVE_CODE_MIDDLE + HATCH_CURVE_CODE_STEPS * log2(ratio);
     return (float)floor(fmin(fmax(code, 0), UINT16_MAX) + 0.5);
 }
 
-static float threshold_of(float code, float gap)
+static double ratio_of(float code)
 {
-    return (float)(exp2(((double)code - HATCH_CURVE_CODE_MIDDLE) / HATCH_CURVE_CODE_STEPS) / (double)gap);
+    return exp2(((double)code - HATCH_CURVE_CODE_MIDDLE) / HATCH_CURVE_CODE_STEPS);
 }
 
 /* Returns what the first or the last vertex of a stroke says about it.
@@ -128,11 +129,30 @@ static enum hatch_status add_places(const struct hatch_curves *curves, const str
             size_t to = i - first_point;
             face[2 * to] = (float)(curves->points[i].face & 0xffff);
             face[2 * to + 1] = (float)(curves->points[i].face >> 16);
-            stroke[2 * to] = code_of(curves->points[i].threshold, set->gap);
+            stroke[2 * to] = code_of((double)curves->points[i].threshold * (double)set->gap);
         }
         stroke[2 * (size_t)(curve->first - first_point) + 1] = half_of(curve, 0);
         stroke[2 * (size_t)(curve->first + curve->count - 1 - first_point) + 1] = half_of(curve, 1);
     }
+    return HATCH_OK;
+}
+
+/* Adds the widths of narrow faces, if any point lies on one. */
+static enum hatch_status add_narrow(const struct hatch_curve_point *points, uint32_t count, float gap,
+                                    struct hatch_arena *arena, struct hatch_mesh *vertices, struct hatch_err *err)
+{
+    float *narrow;
+    size_t first = 0;
+    while (first < count && !(points[first].width > 0))
+        first++;
+    if (first == count)
+        return HATCH_OK;
+    HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_NARROW, 2, &narrow, err));
+    for (size_t i = first; i < count; i++)
+        if (points[i].width > 0) {
+            narrow[2 * i] = (float)(1 + points[i].across);
+            narrow[2 * i + 1] = code_of((double)points[i].width / (double)gap);
+        }
     return HATCH_OK;
 }
 
@@ -168,6 +188,7 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
         }
     *line_count = lines;
     HATCH_TRY(add_places(curves, set, set->count > 0 ? first->first : 0, arena, vertices, err));
+    HATCH_TRY(add_narrow(points, count, set->gap, arena, vertices, err));
     HATCH_TRY(add_joints(points, count, mesh, arena, vertices, err));
     return add_targets(points, count, mesh, arena, vertices, err);
 }
@@ -175,7 +196,7 @@ enum hatch_status hatch_curves_as_vertices(const struct hatch_curves *curves, co
 /* Vertices that become points. */
 struct source {
     const struct hatch_mesh *vertices, *mesh;
-    const float *face, *stroke; /* the attributes */
+    const float *face, *stroke, *narrow; /* the attributes; narrow: may be NULL */
     float gap;
 };
 
@@ -196,8 +217,16 @@ static enum hatch_status fill_point(const struct source *source, uint32_t v, str
 {
     const float *face = &source->face[2 * (size_t)v];
     uint32_t number = (uint32_t)face[0] | (uint32_t)face[1] << 16;
-    *point = (struct hatch_curve_point){.face = number,
-                                        .threshold = threshold_of(source->stroke[2 * (size_t)v], source->gap)};
+    *point = (struct hatch_curve_point){
+        .face = number, .threshold = (float)(ratio_of(source->stroke[2 * (size_t)v]) / (double)source->gap)};
+    const float *narrow = source->narrow ? &source->narrow[2 * (size_t)v] : NULL;
+    if (narrow && narrow[0] > HATCH_CURVE_FAMILIES_MAX)
+        return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: there are at most %u families", v,
+                          HATCH_CURVE_FAMILIES_MAX);
+    if (narrow && narrow[0] > 0) {
+        point->across = (uint32_t)narrow[0] - 1;
+        point->width = (float)(ratio_of(narrow[1]) * (double)source->gap);
+    }
     if (number >= source->mesh->face_count)
         return hatch_fail(err, HATCH_BAD_INPUT, "strokes: vertex %u: face %u does not exist, there are %u", v, number,
                           source->mesh->face_count);
@@ -226,12 +255,18 @@ enum hatch_status hatch_curves_from_vertices(const struct hatch_mesh *vertices, 
                                              uint32_t line_count, float gap, const struct hatch_mesh *mesh,
                                              struct hatch_curves *curves, struct hatch_err *err)
 {
-    const struct source source = {vertices, mesh, hatch_mesh_find(vertices, HATCH_CURVE_FACE, 2),
-                                  hatch_mesh_find(vertices, HATCH_CURVE_STROKE, 2), gap};
+    const struct source source = {vertices,
+                                  mesh,
+                                  hatch_mesh_find(vertices, HATCH_CURVE_FACE, 2),
+                                  hatch_mesh_find(vertices, HATCH_CURVE_STROKE, 2),
+                                  hatch_mesh_find(vertices, HATCH_CURVE_NARROW, 2),
+                                  gap};
     if (!source.face || !source.stroke)
         return hatch_fail(err, HATCH_BAD_INPUT, "strokes: %s or %s is missing", HATCH_CURVE_FACE, HATCH_CURVE_STROKE);
     HATCH_TRY(check_numbers(vertices, HATCH_CURVE_FACE, source.face, err));
     HATCH_TRY(check_numbers(vertices, HATCH_CURVE_STROKE, source.stroke, err));
+    if (source.narrow)
+        HATCH_TRY(check_numbers(vertices, HATCH_CURVE_NARROW, source.narrow, err));
     for (uint32_t line = 0, next = 0; line < line_count;) {
         struct hatch_curve *curve = &curves->curves[curves->count];
         *curve = (struct hatch_curve){.first = curves->point_count, .count = 1};

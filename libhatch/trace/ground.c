@@ -86,6 +86,7 @@ static void join_sides(const struct hatch_surface *surface, const uint32_t *numb
         bool open =
             other != HATCH_NO_SIDE && bend_of(&ground->poses[side / 3], &ground->poses[other / 3], contrary) >= cosine;
         face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
+        ground->ends = ground->ends || !open;
         face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
         if (open)
             set_turn(ground, side);

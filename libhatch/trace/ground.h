@@ -31,6 +31,7 @@ struct hatch_trace_ground {
     uint32_t *source; /* the face of the surface */
     struct hatch_trace_face *faces;
     struct hatch_trace_pose *poses;
+    bool ends; /* whether it has a border or a hard edge */
 };
 
 /* A place on the ground, and a heading of length 1 in the plane of its face. */

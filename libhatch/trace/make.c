@@ -145,6 +145,7 @@ static void run_family(void *context, uint32_t family)
     struct hatch_trace_room pieces, stops;
     struct hatch_err *err = &tracing->errs[family];
     struct hatch_tracer tracer = {.options = tracing->options,
+                                  .family = family,
                                   .seed = hatch_random_u64(tracing->options->seed, STREAM_FAMILY, family),
                                   .keep = &keep,
                                   .scratch = &scratch,

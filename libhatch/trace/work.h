@@ -67,6 +67,7 @@ struct hatch_trace_room {
 /* The strokes of one family on a component while levels are added. */
 struct hatch_tracer {
     const struct hatch_trace_options *options;
+    uint32_t family;
     uint64_t seed; /* of the family */
     struct hatch_trace_ground ground;
     const struct hatch_component *component;
@@ -211,7 +212,7 @@ enum hatch_status hatch_trace_find_thresholds(struct hatch_tracer *tracer, struc
 /* Returns the logarithm of the threshold at a length from a stroke's seed, negative behind it, by interpolation. */
 double hatch_trace_threshold_at(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke, double arc);
 
-/* A place on a stroke where two pieces meet, or where it begins or ends. */
+/* collect: a place on a stroke where two pieces meet, or where it begins or ends. */
 struct hatch_trace_joint {
     uint32_t face;
     double x, y, at[3]; /* on the face, and in space */
@@ -230,7 +231,17 @@ uint32_t hatch_trace_simplify(struct hatch_trace_joint *joints, uint32_t count, 
 void hatch_trace_fill_point(const struct hatch_trace_ground *ground, const struct hatch_mesh *mesh,
                             const struct hatch_trace_joint *joint, double threshold, struct hatch_curve_point *point);
 
-/* collect.c: the strokes that are traced so far, as curves of a mesh. */
+/* Finds out whether a point lies on a narrow face: between two ends of the ground, each a border or a hard edge, that
+ * are near to one another for some length. Sets its members `width` and `across`.
+ *   options  with the angles of all families; NAN: there is none of that number
+ *   family   of the ground
+ *   gap      of the point's level, in surface units
+ *   scale    mesh units in a surface unit */
+void hatch_trace_find_narrow(const struct hatch_trace_ground *ground, const struct hatch_trace_options *options,
+                             uint32_t family, const struct hatch_trace_joint *joint, double gap, double scale,
+                             struct hatch_curve_point *point);
+
+/* collect/strokes.c: the strokes that are traced so far, as curves of a mesh. */
 struct hatch_trace_sink {
     const struct hatch_mesh *mesh;
     struct hatch_arena *arena;

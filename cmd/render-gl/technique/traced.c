@@ -20,6 +20,7 @@
 #define PARTS_MAX 4u   /* straight parts of a line between two points in near views */
 #define LINE_PRESSURE 0.3f /* share of the strokes' changes of ink that feature lines have: they must hold together */
 #define MOST_INK 0.95f     /* that strokes of one direction make */
+#define NARROW_JOIN 0.7f   /* ink from which on other families join the one that crosses a narrow face */
 #define OFF_AXIS 1.5       /* factor of scale towards the corners of a picture */
 
 static const char *style_name = "engraving";
@@ -98,6 +99,7 @@ static enum hatch_status upload(struct technique_context *context, struct traced
         if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0) {
             const struct traced_source source = {.mesh = &from->meshes[i].mesh, .curves = &from->meshes[i].curves};
             HATCH_TRY(traced_upload(&source, keep, &context->args->scratch, &state->strokes[i], err));
+            state->narrow = state->narrow || state->strokes[i].narrow;
         }
     for (uint32_t i = 0; i < scene->unit.item_count; i++) {
         uint32_t mesh = scene->unit.items[i].mesh;
@@ -153,6 +155,10 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
     traced_set_look(&pen->look, (double)state->pen.width_px, pen_px > 0, &block);
     for (uint32_t f = 0; f < state->families; f++)
         hatch_stroke_tones(pen, state->families, f, block.tones[f]);
+    struct hatch_stroke_pen alone = *pen;
+    alone.join = fmaxf(pen->join, NARROW_JOIN);
+    for (uint32_t f = 0; f < state->families; f++)
+        hatch_stroke_tones(&alone, state->families, f, block.narrow[f]);
     state->block = block;
     gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
 }

@@ -65,7 +65,7 @@ static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
         bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
-                        strcmp(a->name, HATCH_CURVE_STROKE) == 0;
+                        strcmp(a->name, HATCH_CURVE_STROKE) == 0 || strcmp(a->name, HATCH_CURVE_NARROW) == 0;
         add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
                                               .target = HATCH_GLB_VERTICES,
                                               .data = a->data,

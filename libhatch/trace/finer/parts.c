@@ -29,6 +29,7 @@ static void add_joint(struct passing *passing, uint32_t face, const double at[2]
 /* Makes a curve of the joints. */
 static enum hatch_status end_part(struct passing *passing, struct hatch_err *err)
 {
+    const struct hatch_store *store = passing->store;
     struct hatch_store_sink *sink = passing->sink;
     struct hatch_curves *curves = &sink->found->curves;
     double scale = passing->component->scale, start, end;
@@ -57,9 +58,11 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
                                       &sink->point_capacity, err));
-        hatch_trace_fill_point(&passing->store->ground, sink->mesh, &passing->joints[i],
-                               exp(passing->joints[i].log_threshold + passing->log_raised),
-                               &curves->points[curves->point_count++]);
+        struct hatch_curve_point *point = &curves->points[curves->point_count++];
+        hatch_trace_fill_point(&store->ground, sink->mesh, &passing->joints[i],
+                               exp(passing->joints[i].log_threshold + passing->log_raised), point);
+        hatch_trace_find_narrow(&store->ground, &store->options, store->family, &passing->joints[i],
+                                hatch_store_gap(store, passing->line->level, passing->component), scale, point);
     }
     return HATCH_OK;
 }

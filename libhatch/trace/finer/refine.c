@@ -230,6 +230,7 @@ enum hatch_status hatch_store_trace_region(struct hatch_store *store, const stru
     struct hatch_arena keep;
     struct hatch_trace_room pieces, stops;
     struct hatch_tracer tracer = {.options = &store->options,
+                                  .family = store->family,
                                   .seed = store->options.seed,
                                   .ground = store->ground,
                                   .component = component,

@@ -21,6 +21,7 @@ struct hatch_finer {
     struct hatch_surface surface;
     struct hatch_frames frames;
     double *direction;
+    float angles_rad[HATCH_CURVE_FAMILIES_MAX]; /* of all families; NAN: there is none of that number */
     struct hatch_store stores[HATCH_CURVE_FAMILIES_MAX];
     uint32_t store_count;
     enum hatch_status statuses[HATCH_CURVE_FAMILIES_MAX];
@@ -77,13 +78,18 @@ static void open_store(void *context, uint32_t index)
 static void list_families(struct hatch_finer *finer)
 {
     const struct hatch_curves *curves = finer->source.curves;
+    for (uint32_t f = 0; f < HATCH_CURVE_FAMILIES_MAX; f++)
+        finer->angles_rad[f] = NAN;
     for (uint32_t s = 0; s < curves->set_count; s++) {
         const struct hatch_curve_set *set = &curves->sets[s];
+        finer->angles_rad[set->family] = set->angle_rad;
         if (finer->store_count == 0 || finer->stores[finer->store_count - 1].family != set->family) {
             struct hatch_store *added = &finer->stores[finer->store_count++];
             *added = (struct hatch_store){.family = set->family, .angle_rad = set->angle_rad};
             added->options =
-                (struct hatch_trace_options){.gap = ldexp((double)set->gap, (int)set->level),
+                (struct hatch_trace_options){.family_count = HATCH_CURVE_FAMILIES_MAX,
+                                             .angle_rad = finer->angles_rad,
+                                             .gap = ldexp((double)set->gap, (int)set->level),
                                              .length = set->length > 1 ? (double)set->length : LENGTH_DEFAULT,
                                              .hard_rad = set->hard_rad > 0 ? (double)set->hard_rad : HARD_DEFAULT,
                                              .seed = hatch_random_u64(0, STREAM_FINER, set->family)};

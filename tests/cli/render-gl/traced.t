@@ -166,4 +166,21 @@ for scene in skinned nodes; do
     done
     near "the scene $scene" "$(cat traced.ink)" "$(cat gouraud.ink)" .012
 done
+# A strip that is 30 pixels wide is crossed by one family with the whole tone; one of 90 pixels has both.
+printf 'v -2 -.1 0\nv 2 -.1 0\nv 2 .1 0\nv -2 .1 0\nf 1 2 3 4\n' >strip.obj
+strokegen -q --levels 7 strip.obj -o strip.glb
+# strip SIZE: draws the strip, which covers half of the picture; prints how many paths lead along and across it
+strip() {
+    draw strip.glb --size "$1" --camera 0,0,5:0,0,0 --fov 4.5813 --tone-range .5:.5
+    render-gl -q -t traced --lines none -o strip.svg strip.glb --size "$1" --camera 0,0,5:0,0,0 --fov 4.5813 \
+        --tone-range .5:.5
+    grep -o ' d="[^"]*"' strip.svg | tr 'MLd="' '     ' | awk '
+        {x = $(NF - 1) - $1; y = $NF - $2; if (x ^ 2 > y ^ 2) along++; else across++}
+        END {print along + 0, across + 0}'
+}
+is "a narrow strip has strokes across only" "$(strip 480x60 | awk '{print $1, ($2 > 50)}')" "0 1"
+near "its tone" "$(ink)" .25 .02
+is "a wide strip has strokes along, too" "$(strip 1440x180 | awk '{print ($1 > 50), ($2 > 20)}')" "1 1"
+near "its tone" "$(ink)" .25 .02
+
 finish

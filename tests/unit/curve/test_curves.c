@@ -13,6 +13,11 @@ static struct hatch_curve curves_of[3];
 static struct hatch_curve_set sets[3];
 static struct hatch_curves curves;
 
+static struct hatch_curve_point point_of(uint32_t face, float b, float c, float threshold)
+{
+    return (struct hatch_curve_point){.face = face, .share = {b, c}, .threshold = threshold};
+}
+
 /* Two faces of a skewed quad, and two sets of strokes with an empty one between them. */
 static void begin_curves(void)
 {
@@ -21,8 +26,7 @@ static void begin_curves(void)
     begin();
     mesh = mesh_of(positions, 4, indices, 2);
     for (uint32_t i = 0; i < 7; i++)
-        points[i] =
-            (struct hatch_curve_point){i % 2, {0.125f * (float)i, 0.25f - 0.03125f * (float)i}, ldexpf(1, (int)i - 3)};
+        points[i] = point_of(i % 2, 0.125f * (float)i, 0.25f - 0.03125f * (float)i, ldexpf(1, (int)i - 3));
     curves_of[0] = (struct hatch_curve){0, 2, HATCH_CURVE_ID_MAX, 3};
     curves_of[1] = (struct hatch_curve){2, 3, 0x12345678, 1};
     curves_of[2] = (struct hatch_curve){5, 2, 7, 2};
@@ -34,7 +38,7 @@ static void begin_curves(void)
 
 static void position_of(uint32_t face, float b, float c, float at[3])
 {
-    const struct hatch_curve_point point = {face, {b, c}, 1};
+    const struct hatch_curve_point point = point_of(face, b, c, 1);
     hatch_curve_position(&mesh, &point, at);
 }
 
@@ -214,6 +218,26 @@ START_TEST(vertices_become_the_same_points)
 }
 END_TEST
 
+/* The attribute of narrow faces is there if any point lies on one. */
+START_TEST(narrow_faces_are_kept)
+{
+    uint32_t lines;
+    struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
+    ck_assert_ptr_null(hatch_mesh_attribute(&vertices, HATCH_CURVE_NARROW));
+    points[3].across = 6;
+    points[3].width = 20;
+    points[4].width = 0.3f;
+    vertices = vertices_of(&sets[0], &lines);
+    read_back = (struct hatch_curves){0};
+    HATCH_TEST_OK(read_lines(&vertices, vertices.indices, lines), &err);
+    ck_assert_uint_eq(read_back.point_count, 5);
+    for (uint32_t i = 0; i < 5; i++) {
+        ck_assert_uint_eq(read_back.points[i].across, points[i].across);
+        ck_assert_float_eq_tol(read_back.points[i].width, points[i].width, 1e-6f + 1e-4f * points[i].width);
+    }
+}
+END_TEST
+
 static void check_unread(const struct hatch_mesh *vertices, const uint32_t *indices, uint32_t lines, const char *text)
 {
     read_back = (struct hatch_curves){0};
@@ -273,14 +297,27 @@ START_TEST(vertices_that_are_no_points_are_refused)
     uint32_t lines;
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
     float *face = &hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 2)[6];
-    float *inner = &hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2)[7];
     face[0] = 2;
     check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3: face 2 does not exist, there are 2");
     face[0] = face[1] = 65535;
     check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3: face 4294967295 does not exist");
     face[0] = face[1] = 0;
     check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3 is not on its face 0");
-    face[0] = *inner = 1;
+    face[0] = 0;
+    points[0].width = 1;
+    vertices = vertices_of(&sets[0], &lines);
+    hatch_mesh_find(&vertices, HATCH_CURVE_NARROW, 2)[0] = 9;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 0: there are at most 8 families");
+    hatch_mesh_find(&vertices, HATCH_CURVE_NARROW, 2)[1] = 0.5f;
+    check_unread(&vertices, vertices.indices, lines, "strokes: vertex 0: _HATCH_NARROW is no whole number of 16 bits");
+}
+END_TEST
+
+START_TEST(halves_of_identifiers_are_at_ends)
+{
+    uint32_t lines;
+    struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
+    hatch_mesh_find(&vertices, HATCH_CURVE_FACE, 2)[6] = hatch_mesh_find(&vertices, HATCH_CURVE_STROKE, 2)[7] = 1;
     check_unread(&vertices, vertices.indices, lines, "strokes: vertex 3 has half an identifier, but ends no stroke");
 }
 END_TEST
@@ -304,74 +341,6 @@ START_TEST(numbers_of_faces_have_32_bits)
 }
 END_TEST
 
-/* Finds the shares of a place on a face, moved by a distance aside. */
-static bool find_again(const float corners[9], const float share[2], float moved, float found[2])
-{
-    static const uint32_t corner[3] = {0, 1, 2};
-    struct hatch_mesh one = mesh_of(corners, 3, corner, 1);
-    const struct hatch_curve_point point = {0, {share[0], share[1]}, 1};
-    float at[3];
-    hatch_curve_position(&one, &point, at);
-    at[2] += moved;
-    return hatch_curve_find_share(&one, 0, at, found);
-}
-
-START_TEST(shares_follow_from_positions)
-{
-    static const float shares[][2] = {{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.5f}, {0.3f, 0.7f}, {0, 0.6f}};
-    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
-        for (int octave = -90; octave <= 90; octave += 30) {
-            float size = ldexpf(1, octave), found[2];
-            const float corners[9] = {size, 0, 0, 2 * size, size, 0, -size, 3 * size, 0};
-            ck_assert(find_again(corners, shares[i], 0, found));
-            ck_assert_float_eq_tol(found[0], shares[i][0], 1e-6f);
-            ck_assert_float_eq_tol(found[1], shares[i][1], 1e-6f);
-            ck_assert(find_again(corners, shares[i], 1e-3f * size, found));
-            ck_assert(!find_again(corners, shares[i], 1e-2f * size, found));
-        }
-}
-END_TEST
-
-/* Rounding moves a position far in shares of a needle's corners; the place found is the nearest one all the same. */
-START_TEST(rounded_positions_in_needles_have_places)
-{
-    static const float corners[] = {-90.6317062f, -52.9396172f, 126.212479f,  -72.4911728f, -52.9396172f,
-                                    131.699127f,  -90.7279205f, -52.9396172f, 126.177116f};
-    static const float position[3] = {-73.191597f, -52.9396172f, 131.487289f};
-    static const uint32_t corner[3] = {0, 1, 2};
-    struct hatch_mesh needle = mesh_of(corners, 3, corner, 1);
-    struct hatch_curve_point point = {0, {0, 0}, 1};
-    float at[3];
-    ck_assert(hatch_curve_find_share(&needle, 0, position, point.share));
-    hatch_curve_position(&needle, &point, at);
-    ck_assert_float_le(fabsf(at[0] - position[0]) + fabsf(at[2] - position[2]), 3e-4f);
-}
-END_TEST
-
-/* Faces that are nearly lines or points have places, too, as exact as positions are. */
-START_TEST(thin_faces_have_places)
-{
-    static const float thin[][9] = {{0, 0, 0, 1, 0, 0, 0.3f, 1e-7f, 0},
-                                    {0, 0, 0, 1, 0, 0, 0.3f, 0, 0},
-                                    {0.5f, 0, 0, 0, 1, 0, 1, -1, 0},
-                                    {1, 2, 3, 1, 2, 3, 1, 2, 3},
-                                    {1000, 1000, 0, 1000.001f, 1000, 0, 1000, 1000.001f, 0}};
-    static const uint32_t corner[3] = {0, 1, 2};
-    for (size_t i = 0; i < sizeof thin / sizeof *thin; i++)
-        for (int part = 0; part < 5; part++) {
-            struct hatch_mesh one = mesh_of(thin[i], 3, corner, 1);
-            const float share[2] = {0.25f * (float)part, 0.2f - 0.05f * (float)part};
-            struct hatch_curve_point point = {0, {share[0], share[1]}, 1};
-            float wanted[3], at[3];
-            hatch_curve_position(&one, &point, wanted);
-            ck_assert(find_again(thin[i], share, 0, point.share));
-            hatch_curve_position(&one, &point, at);
-            for (int k = 0; k < 3; k++)
-                ck_assert_float_eq_tol(at[k], wanted[k], 1e-6f + 1e-6f * fabsf(wanted[k]));
-        }
-}
-END_TEST
-
 /* Each corner has four joints; one of them is common to all. */
 static void add_four_joints(void)
 {
@@ -390,8 +359,8 @@ START_TEST(the_heaviest_joints_are_kept)
 {
     uint32_t lines;
     add_four_joints();
-    points[0] = (struct hatch_curve_point){0, {0.25f, 0.25f}, 1}; /* shares 0.5, 0.25, 0.25 */
-    points[1] = (struct hatch_curve_point){0, {1, 0}, 1};
+    points[0] = point_of(0, 0.25f, 0.25f, 1); /* shares 0.5, 0.25, 0.25 */
+    points[1] = point_of(0, 1, 0, 1);
     struct hatch_mesh vertices = vertices_of(&sets[0], &lines);
     const float *joints = hatch_mesh_find(&vertices, "JOINTS_0", 4);
     const float *weights = hatch_mesh_find(&vertices, "WEIGHTS_0", 4);
@@ -481,14 +450,13 @@ static Suite *suite(void)
     tcase_add_test(tests, thresholds_are_limited_to_eight_octaves);
     tcase_add_test(tests, parts_of_sets_have_indices_of_16_bits);
     tcase_add_test(tests, vertices_become_the_same_points);
+    tcase_add_test(tests, narrow_faces_are_kept);
+    tcase_add_test(tests, halves_of_identifiers_are_at_ends);
     tcase_add_test(tests, lines_that_are_no_strokes_are_refused);
     tcase_add_test(tests, a_missing_attribute_is_named);
     tcase_add_test(tests, numbers_out_of_range_are_refused);
     tcase_add_test(tests, vertices_that_are_no_points_are_refused);
     tcase_add_test(tests, numbers_of_faces_have_32_bits);
-    tcase_add_test(tests, shares_follow_from_positions);
-    tcase_add_test(tests, thin_faces_have_places);
-    tcase_add_test(tests, rounded_positions_in_needles_have_places);
     tcase_add_test(tests, the_heaviest_joints_are_kept);
     tcase_add_test(tests, joints_without_weight_are_left_out);
     tcase_add_test(tests, morph_targets_are_interpolated);

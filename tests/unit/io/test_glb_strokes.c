@@ -26,9 +26,9 @@ static void add_strokes(uint32_t m)
     static const uint32_t counts[3] = {6, 2, 7};
     uint32_t first = 0;
     for (uint32_t i = 0; i < POINTS; i++)
-        points[m][i] = (struct hatch_curve_point){i % meshes[m].mesh.face_count,
-                                                  {0.0123f * (float)(i + 1), 0.0217f * (float)(i + 1)},
-                                                  ldexpf(1, (int)(i % 7 + m) - 3)};
+        points[m][i] = (struct hatch_curve_point){.face = i % meshes[m].mesh.face_count,
+                                                  .share = {0.0123f * (float)(i + 1), 0.0217f * (float)(i + 1)},
+                                                  .threshold = ldexpf(1, (int)(i % 7 + m) - 3)};
     for (uint32_t c = 0; c < 3; c++) {
         curves[m][c] = (struct hatch_curve){first, counts[c], 0x1e3779b9u * (c + 1) & HATCH_CURVE_ID_MAX, c + m};
         first += counts[c];

@@ -17,6 +17,7 @@ struct Point { // struct traced_point of technique/traced/traced.h
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
     vec4 rest;     // family; bits 1: first, 2: last of its stroke, 4, 8: its start, its end is not free;
                    // turn with its neighbours, -1 .. 1; greatest length of its pointed ends, in mesh units
+    vec4 across;   // way across a narrow face, as a change of both shares; 1 + the family that crosses it, or 0; unused
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
@@ -28,6 +29,7 @@ layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per
 layout(location = UNIFORM_INK) uniform int ink_index;
 layout(location = UNIFORM_DENSEST) uniform vec2 densest; // of all strokes, for width_law
 
+const vec2 NARROW_PX = vec2(40.0, 60.0); // width of narrow faces, and of others
 const float TURNED_MOST_PX = 8.0;
 const float TURNED_GAPS = 10.0; // between drawn strokes: half a stroke that is longer is turned aside no farther than this
 const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
@@ -128,7 +130,10 @@ void main()
     float unit_px = right_length() * viewport.x / at.w, flat_rise = toward_eye / unit_px;
     float scale = abs(area) / (point.stroke.y * length_px);
     float denser = grazing_factor(scale, length(vec2(length_px, way.z / flat_rise)), matter.z);
-    float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index]);
+    float narrow = 0.0;
+    if (point.across.z > 0.0)
+        narrow = 1.0 - smoothstep(NARROW_PX.x, NARROW_PX.y, length(point.across.x * along_1.xy + point.across.y * along_2.xy));
+    float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index], int(point.across.z) - 1, narrow);
     bool dots = marks.w > 0.0;
     vec3 law =
         width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, denser, dots);

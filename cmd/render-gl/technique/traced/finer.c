@@ -19,7 +19,8 @@ static double find_most(const struct traced_state *state, float most[HATCH_CURVE
     double largest = 0;
     for (uint32_t f = 0; f < state->families; f++)
         for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
-            double tone = hatch_mark_stroke_tone(&state->pen, (double)state->block.tones[f][i]);
+            float own = state->block.tones[f][i], across = state->narrow ? state->block.narrow[0][i] : 0;
+            double tone = hatch_mark_stroke_tone(&state->pen, (double)fmaxf(own, across));
             double whole_px = hatch_stroke_whole_px(&state->pen, tone);
             most[f][i] = (float)(HATCH_STROKE_FADE * tone / (HATCH_STROKE_GAIN * whole_px));
             largest = fmax(largest, (double)most[f][i]);

@@ -43,14 +43,43 @@ static void list_entries(const struct hatch_curves *curves, const float *thresho
     }
 }
 
+/* Computes the change of the shares of corners 1 and 2 along a vector, of which the part in the plane counts.
+ *   edge  from corner 0 to 1 and to 2 */
+static void shares_along(double edge[2][3], const double along[3], double way[2])
+{
+    double aa = hatch_vec_dot(edge[0], edge[0]), ab = hatch_vec_dot(edge[0], edge[1]);
+    double bb = hatch_vec_dot(edge[1], edge[1]), det = fmax(aa * bb - ab * ab, DBL_MIN);
+    double a = hatch_vec_dot(edge[0], along), b = hatch_vec_dot(edge[1], along);
+    way[0] = (bb * a - ab * b) / det;
+    way[1] = (aa * b - ab * a) / det;
+}
+
+/* Sets the way across a narrow face.
+ *   edge, normal  of the point's face
+ *   along         the stroke's direction in its plane, of length 1
+ *   turn_rad      from there to the strokes that cross it */
+static void set_across(const struct hatch_curve_point *from, double edge[2][3], const double normal[3],
+                       const double along[3], double turn_rad, struct traced_point *point)
+{
+    double left[3], across[3], way[2], size = hatch_vec_length(normal);
+    hatch_vec_cross(normal, along, left);
+    for (int k = 0; k < 3; k++)
+        across[k] = (double)from->width * (cos(turn_rad) * along[k] + sin(turn_rad) * left[k] / fmax(size, DBL_MIN));
+    shares_along(edge, across, way);
+    point->across[0] = (float)way[0];
+    point->across[1] = (float)way[1];
+    point->crossing = 1 + (float)from->across;
+}
+
 /* Sets the part of a point that follows from its face.
- *   along  direction of the stroke, of any length */
+ *   along     direction of the stroke, of any length
+ *   turn_rad  per family: the angle from the stroke to the strokes of the family */
 static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_point *from, const double along[3],
-                     struct traced_point *point)
+                     const double turn_rad[HATCH_CURVE_FAMILIES_MAX], struct traced_point *point)
 {
     const float *data = mesh->attributes[0].data;
     const uint32_t *corners = &mesh->indices[3 * (size_t)from->face];
-    double edge[2][3], normal[3], length = hatch_vec_length(along);
+    double edge[2][3], normal[3], way[2], moved[3];
     for (int k = 0; k < 3; k++) {
         double origin = (double)data[3 * (size_t)corners[0] + (size_t)k];
         point->corners[k] = corners[k];
@@ -58,16 +87,17 @@ static void set_face(const struct hatch_mesh *mesh, const struct hatch_curve_poi
             edge[e][k] = (double)data[3 * (size_t)corners[e + 1] + (size_t)k] - origin;
     }
     hatch_vec_cross(edge[0], edge[1], normal);
-    double aa = hatch_vec_dot(edge[0], edge[0]), ab = hatch_vec_dot(edge[0], edge[1]);
-    double bb = hatch_vec_dot(edge[1], edge[1]), det = fmax(aa * bb - ab * ab, DBL_MIN);
-    double a = hatch_vec_dot(edge[0], along), b = hatch_vec_dot(edge[1], along);
-    double way[2] = {(bb * a - ab * b) / det, (aa * b - ab * a) / det}, moved[3];
+    shares_along(edge, along, way);
     for (int k = 0; k < 3; k++)
         moved[k] = way[0] * edge[0][k] + way[1] * edge[1][k];
-    length = fmax(hatch_vec_length(moved), DBL_MIN);
+    double length = fmax(hatch_vec_length(moved), DBL_MIN);
+    for (int k = 0; k < 3; k++)
+        moved[k] /= length;
     point->way[0] = (float)(way[0] / length);
     point->way[1] = (float)(way[1] / length);
     point->area = (float)fmax(hatch_vec_length(normal), DBL_MIN);
+    if (from->width > 0)
+        set_across(from, edge, normal, moved, turn_rad[from->across], point);
 }
 
 /* Returns a random number, -1 .. 1, that a stroke shares with the neighbours of its set. */
@@ -100,6 +130,10 @@ static void make_points(const struct traced_source *source, const float *thresho
     float turn = shared_random(source, entry, 0), tip = (float)TIP_GAPS * entry->set->gap;
     double length = (double)part->before;
     const int bound = (int)(~curve->free_ends & 3);
+    double turn_rad[HATCH_CURVE_FAMILIES_MAX] = {0};
+    for (uint32_t s = 0; s < source->curves->set_count; s++)
+        turn_rad[source->curves->sets[s].family] =
+            (double)source->curves->sets[s].angle_rad - (double)entry->set->angle_rad;
     for (uint32_t i = 0; i < curve->count; i++) {
         uint32_t before = i > 0 ? i - 1 : 0, after = i + 1 < curve->count ? i + 1 : i;
         float ends[2][3], here[3];
@@ -120,7 +154,7 @@ static void make_points(const struct traced_source *source, const float *thresho
                                           .turn = turn,
                                           .tip = tip,
                                           .ends = (float)((i == 0) | (i + 1 == curve->count) << 1 | bound << 2)};
-        set_face(mesh, &from[i], along, &points[i]);
+        set_face(mesh, &from[i], along, turn_rad, &points[i]);
     }
     for (uint32_t i = 0; i < curve->count; i++)
         points[i].to_end = (float)length + part->after - points[i].from_start;
@@ -187,8 +221,10 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     strokes->finest = curves->sets[0].gap;
     for (uint32_t s = 0; s < curves->set_count; s++)
         strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
-    for (uint32_t i = 0; i < first; i++)
+    for (uint32_t i = 0; i < first; i++) {
         strokes->densest = fmaxf(strokes->densest, points[i].threshold);
+        strokes->narrow = strokes->narrow || points[i].crossing > 0;
+    }
     strokes->points = gpu_buffer_make(points, sizeof *points * first);
     strokes->indices = gpu_buffer_make(indices, sizeof *indices * (size_t)(next - indices));
     hatch_arena_rewind(scratch, mark);

@@ -14,6 +14,9 @@ struct traced_block {
     float ink[4];   /* darkness of a stroke, grain; HATCH_STROKE_GRAZING, or 0 for dots and pens; unused */
     float marks[4]; /* length and gap of marks in pixels, scatter; 1: they are dots */
     float tones[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES + 3]; /* per family: hatch_stroke_tones; 3 unused */
+    float narrow[HATCH_CURVE_FAMILIES_MAX]
+                [HATCH_STROKE_TONES + 3];     /* the same for narrow faces, in the order in which
+                                                 families join there: first the one that crosses */
     float zigzag[4];                          /* amplitude and wave in pixels; waves along a whole stroke, 0: as many as
                                                  its length has; stretch (curve/stroke_look.h) */
     uint32_t look[4];                         /* numbers of values of both profiles; of colours; 1: they are mixed */
@@ -35,6 +38,8 @@ struct traced_point {
     float family, ends;       /* ends: bits 1: first, 2: last of its stroke; 4, 8: its start, its end is not free */
     float turn;               /* of the stroke and its neighbours together, random, -1 .. 1 */
     float tip;                /* greatest length of its pointed ends, in mesh units */
+    float across[2];          /* the way across a narrow face: change of share */
+    float crossing, unused;   /* 1 + the family that crosses it; 0: there is no narrow face here */
 };
 
 /* Where a stroke comes from. */
@@ -54,6 +59,7 @@ struct traced_strokes {
     const uint32_t *end;                          /* number of points up to the end of each stroke */
     float finest, densest;                        /* finest gap, in mesh units; greatest threshold */
     float raised;                                 /* of hatch_stroke_width_px */
+    bool narrow;                                  /* whether some lie on narrow faces */
 };
 
 /* The points of an item's strokes in a picture: TRACED_RIBBON_FLOATS for each. */
@@ -104,6 +110,7 @@ struct traced_state {
     uint32_t finer_levels; /* at most so many more than the file has; 0: none */
     struct traced_block block;
     float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES]; /* as in struct hatch_finer_view */
+    bool narrow;                                              /* whether strokes lie on narrow faces */
     GLuint array, block_buffer;
     const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };

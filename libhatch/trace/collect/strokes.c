@@ -66,8 +66,10 @@ static enum hatch_status list_joints(const struct hatch_tracer *tracer, const st
     return add_half(tracer, stroke, 0, joints, err);
 }
 
+/* Adds a stroke.
+ *   gap  of its level */
 static enum hatch_status add_curve(const struct hatch_tracer *tracer, const struct hatch_trace_stroke *stroke,
-                                   const struct hatch_trace_joint *joints, uint32_t count,
+                                   double gap, const struct hatch_trace_joint *joints, uint32_t count,
                                    struct hatch_trace_sink *sink, struct hatch_err *err)
 {
     struct hatch_curves *to = &sink->curves;
@@ -83,8 +85,10 @@ static enum hatch_status add_curve(const struct hatch_tracer *tracer, const stru
     for (uint32_t i = 0; i < count; i++) {
         HATCH_TRY(hatch_trace_reserve(sink->arena, &to->points, sizeof *to->points, to->point_count,
                                       &sink->point_capacity, err));
-        hatch_trace_fill_point(&tracer->ground, sink->mesh, &joints[i],
-                               exp(joints[i].log_threshold) / tracer->component->scale, &to->points[to->point_count++]);
+        struct hatch_curve_point *point = &to->points[to->point_count++];
+        double scale = tracer->component->scale;
+        hatch_trace_fill_point(&tracer->ground, sink->mesh, &joints[i], exp(joints[i].log_threshold) / scale, point);
+        hatch_trace_find_narrow(&tracer->ground, tracer->options, tracer->family, &joints[i], gap, scale, point);
     }
     return HATCH_OK;
 }
@@ -102,7 +106,7 @@ enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct 
         HATCH_TRY(list_joints(tracer, stroke, &joints, err));
         uint32_t count = hatch_trace_simplify(joints.list, joints.count, tolerance);
         if (count > 1)
-            HATCH_TRY(add_curve(tracer, stroke, joints.list, count, sink, err));
+            HATCH_TRY(add_curve(tracer, stroke, gap, joints.list, count, sink, err));
     }
     return HATCH_OK;
 }
