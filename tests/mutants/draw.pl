@@ -30,6 +30,8 @@ sub mutations {
     # Preprocessor lines other than constants, assertions, and sizes of arrays: one more changes nothing.
     return () if ($code =~ /^\s*#/ && $code !~ /^\s*#define \w+ /) || $code =~ /\bassert\(/;
     $code =~ s/(?<=\[)(\d+)(?=\])/"\x01" x length $1/ge if $code =~ /^\s*(?:(?:static|const|struct|enum) )*\w+ \*?\w+\[/;
+    # Nor does it change the sizes of parameters.
+    $code =~ s/(\b(?:double|float|u?int\w*) \w+\[)(\d+)(?=\])/$1 . "\x01" x length $2/ge;
     while ($code =~ /(?<= )(\S{1,2})(?= )/g) {
         push @found, [$-[1], length $1, $swapped{$1}] if exists $swapped{$1};
     }

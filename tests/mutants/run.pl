@@ -12,7 +12,7 @@ use warnings;
 use Cwd qw(abs_path);
 use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
-use POSIX qw(:sys_wait_h);
+use POSIX qw(setsid :sys_wait_h);
 use Time::HiRes qw(time sleep);
 $| = 1;
 
