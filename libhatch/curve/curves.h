@@ -68,7 +68,8 @@ bool hatch_curve_find_share(const struct hatch_mesh *mesh, uint32_t face, const 
 #define HATCH_CURVE_FACE "_HATCH_FACE"     /* 2: the face's number: its low and its high 16 bits */
 #define HATCH_CURVE_STROKE "_HATCH_STROKE" /* 2: the threshold's code; at a stroke's ends, half of its id */
 #define HATCH_CURVE_NARROW                                                                                             \
-    "_HATCH_NARROW" /* 2: on a narrow face 1 + the family across, and the width's code; else 0. Missing: all are 0 */
+    "_HATCH_NARROW" /* 2: on a narrow face 1 + the family across, and the width's code; else 0. Missing where under a  \
+                       hundredth of the points lie on one */
 
 #define HATCH_CURVE_CODE_STEPS 4096.0   /* codes of thresholds and widths in an octave */
 #define HATCH_CURVE_CODE_MIDDLE 32768.0 /* that of one stroke per gap of the set, and of a width of one gap */

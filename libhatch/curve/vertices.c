@@ -5,6 +5,7 @@
 #include "curve/curves.h"
 
 #define JOINTS 4u
+#define NARROW_SHARE 0.01 /* of points on narrow faces: sets with fewer are written without */
 
 /* Joints of a face's corners and their weights at a point. */
 struct mixture {
@@ -137,18 +138,18 @@ static enum hatch_status add_places(const struct hatch_curves *curves, const str
     return HATCH_OK;
 }
 
-/* Adds the widths of narrow faces, if any point lies on one. */
+/* Adds the widths of narrow faces, if enough points lie on one. */
 static enum hatch_status add_narrow(const struct hatch_curve_point *points, uint32_t count, float gap,
                                     struct hatch_arena *arena, struct hatch_mesh *vertices, struct hatch_err *err)
 {
     float *narrow;
-    size_t first = 0;
-    while (first < count && !(points[first].width > 0))
-        first++;
-    if (first == count)
+    uint32_t some = 0;
+    for (size_t i = 0; i < count; i++)
+        some += points[i].width > 0;
+    if (some == 0 || some < NARROW_SHARE * count)
         return HATCH_OK;
     HATCH_TRY(hatch_mesh_add(arena, vertices, HATCH_CURVE_NARROW, 2, &narrow, err));
-    for (size_t i = first; i < count; i++)
+    for (size_t i = 0; i < count; i++)
         if (points[i].width > 0) {
             narrow[2 * i] = (float)(1 + points[i].across);
             narrow[2 * i + 1] = code_of((double)points[i].width / (double)gap);

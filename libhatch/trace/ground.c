@@ -86,7 +86,6 @@ static void join_sides(const struct hatch_surface *surface, const uint32_t *numb
         bool open =
             other != HATCH_NO_SIDE && bend_of(&ground->poses[side / 3], &ground->poses[other / 3], contrary) >= cosine;
         face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
-        ground->ends = ground->ends || !open;
         face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
         if (open)
             set_turn(ground, side);
@@ -180,6 +179,7 @@ enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const
         set_changes(&made.faces[f], z, &made.poses[f]);
     }
     join_sides(surface, number, hard_rad, &made);
+    HATCH_TRY(hatch_trace_find_ends(&made, arena, &made.ends, err));
     *ground = made;
     return HATCH_OK;
 }

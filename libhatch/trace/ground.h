@@ -24,14 +24,21 @@ struct hatch_trace_pose {
     float u[3], v[3], at[3]; /* axes x and y, and corner 0 */
 };
 
-/* Arrays have an entry for each face of the surface. Its faces have numbers of their own, which are close for faces
- * that are close in space; those of a component are the same range as on the surface. */
+/* The ends of the ground, its borders and hard edges, seen from a point. Distances are along edges. */
+struct hatch_trace_end {
+    float distance; /* to the nearest; HUGE_VALF: there is none */
+    float length;   /* the greatest length of an end and of all that are connected with it, less the distance to it; 0:
+                       none is longer than that */
+};
+
+/* Arrays have an entry for each face of the surface, but for ends. Its faces have numbers of their own, which are close
+ * for faces that are close in space; those of a component are the same range as on the surface. */
 struct hatch_trace_ground {
     const struct hatch_surface *surface;
     uint32_t *source; /* the face of the surface */
     struct hatch_trace_face *faces;
     struct hatch_trace_pose *poses;
-    bool ends; /* whether it has a border or a hard edge */
+    struct hatch_trace_end *ends; /* per point of the surface */
 };
 
 /* A place on the ground, and a heading of length 1 in the plane of its face. */
@@ -49,6 +56,14 @@ enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const
                                       const double *direction, double angle_rad, double hard_rad,
                                       struct hatch_arena *arena, struct hatch_trace_ground *ground,
                                       struct hatch_err *err) HATCH_MUST_USE;
+
+/* Finds the ends of ground whose faces are joined.
+ *   ends  out: per point of the surface, in arena */
+enum hatch_status hatch_trace_find_ends(const struct hatch_trace_ground *ground, struct hatch_arena *arena,
+                                        struct hatch_trace_end **ends, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the least distance and the greatest length at the corners of a face. */
+struct hatch_trace_end hatch_trace_end_near(const struct hatch_trace_ground *ground, uint32_t face);
 
 /* Computes the direction of strokes at a place, with the sign nearest to the heading. Returns false where there is
  * none, as at a singularity. */

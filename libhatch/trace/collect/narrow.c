@@ -164,15 +164,18 @@ void hatch_trace_find_narrow(const struct hatch_trace_ground *ground, const stru
                              struct hatch_curve_point *point)
 {
     struct hatch_trace_place here = place_in(ground, joint);
+    struct hatch_trace_end end = hatch_trace_end_near(ground, joint->face);
     double direction[2], least = HUGE_VAL;
-    if (!ground->ends || !hatch_trace_direction(ground, &here, direction))
+    double reach = fmin(REACH_GAPS * gap, (double)end.length); /* no narrow face is wider than its ends are long */
+    /* One end is within half of the reach, and the way along edges less than twice as long. */
+    if ((double)end.distance > reach || !hatch_trace_direction(ground, &here, direction))
         return;
     for (uint32_t f = 0; f < options->family_count; f++) {
         double angle = (double)options->angle_rad[f] - (double)options->angle_rad[family];
         if (!isfinite(angle))
             continue;
         rotate(direction, (const double[]){cos(angle), sin(angle)}, here.heading);
-        double width = width_along(ground, &here, REACH_GAPS * gap);
+        double width = width_along(ground, &here, reach);
         if (width < (least < HUGE_VAL ? CLEARLY * least : HUGE_VAL)) {
             least = width;
             point->across = f;

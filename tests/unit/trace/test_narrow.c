@@ -99,6 +99,37 @@ START_TEST(a_wide_strip_is_narrow_for_coarse_strokes_only)
 }
 END_TEST
 
+/* Around a tube of 1, strokes meet themselves: it is a narrow face if it is short, none if it is longer. */
+START_TEST(a_tube_is_narrow_if_it_is_short)
+{
+    static const double heights[] = {0.25, 2};
+    enum { COLUMNS = 24 };
+    for (int k = 0; k < 2; k++) {
+        float at[6 * COLUMNS], angle_rad[2] = {0, (float)(PI / 2)};
+        uint32_t indices[6 * COLUMNS];
+        for (uint32_t i = 0; i < COLUMNS; i++) {
+            double angle = i * 2 * PI / COLUMNS, radius = 1 / (2 * COLUMNS * sin(PI / COLUMNS));
+            const float ends[6] = {(float)(radius * cos(angle)), (float)(radius * sin(angle)), 0,
+                                   (float)(radius * cos(angle)), (float)(radius * sin(angle)), (float)heights[k]};
+            const uint32_t next = (2 * i + 2) % (2 * COLUMNS);
+            const uint32_t faces[6] = {2 * i, next, next + 1, next + 1, 2 * i + 1, 2 * i};
+            memcpy(&at[6 * (size_t)i], ends, sizeof ends);
+            memcpy(&indices[6 * (size_t)i], faces, sizeof faces);
+        }
+        struct field_case tube = case_of(mesh_of(at, 2 * COLUMNS, indices, 2 * COLUMNS));
+        struct hatch_trace_options options = with_gap(0.1, 4);
+        options.family_count = 2;
+        options.angle_rad = angle_rad;
+        set_direction(&tube, 0, 0, 1);
+        struct hatch_curves curves = trace_with(&tube, &options, NULL);
+        if (k == 0)
+            all_narrow(&curves, 0, heights[k]);
+        else
+            none_narrow(&curves);
+    }
+}
+END_TEST
+
 START_TEST(closed_surfaces_have_none)
 {
     struct field_case ball = case_of_shape(HATCH_SHAPE_SPHERE, 2000, 0);
@@ -118,6 +149,7 @@ static Suite *suite(void)
     tcase_add_test(tests, widths_are_in_mesh_units);
     tcase_add_test(tests, a_face_as_long_as_wide_is_not_narrow);
     tcase_add_test(tests, a_wide_strip_is_narrow_for_coarse_strokes_only);
+    tcase_add_test(tests, a_tube_is_narrow_if_it_is_short);
     tcase_add_test(tests, closed_surfaces_have_none);
     suite_add_tcase(suite, tests);
     return suite;
