@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "shared/cmd.h"
+#include "tam/whole.h"
 
 /* At most 1 / COPIES_DIVISOR of the columns are copied at a time. A copy holds floats, at least twice the size of the
  * column in the file, so that many threads could need more memory for copies than for the map. More copies would not
@@ -31,9 +32,37 @@ static void compress(void *context, uint32_t index)
     atomic_store(&copy->busy, false);
 }
 
+/* Makes room for columns of the size of one, which is white. */
+static enum hatch_status make_rounded(struct columns *columns, const struct hatch_mipmap *column, struct hatch_err *err)
+{
+    struct hatch_mipmap *rounded = &columns->rounded;
+    HATCH_TRY(HATCH_ALLOC(columns->arena, &rounded->levels, column->level_count, err));
+    for (uint32_t level = 0; level < column->level_count; level++) {
+        const struct hatch_image *image = &column->levels[level];
+        size_t floats = (size_t)image->width * image->height * image->channel_count;
+        rounded->levels[level] = *image;
+        HATCH_TRY(HATCH_ALLOC_UNSET(columns->arena, &rounded->levels[level].pixels, floats, err));
+        for (size_t i = 0; i < floats; i++)
+            rounded->levels[level].pixels[i] = 1;
+    }
+    return HATCH_OK;
+}
+
+/* Returns a column after rounding: columns->rounded. */
+static const struct hatch_mipmap *round_column(struct columns *columns, const struct hatch_mipmap *column)
+{
+    struct hatch_image *levels = columns->rounded.levels;
+    hatch_tam_round(column, columns->levels, columns->tolerance, &columns->rounded);
+    columns->rounded = *column;
+    columns->rounded.levels = levels;
+    return &columns->rounded;
+}
+
 static enum hatch_status begin(struct columns *columns, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     HATCH_TRY(hatch_exr_begin(column, columns->tones, columns->arena, &columns->writer, err));
+    if (columns->tolerance > 0)
+        HATCH_TRY(make_rounded(columns, column, err));
     uint32_t threads = hatch_pool_threads(columns->pool), most = columns->tones / COPIES_DIVISOR;
     uint32_t useful = threads < 2 ? 0 : threads * COPIES_PER_THREAD;
     columns->copy_count = useful < most ? useful : most;
@@ -77,6 +106,8 @@ enum hatch_status columns_take(void *context, uint32_t tone, const struct hatch_
     struct columns *columns = context;
     if (!columns->writer)
         HATCH_TRY(begin(columns, column, err));
+    if (columns->tolerance > 0)
+        column = round_column(columns, column);
     if (columns->sheet)
         hatch_tam_sheet_add(columns->sheet, tone, column);
     cmd_progress("columns", (double)++columns->done / columns->tones);

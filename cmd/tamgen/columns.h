@@ -12,8 +12,11 @@ struct columns {
     struct hatch_arena *arena;
     struct hatch_pool *pool;
     uint32_t tones;                  /* number of columns */
+    uint32_t levels;                 /* number of drawn levels */
+    double tolerance;                /* by which reflectance is rounded, hatch_tam_round; 0: it is not */
     struct hatch_tam_sheet *sheet;   /* receives the columns; NULL: none */
     struct hatch_exr_writer *writer; /* made with the first column */
+    struct hatch_mipmap rounded;     /* the last column; used if columns are rounded */
     struct column_copy *copies;
     uint32_t copy_count;
     uint32_t done; /* number of columns received */

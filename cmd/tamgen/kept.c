@@ -31,6 +31,7 @@ void kept_pass_on(struct job *job, const char *path, bool all_levels, struct kep
     cmd_read_needs(&job->args, path, &needs);
     const struct cmd_map_part part = cmd_find_map_part(&needs, targets, whole, whole_px, all_levels ? 1 : job->levels);
     job->tones = part.tones;
+    job->tolerance = (float)part.tolerance;
     job->size_px >>= part.finer;
     job->levels -= part.finer;
     begin_columns(job);

@@ -17,7 +17,11 @@ void begin_columns(struct job *job)
     job->columns = (struct columns){.arena = &job->args.keep,
                                     .pool = cmd_pool(&job->args),
                                     .tones = job->tones,
+                                    .levels = job->levels,
+                                    .tolerance = (double)job->tolerance,
                                     .sheet = job->sheet_path ? &job->sheet : NULL};
+    if (job->tolerance > 0)
+        cmd_note("reflectance is rounded: means over 8 x 8 pixels change by at most %.2g", (double)job->tolerance / 4);
     uint32_t shown = job->tones < SHEET_COLUMNS_MAX ? job->tones : SHEET_COLUMNS_MAX;
     const struct hatch_tam_sheet_options sheet = {job->size_px, job->levels, job->tones, shown, job->color};
     if (job->sheet_path)

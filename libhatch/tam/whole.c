@@ -1,10 +1,15 @@
 #include "tam/whole.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "image/texels.h"
+
+#define STEP_MAX 0.125f
+#define STEP_MIN 0x1p-11f
+#define BLOCK 8u
 
 void hatch_tam_whole_print(const struct hatch_tam *tam, struct hatch_tam_whole_keys *keys)
 {
@@ -61,4 +66,63 @@ void hatch_tam_cut(struct hatch_tam *tam, uint32_t tones, uint32_t finer, double
     tam->levels -= finer;
     tam->tones = tones;
     tam->whole.tolerance = (float)tolerance;
+}
+
+static float round_to(float value, float step)
+{
+    return (float)(int)(value / step + 0.5f) * step;
+}
+
+/* Returns how much rounding changes the mean of a block of pixels in a channel. */
+static double block_change(const struct hatch_image *image, uint32_t channel, const uint32_t at[2], float step)
+{
+    uint32_t width = image->width - at[0] < BLOCK ? image->width - at[0] : BLOCK;
+    uint32_t height = image->height - at[1] < BLOCK ? image->height - at[1] : BLOCK;
+    float sum = 0;
+    for (uint32_t y = at[1]; y < at[1] + height; y++) {
+        const float *row = &image->pixels[((size_t)y * image->width + at[0]) * image->channel_count + channel];
+        for (uint32_t x = 0; x < width; x++)
+            sum += round_to(row[x * image->channel_count], step) - row[x * image->channel_count];
+    }
+    return (double)sum / (width * height);
+}
+
+/* Returns the root of the mean of the squares of what rounding changes in blocks. */
+static double change_by(const struct hatch_image *image, uint32_t channels, float step)
+{
+    double sum = 0;
+    uint32_t count = 0, at[2];
+    for (at[1] = 0; at[1] < image->height; at[1] += BLOCK)
+        for (at[0] = 0; at[0] < image->width; at[0] += BLOCK)
+            for (uint32_t c = 0; c < channels; c++, count++) {
+                double change = block_change(image, c, at, step);
+                sum += change * change;
+            }
+    return sqrt(sum / count);
+}
+
+/* Returns the step for a level; 0: it is not rounded. */
+static float find_step(const struct hatch_image *image, uint32_t channels, double tolerance)
+{
+    float step = STEP_MAX;
+    while ((double)step > 8 * tolerance)
+        step /= 2;
+    while (step >= STEP_MIN && change_by(image, channels, step) > tolerance / 4)
+        step /= 2;
+    return step < STEP_MIN ? 0 : step;
+}
+
+void hatch_tam_round(const struct hatch_mipmap *column, uint32_t levels, double tolerance, struct hatch_mipmap *rounded)
+{
+    for (uint32_t level = 0; level < column->level_count; level++) {
+        const struct hatch_image *image = &column->levels[level];
+        const uint32_t channels = image->channels[0].name[0] == 'Y' ? 1 : 3;
+        const float step = level < levels ? find_step(image, channels, tolerance) : 0;
+        float *to = rounded->levels[level].pixels;
+        for (size_t i = 0; i < (size_t)image->width * image->height * image->channel_count; i++) {
+            const bool light = i % image->channel_count < channels;
+            float value = light && step > 0 ? round_to(image->pixels[i], step) : image->pixels[i];
+            to[i] = light && to[i] < value ? to[i] : value;
+        }
+    }
 }

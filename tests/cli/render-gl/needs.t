@@ -86,12 +86,19 @@ is "some columns are left out" "$(awk -v n="$columns" 'BEGIN {print (n > 8 && n 
 ok "-v says how many" grep -q "^tamgen: $((32 - columns)) of 32 columns left out: tones over" said
 is "and what that saves" "$(sed -n 's/^tamgen: \(.*\) % of the texels are made/\1/p' said)" \
     "$(awk -v n="$columns" 'BEGIN {printf "%.3g", 100 * n / 32}')"
-tampack -q --layout png whole.exr -o whole
-tampack -q --layout png cut.exr -o cut
-is "all columns that are made have the pixels of the whole map" "$(for file in cut.*.png; do
-    cmp "$file" "whole.${file#cut.}" 2>&1
-done)" ""
-is "of each column and level" "$(find . -name 'cut.*.png' | wc -l)" "$((8 * columns))"
+# rounded A B: prints whether two maps have the same columns and levels, and their pixels differ by rounding to 16ths, which
+# changes means over 8 x 8 pixels by little
+rounded() {
+    rm -f ./*_[ab].*.png
+    tampack -q --layout png "$1.exr" -o "$1_a"
+    tampack -q --layout png "$2.exr" -o "$2_b"
+    for file in "$1"_a.*.png; do
+        hatchstat diff "$file" "$2_b.${file#"$1_a."}" | awk 'NR == 2 {print $1, $7}'
+    done | awk '{pixel = $1 > pixel ? $1 : pixel; mean = $2 > mean ? $2 : mean}
+        END {print (NR > 3 && pixel > .02 && pixel < .04 && mean < .015) ? "rounded" : NR " " pixel " " mean}'
+}
+is "all columns that are made have the pixels of the whole map, rounded" "$(rounded cut whole)" rounded
+is "of each column and level" "$(find . -name 'cut_a.*.png' | wc -l)" "$((8 * columns))"
 ok "fewer bytes" test "$(wc -c <cut.exr)" -lt "$(wc -c <whole.exr)"
 # darkness MAP FRAME: draws a frame of a turn of 12, and prints the mean darkness over the scene's pixels
 drawn=$(row turn.needs drawn 0)
@@ -120,7 +127,7 @@ is "before it opens" "$(cat "$WORK/.err")" \
 tamgen -q --size 64 --tones 4 -o four.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' -o whole4.exr
 tamgen -q --size 64 --tones 4 --set 'darkest .4' --needs tone.needs -o same4.exr
-ok "a map of which everything is needed is that of tamgen without --needs" cmp whole4.exr same4.exr
+is "a map of which everything is needed is that of tamgen without --needs, rounded" "$(rounded same4 whole4)" rounded
 
 # A map whose finest level no view reads: the smaller one looks alike, with the same tiles.
 view='--size 160x120 --lines none'
@@ -129,14 +136,12 @@ tamgen -q --tones 4 -o large.exr
 tamgen -v --tones 4 --needs small.needs -o small.exr 2>said
 is "finer levels are left out" "$(grep -c 'levels finer than 128 pixels left out' said)" 1
 tamgen -q --tones 4 --size 128 -o smaller.exr
-tampack -q --layout png small.exr -o small
-tampack -q --layout png smaller.exr -o smaller
-ok "as if --size were smaller" cmp small.003.00.png smaller.003.00.png
+is "as if --size were smaller" "$(rounded small smaller)" rounded
 tamgen -q --tones 4 --levels 4 --needs small.needs -o levels.exr
-ok "not if --levels is given" cmp large.exr levels.exr
+is "not if --levels is given" "$(rounded levels large)" rounded
 sed 's/^tolerance	0	0.01/tolerance	0	0.009/' small.needs >exact.needs
 tamgen -q --tones 4 --needs exact.needs -o exact.exr
-ok "nor for a tolerance that levels exceed" cmp large.exr exact.exr
+is "nor for a tolerance that levels exceed" "$(rounded exact large)" rounded
 for map in large small; do
     # shellcheck disable=SC2086
     render-gl -q torus.glb $view -T $map.exr -o $map.png
@@ -288,9 +293,7 @@ tamgen -q --replay drawing.tsv --size 128 --tones 12 -o drawing.exr
 tamgen -v --replay drawing.tsv --size 128 --tones 12 --needs turn.needs -o some.exr 2>said
 columns=$(hatchstat tam some.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
 is "some of its columns are left out" "$(grep -c "^tamgen: $((12 - columns)) of 12 columns left out" said)" 1
-tampack -q --layout png drawing.exr -o drawing
-tampack -q --layout png some.exr -o some
-is "the others are the same" "$(for file in some.*.png; do cmp "$file" "drawing.${file#some.}" 2>&1; done)" ""
+is "the others are the same, rounded" "$(rounded some drawing)" rounded
 # shellcheck disable=SC2086
 ok "they draw the views" render-gl -q torus.glb -t tam-triple $light --turntable --frames 4 -T some.exr -o r%d.png
 try tamgen --needs s.needs --replay drawing.tsv --ids -o x.exr

@@ -111,6 +111,84 @@ START_TEST(thresholds_of_few_bins_are_the_same_in_two_layers)
 }
 END_TEST
 
+/* Makes a white column of the size of another. */
+static struct hatch_mipmap paper_like(const struct hatch_mipmap *column)
+{
+    struct hatch_mipmap paper = *column;
+    paper.levels = HATCH_NEW(&map_arena, struct hatch_image, paper.level_count, &map_err);
+    for (uint32_t level = 0; level < paper.level_count; level++) {
+        const struct hatch_image *from = &column->levels[level];
+        size_t floats = (size_t)from->width * from->height * from->channel_count;
+        paper.levels[level] = *from;
+        paper.levels[level].pixels = HATCH_NEW(&map_arena, float, floats, &map_err);
+        for (size_t i = 0; i < floats; i++)
+            paper.levels[level].pixels[i] = 1;
+    }
+    return paper;
+}
+
+/* Values of all sizes in every block of pixels. */
+static float mixed(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    double x = 256 * (double)u * 0.75487766625 + 256 * (double)v * 0.56984029099;
+    (void)level, (void)tone, (void)channel;
+    return (float)(x - floor(x));
+}
+
+/* Where all values occur, means stay: the steps are as large as the tolerance allows. */
+START_TEST(reflectance_is_rounded_to_steps)
+{
+    static const struct {
+        double tolerance;
+        float step;
+    } steps[] = {{0.1, 0.125f}, {0.02, 0.125f}, {0.01, 0.0625f}, {0.003, 0.015625f}, {1e-5, 0}};
+    struct hatch_tam map = made_map(256, 1, 1, "Y", mixed);
+    for (size_t k = 0; k < sizeof steps / sizeof *steps; k++) {
+        struct hatch_mipmap rounded = paper_like(&map.columns[0]);
+        hatch_tam_round(&map.columns[0], 2, steps[k].tolerance, &rounded);
+        for (uint32_t level = 0; level < 3; level++) {
+            const struct hatch_image *from = &map.columns[0].levels[level], *to = &rounded.levels[level];
+            float step = level < 2 ? steps[k].step : 0; /* what is not drawn stays */
+            for (size_t i = 0; i < (size_t)from->width * from->height; i++) {
+                ck_assert_float_eq_tol(to->pixels[i], from->pixels[i], step / 2 + 1e-6f);
+                ck_assert(step <= 0 || fmodf(to->pixels[i], step) <= 0);
+            }
+        }
+    }
+}
+END_TEST
+
+/* Of one grey, rounding changes the mean: its steps are finer. */
+START_TEST(one_grey_keeps_its_tone)
+{
+    struct hatch_tam greys = made_map(64, 13, 1, "Y", made_ramp);
+    for (uint32_t column = 0; column < 13; column++) {
+        struct hatch_mipmap rounded = paper_like(&greys.columns[column]);
+        hatch_tam_round(&greys.columns[column], 1, 0.01, &rounded);
+        ck_assert_float_eq_tol(rounded.levels[0].pixels[7], greys.columns[column].levels[0].pixels[7], 0.0025f);
+    }
+}
+END_TEST
+
+/* Steps of 16ths, then steps that are finer: 0.91 becomes 0.875, and stays it though 0.91 is nearer to 0.914. */
+START_TEST(darker_columns_are_nowhere_lighter)
+{
+    struct hatch_tam ramps = made_map(64, 1, 1, "RGB", ramp);
+    struct hatch_mipmap rounded = paper_like(&ramps.columns[0]);
+    float before[3 * 64 * 64];
+    hatch_tam_round(&ramps.columns[0], 1, 0.01, &rounded);
+    memcpy(before, rounded.levels[0].pixels, sizeof before);
+    hatch_tam_round(&ramps.columns[0], 1, 0.001, &rounded);
+    uint32_t lower = 0;
+    for (size_t i = 0; i < 3 * 64 * 64; i++) {
+        float now = rounded.levels[0].pixels[i];
+        ck_assert_float_le(now, before[i]);
+        lower += now < before[i];
+    }
+    ck_assert_uint_gt(lower, 64 * 64);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("tam whole");
@@ -118,6 +196,9 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, a_cut_map_names_the_whole);
     tcase_add_test(tests, its_keys_are_read_as_they_were_printed);
+    tcase_add_test(tests, reflectance_is_rounded_to_steps);
+    tcase_add_test(tests, one_grey_keeps_its_tone);
+    tcase_add_test(tests, darker_columns_are_nowhere_lighter);
     tcase_add_loop_test(tests, a_volume_of_a_cut_map_has_the_first_slices_of_the_whole, 0, 2);
     tcase_add_test(tests, thresholds_of_few_bins_are_the_same_in_two_layers);
     suite_add_tcase(suite, tests);
