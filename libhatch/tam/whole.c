@@ -68,22 +68,31 @@ void hatch_tam_cut(struct hatch_tam *tam, uint32_t tones, uint32_t finer, double
     tam->whole.tolerance = (float)tolerance;
 }
 
-static float round_to(float value, float step)
+/* Rounds to multiples of a step.
+ *   per  their number in 1: exact, as steps are powers of 1/2 */
+static inline float round_to(float value, float step, float per)
 {
-    return (float)(int)(value / step + 0.5f) * step;
+    return (float)(int)(value * per + 0.5f) * step;
 }
 
 /* Returns how much rounding changes the mean of a block of pixels in a channel. */
 static double block_change(const struct hatch_image *image, uint32_t channel, const uint32_t at[2], float step)
 {
-    uint32_t width = image->width - at[0] < BLOCK ? image->width - at[0] : BLOCK;
-    uint32_t height = image->height - at[1] < BLOCK ? image->height - at[1] : BLOCK;
-    float sum = 0;
+    const uint32_t width = image->width - at[0] < BLOCK ? image->width - at[0] : BLOCK;
+    const uint32_t height = image->height - at[1] < BLOCK ? image->height - at[1] : BLOCK;
+    const float per = 1 / step;
+    float sums[BLOCK] = {0}, sum = 0; /* of columns of pixels */
     for (uint32_t y = at[1]; y < at[1] + height; y++) {
         const float *row = &image->pixels[((size_t)y * image->width + at[0]) * image->channel_count + channel];
-        for (uint32_t x = 0; x < width; x++)
-            sum += round_to(row[x * image->channel_count], step) - row[x * image->channel_count];
+        if (width == BLOCK && image->channel_count == 1)
+            for (uint32_t x = 0; x < BLOCK; x++) /* at once on vector units */
+                sums[x] += round_to(row[x], step, per) - row[x];
+        else
+            for (uint32_t x = 0; x < width; x++)
+                sums[x] += round_to(row[x * image->channel_count], step, per) - row[x * image->channel_count];
     }
+    for (uint32_t x = 0; x < width; x++)
+        sum += sums[x];
     return (double)sum / (width * height);
 }
 
@@ -112,17 +121,29 @@ static float find_step(const struct hatch_image *image, uint32_t channels, doubl
     return step < STEP_MIN ? 0 : step;
 }
 
+/* Rounds a channel where it is not darker already.
+ *   stride  channels of a pixel
+ *   step    0: it is copied */
+static void round_channel(const float *from, size_t pixels, uint32_t stride, float step, float *to)
+{
+    const float per = step > 0 ? 1 / step : 0;
+    for (size_t i = 0; i < pixels * stride; i += stride) {
+        float value = step > 0 ? round_to(from[i], step, per) : from[i];
+        to[i] = to[i] < value ? to[i] : value;
+    }
+}
+
 void hatch_tam_round(const struct hatch_mipmap *column, uint32_t levels, double tolerance, struct hatch_mipmap *rounded)
 {
     for (uint32_t level = 0; level < column->level_count; level++) {
         const struct hatch_image *image = &column->levels[level];
-        const uint32_t channels = image->channels[0].name[0] == 'Y' ? 1 : 3;
+        const uint32_t channels = image->channels[0].name[0] == 'Y' ? 1 : 3, stride = image->channel_count;
         const float step = level < levels ? find_step(image, channels, tolerance) : 0;
+        const size_t pixels = (size_t)image->width * image->height;
         float *to = rounded->levels[level].pixels;
-        for (size_t i = 0; i < (size_t)image->width * image->height * image->channel_count; i++) {
-            const bool light = i % image->channel_count < channels;
-            float value = light && step > 0 ? round_to(image->pixels[i], step) : image->pixels[i];
-            to[i] = light && to[i] < value ? to[i] : value;
-        }
+        for (uint32_t c = 0; c < channels; c++)
+            round_channel(image->pixels + c, pixels, stride, step, to + c);
+        for (size_t i = 0; channels < stride && i < pixels; i++) /* ids */
+            memcpy(&to[i * stride + channels], &image->pixels[i * stride + channels], (stride - channels) * sizeof *to);
     }
 }
