@@ -71,8 +71,7 @@ static enum hatch_status print_images(struct hatch_glb *glb)
             continue;
         HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
-                                     glb->accessor_count + images++,
-                                     scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+                                     glb->image_view + images++, scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
     }
     return hatch_glb_put(glb, images ? "]" : "");
 }

@@ -7,7 +7,8 @@
 enum hatch_glb_component { HATCH_GLB_U8 = 5121, HATCH_GLB_U16 = 5123, HATCH_GLB_U32 = 5125, HATCH_GLB_F32 = 5126 };
 enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_GLB_INDICES = 34963 };
 
-/* A buffer view and, except for images, its only accessor. */
+/* A part of the buffer: an accessor, or an image. It has a buffer view of its own, or goes on in that of the part
+ * before it. */
 struct hatch_glb_view {
     enum hatch_glb_component component; /* type of the numbers in the file */
     enum hatch_glb_target target;
@@ -15,6 +16,7 @@ struct hatch_glb_view {
     size_t count;        /* number of elements; of bytes for images */
     uint32_t components; /* numbers per element: 1 .. 4, or 16 for a matrix */
     bool bounds;         /* whether the format requires min and max */
+    bool goes_on;        /* whether it is in the buffer view of the part before it; both have numbers of one type */
     size_t offset, size; /* bytes in the buffer */
 };
 
@@ -22,10 +24,10 @@ struct hatch_glb_view {
 struct hatch_glb_lines {
     struct hatch_curve_set part;
     struct hatch_mesh vertices; /* in scratch */
-    uint32_t first;             /* index of the accessor of its POSITION */
+    uint32_t first, indices;    /* indices of the accessors of its POSITION and its indices */
 };
 
-/* State of writing one file. An accessor has the same index as its view; the views of images, which have no accessors,
+/* State of writing one file. An accessor has the same index as its part of the buffer; images, which have no accessors,
  * come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
@@ -35,10 +37,12 @@ struct hatch_glb {
     struct hatch_buffer json;
     struct hatch_glb_view *views;
     uint32_t view_count, accessor_count;
-    size_t size;          /* size of the buffer in bytes */
-    uint32_t *group_size; /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
-    uint32_t *group;      /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
-    uint32_t *mesh_first; /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
+    uint32_t image_view;    /* index of the buffer view of the first image */
+    size_t size;            /* size of the buffer in bytes */
+    uint32_t *group_size;   /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
+    uint32_t *group;        /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
+    uint32_t *mesh_first;   /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
+    uint32_t *mesh_indices; /* per scene mesh with faces: index of the accessor of its indices */
     struct hatch_glb_lines **lines; /* per scene mesh: its strokes */
     uint32_t *line_count;           /* per scene mesh: number of them */
     uint32_t *skin;                 /* per skin: index in the file; HATCH_NONE without joints */
@@ -81,6 +85,14 @@ enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, cons
 
 /* Lays out the buffer and assigns all indices; the members scene, scratch and err must be set. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
+/* Adds a part of the buffer, and the parts of a mesh's attributes. */
+void hatch_glb_add_view(struct hatch_glb *glb, struct hatch_glb_view view);
+void hatch_glb_add_attributes(struct hatch_glb *glb, const struct hatch_mesh *mesh);
+/* Returns how many scene meshes of a glTF mesh, from `first` on, can share the accessors of their vertices.
+ *   end  one after the last of the glTF mesh */
+uint32_t hatch_glb_count_shared(const struct hatch_glb *glb, uint32_t first, uint32_t end);
+/* Adds scene meshes that share accessors. */
+enum hatch_status hatch_glb_add_shared(struct hatch_glb *glb, uint32_t first, uint32_t count);
 /* Writes the JSON of the buffer, its views and accessors. */
 enum hatch_status hatch_glb_print_views(struct hatch_glb *glb);
 /* Fills the buffer's glb->size bytes. */

@@ -153,8 +153,10 @@ static enum hatch_status print_targets(struct hatch_glb *glb, const struct hatch
 }
 
 /* Prints attributes, indices and morph targets.
- *   first  index of the accessor of POSITION */
-static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t first)
+ *   first    index of the accessor of POSITION
+ *   indices  of that of the indices, which those of the targets follow */
+static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hatch_mesh *mesh, uint32_t first,
+                                         uint32_t indices)
 {
     uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     HATCH_TRY(hatch_glb_key(glb, "attributes"));
@@ -164,8 +166,8 @@ static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hat
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", first + i));
     }
     HATCH_TRY(hatch_glb_put(glb, "}"));
-    HATCH_TRY(hatch_glb_integer(glb, "indices", first + count));
-    return print_targets(glb, mesh, first + count + 1);
+    HATCH_TRY(hatch_glb_integer(glb, "indices", indices));
+    return print_targets(glb, mesh, indices + 1);
 }
 
 /* Prints the strokes of a mesh: primitives of mode LINES. */
@@ -174,7 +176,7 @@ static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
     for (uint32_t i = 0; i < glb->line_count[index]; i++) {
         const struct hatch_glb_lines *lines = &glb->lines[index][i];
         HATCH_TRY(open_item(glb));
-        HATCH_TRY(print_accessors(glb, &lines->vertices, lines->first));
+        HATCH_TRY(print_accessors(glb, &lines->vertices, lines->first, lines->indices));
         HATCH_TRY(hatch_glb_integer(glb, "mode", 1));
         HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
         HATCH_TRY(hatch_glb_integer(glb, "family", lines->part.family));
@@ -192,7 +194,7 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
     HATCH_TRY(open_item(glb));
-    HATCH_TRY(print_accessors(glb, &from->mesh, glb->mesh_first[index]));
+    HATCH_TRY(print_accessors(glb, &from->mesh, glb->mesh_first[index], glb->mesh_indices[index]));
     if (from->material != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "material", from->material));
     if (from->unseen_tolerance > 0) {

@@ -10,18 +10,19 @@ static size_t component_size(enum hatch_glb_component component)
     return component == HATCH_GLB_U8 ? 1 : component == HATCH_GLB_U16 ? 2 : 4;
 }
 
-static void add_view(struct hatch_glb *glb, struct hatch_glb_view view)
+void hatch_glb_add_view(struct hatch_glb *glb, struct hatch_glb_view view)
 {
-    view.offset = glb->size;
+    const struct hatch_glb_view *before = view.goes_on ? &glb->views[glb->view_count - 1] : NULL;
+    view.offset = before ? before->offset + before->size : glb->size;
     view.size = view.count * view.components * component_size(view.component);
-    glb->size += (view.size + 3) / 4 * 4;
+    glb->size = (view.offset + view.size + 3) / 4 * 4;
     glb->views[glb->view_count++] = view;
 }
 
 static void add_floats(struct hatch_glb *glb, const float *data, size_t count, uint32_t components, bool bounds)
 {
-    add_view(glb,
-             (struct hatch_glb_view){
+    hatch_glb_add_view(
+        glb, (struct hatch_glb_view){
                  .component = HATCH_GLB_F32, .data = data, .count = count, .components = components, .bounds = bounds});
 }
 
@@ -49,36 +50,45 @@ static enum hatch_status add_target(struct hatch_glb *glb, const struct hatch_me
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &data, (size_t)mesh->vertex_count * 3, glb->err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(&data[3 * v], &targets->data[targets->components * v + 3 * target], 3 * sizeof *data);
-    add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
-                                          .target = HATCH_GLB_VERTICES,
-                                          .data = data,
-                                          .count = mesh->vertex_count,
-                                          .components = 3,
-                                          .bounds = bounds});
+    hatch_glb_add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_F32,
+                                                    .target = HATCH_GLB_VERTICES,
+                                                    .data = data,
+                                                    .count = mesh->vertex_count,
+                                                    .components = 3,
+                                                    .bounds = bounds});
     return HATCH_OK;
 }
 
-/* Adds the views of a primitive's attributes, indices and morph targets. */
-static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch_mesh *mesh, size_t index_count)
+void hatch_glb_add_attributes(struct hatch_glb *glb, const struct hatch_mesh *mesh)
 {
     uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
         bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
                         strcmp(a->name, HATCH_CURVE_STROKE) == 0 || strcmp(a->name, HATCH_CURVE_NARROW) == 0;
-        add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
-                                              .target = HATCH_GLB_VERTICES,
-                                              .data = a->data,
-                                              .count = mesh->vertex_count,
-                                              .components = a->components,
-                                              .bounds = i == 0});
+        hatch_glb_add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
+                                                        .target = HATCH_GLB_VERTICES,
+                                                        .data = a->data,
+                                                        .count = mesh->vertex_count,
+                                                        .components = a->components,
+                                                        .bounds = i == 0});
     }
+}
+
+/* Adds the views of a primitive's attributes, indices and morph targets.
+ *   indices  out: index of the accessor of its indices */
+static enum hatch_status add_primitive(struct hatch_glb *glb, const struct hatch_mesh *mesh, size_t index_count,
+                                       uint32_t *indices)
+{
+    hatch_glb_add_attributes(glb, mesh);
+    *indices = glb->view_count;
     /* The largest value of an index type is reserved for primitive restart. */
-    add_view(glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
-                                          .target = HATCH_GLB_INDICES,
-                                          .data = mesh->indices,
-                                          .count = index_count,
-                                          .components = 1});
+    hatch_glb_add_view(
+        glb, (struct hatch_glb_view){.component = mesh->vertex_count <= UINT16_MAX ? HATCH_GLB_U16 : HATCH_GLB_U32,
+                                     .target = HATCH_GLB_INDICES,
+                                     .data = mesh->indices,
+                                     .count = index_count,
+                                     .components = 1});
     const struct hatch_mesh_attribute *normals = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     for (uint32_t t = 0; t < hatch_mesh_target_count(mesh); t++) {
         HATCH_TRY(add_target(glb, mesh, hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION), t, true));
@@ -110,7 +120,7 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
     struct hatch_glb_lines *lines;
-    HATCH_TRY(add_primitive(glb, &from->mesh, 3 * (size_t)from->mesh.face_count));
+    HATCH_TRY(add_primitive(glb, &from->mesh, 3 * (size_t)from->mesh.face_count, &glb->mesh_indices[index]));
     HATCH_TRY(HATCH_ALLOC(glb->scratch, &lines, glb->line_count[index], glb->err));
     glb->lines[index] = lines;
     list_lines(&from->curves, lines);
@@ -119,7 +129,7 @@ static enum hatch_status add_mesh(struct hatch_glb *glb, uint32_t index)
         HATCH_TRY(hatch_curves_as_vertices(&from->curves, &lines[i].part, &from->mesh, glb->scratch, &lines[i].vertices,
                                            &count, glb->err));
         lines[i].first = glb->view_count;
-        HATCH_TRY(add_primitive(glb, &lines[i].vertices, 2 * (size_t)count));
+        HATCH_TRY(add_primitive(glb, &lines[i].vertices, 2 * (size_t)count, &lines[i].indices));
     }
     return HATCH_OK;
 }
@@ -136,7 +146,7 @@ static enum hatch_status plan_meshes(struct hatch_glb *glb)
         assert(*size == 0 || *size == node->mesh_count);
         *size = node->mesh_count;
     }
-    uint32_t groups = 0, end = 0;
+    uint32_t groups = 0, end = 0, shared_end = 0;
     for (uint32_t m = 0; m < scene->mesh_count; m++) {
         const struct hatch_mesh *mesh = &scene->meshes[m].mesh;
         assert(m >= end || glb->group_size[m] == 0);
@@ -149,8 +159,14 @@ static enum hatch_status plan_meshes(struct hatch_glb *glb)
                 faces = faces || scene->meshes[i].mesh.face_count > 0;
             glb->group[m] = faces ? groups++ : HATCH_NONE;
         }
+        if (m < shared_end)
+            continue;
+        uint32_t shared = hatch_glb_count_shared(glb, m, end);
+        shared_end = m + shared;
         glb->mesh_first[m] = mesh->face_count > 0 ? glb->view_count : HATCH_NONE;
-        if (mesh->face_count > 0)
+        if (shared > 1)
+            HATCH_TRY(hatch_glb_add_shared(glb, m, shared));
+        else if (mesh->face_count > 0)
             HATCH_TRY(add_mesh(glb, m));
     }
     return HATCH_OK;
@@ -208,10 +224,10 @@ static void plan_images(struct hatch_glb *glb)
         for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
             glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;
         if (known)
-            add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_U8,
-                                                  .data = scene->textures[t].data,
-                                                  .count = scene->textures[t].size,
-                                                  .components = 1});
+            hatch_glb_add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_U8,
+                                                            .data = scene->textures[t].data,
+                                                            .count = scene->textures[t].size,
+                                                            .components = 1});
     }
     for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
@@ -237,15 +253,11 @@ static size_t count_views(const struct hatch_glb *glb)
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
-    uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->line_count,
-                          &glb->skin,       &glb->image, &glb->texture};
-    const size_t sizes[] = {scene->mesh_count,
-                            scene->mesh_count,
-                            scene->mesh_count,
-                            scene->mesh_count,
-                            scene->skin_count,
-                            scene->texture_count,
-                            HATCH_GLB_WRAPS * (size_t)scene->texture_count};
+    uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->mesh_indices,
+                          &glb->line_count, &glb->skin,  &glb->image,      &glb->texture};
+    const size_t sizes[] = {
+        scene->mesh_count, scene->mesh_count, scene->mesh_count,    scene->mesh_count,
+        scene->mesh_count, scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         HATCH_TRY(HATCH_ALLOC(glb->scratch, lists[i], sizes[i], glb->err));
     }
@@ -256,6 +268,8 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     HATCH_TRY(plan_meshes(glb));
     plan_motion(glb);
     glb->accessor_count = glb->view_count;
+    for (uint32_t i = 0; i < glb->view_count; i++)
+        glb->image_view += !glb->views[i].goes_on;
     plan_images(glb);
     return HATCH_OK;
 }
@@ -280,12 +294,18 @@ static enum hatch_status print_accessors(struct hatch_glb *glb)
 {
     static const char *const types[] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
     HATCH_TRY(hatch_glb_open_array(glb, "accessors"));
-    for (uint32_t i = 0; i < glb->accessor_count; i++) {
+    size_t begin = 0; /* of the buffer view */
+    for (uint32_t i = 0, views = 0; i < glb->accessor_count; i++) {
         const struct hatch_glb_view *view = &glb->views[i];
+        views += !view->goes_on;
+        begin = view->goes_on ? begin : view->offset;
         HATCH_TRY(hatch_glb_comma(glb));
-        HATCH_TRY(hatch_buffer_print(
-            &glb->json, glb->err, "{\"bufferView\":%u,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", i,
-            (int)view->component, view->count, view->components == 16 ? "MAT4" : types[view->components - 1]));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"bufferView\":%u", views - 1));
+        if (view->goes_on)
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"byteOffset\":%zu", view->offset - begin));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"",
+                                     (int)view->component, view->count,
+                                     view->components == 16 ? "MAT4" : types[view->components - 1]));
         if (view->bounds)
             HATCH_TRY(print_bounds(glb, view));
         HATCH_TRY(hatch_glb_put(glb, "}"));
@@ -302,9 +322,14 @@ enum hatch_status hatch_glb_print_views(struct hatch_glb *glb)
     HATCH_TRY(hatch_glb_open_array(glb, "bufferViews"));
     for (uint32_t i = 0; i < glb->view_count; i++) {
         const struct hatch_glb_view *view = &glb->views[i];
+        size_t end = view->offset + view->size;
+        if (view->goes_on)
+            continue;
+        for (uint32_t k = i + 1; k < glb->view_count && glb->views[k].goes_on; k++)
+            end = glb->views[k].offset + glb->views[k].size;
         HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
-                                     view->offset, view->size));
+                                     view->offset, end - view->offset));
         if (view->target)
             HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"target\":%d", (int)view->target));
         HATCH_TRY(hatch_glb_put(glb, "}"));

@@ -1,5 +1,6 @@
 #include "io/gltf/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -181,33 +182,39 @@ enum hatch_status find_view(Reader &r, int view, const std::string &where, struc
 }
 
 enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where, float **data,
-                              uint32_t *count)
+                              uint32_t *count, const Range *range)
 {
     Elements e;
     HATCH_TRY(find_elements(r, accessor, where, &e));
     if (e.components != components)
         return bad(r, where, std::to_string(e.components) + " components, want " + std::to_string(components));
-    size_t total = static_cast<size_t>(e.count) * static_cast<size_t>(components);
+    if (range && e.count != range->count)
+        return bad(r, where, std::to_string(e.count) + " elements, POSITION has " + std::to_string(range->count));
+    const uint32_t first = range ? range->first : 0, end = range ? range->end : e.count;
+    size_t total = static_cast<size_t>(end - first) * static_cast<size_t>(components);
     float *floats = HATCH_NEW(r.arena, float, total, r.err);
     if (!floats)
         return HATCH_LIMIT;
-    for (uint32_t i = 0; e.data && i < e.count; i++)
-        load_element(e, i, floats + i * static_cast<size_t>(components));
+    for (uint32_t i = first; e.data && i < end; i++)
+        load_element(e, i, floats + (i - first) * static_cast<size_t>(components));
     const tinygltf::Accessor &a = r.model.accessors[static_cast<size_t>(accessor)];
     if (a.sparse.isSparse) {
         Elements indices, values;
         HATCH_TRY(find_sparse(r, a, e, where, &indices, &values));
-        for (uint32_t i = 0; i < indices.count; i++)
-            load_element(values, i, floats + load_index(indices, i) * static_cast<size_t>(components));
+        for (uint32_t i = 0; i < indices.count; i++) {
+            uint32_t to = load_index(indices, i);
+            if (to >= first && to < end)
+                load_element(values, i, floats + (to - first) * static_cast<size_t>(components));
+        }
     }
     for (size_t i = 0; i < total; i++)
         if (!std::isfinite(floats[i]) && r.replaced) {
             floats[i] = 0;
             ++*r.replaced;
         } else if (!std::isfinite(floats[i]))
-            return bad(r, where, place("element", i / static_cast<size_t>(components)) + " is not finite");
+            return bad(r, where, place("element", first + i / static_cast<size_t>(components)) + " is not finite");
     *data = floats;
-    *count = e.count;
+    *count = end - first;
     return HATCH_OK;
 }
 

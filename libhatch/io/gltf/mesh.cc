@@ -1,5 +1,6 @@
 #include "io/gltf/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -59,7 +60,7 @@ enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
 }
 
 enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor, const std::string &where,
-                                 struct hatch_mesh *mesh)
+                                 const Range *range, struct hatch_mesh *mesh)
 {
     int components = wanted_components(name, components_of(r, accessor));
     if (components == 0 || mesh->attribute_count >= HATCH_MESH_ATTRIBUTES_READ) {
@@ -70,7 +71,7 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
     float *data;
     uint32_t count;
     r.replaced = is_set(name, "COLOR_") ? &r.notes->colors_replaced : nullptr;
-    enum hatch_status status = read_floats(r, accessor, components, at, &data, &count);
+    enum hatch_status status = read_floats(r, accessor, components, at, &data, &count, range);
     r.replaced = nullptr;
     HATCH_TRY(status);
     if (mesh->attribute_count > 0 && count != mesh->vertex_count)
@@ -90,18 +91,18 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
 } // namespace
 
 enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
-                                  struct hatch_mesh *mesh)
+                                  struct hatch_mesh *mesh, const Range *range)
 {
     auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end())
         return bad(r, where, "no POSITION");
-    HATCH_TRY(read_attribute(r, "POSITION", position->second, where, mesh));
+    HATCH_TRY(read_attribute(r, "POSITION", position->second, where, range, mesh));
     bool normals = primitive.attributes.count("NORMAL") > 0;
     for (const auto &attribute : primitive.attributes) {
         /* Tangents without normals are ignored (glTF 2.0, §3.7.2.1). */
         if (attribute.first == "POSITION" || (attribute.first == "TANGENT" && !normals))
             continue;
-        HATCH_TRY(read_attribute(r, attribute.first, attribute.second, where, mesh));
+        HATCH_TRY(read_attribute(r, attribute.first, attribute.second, where, range, mesh));
     }
     return HATCH_OK;
 }
@@ -196,17 +197,40 @@ float unseen_tolerance(const tinygltf::Primitive &primitive)
     return tolerance > 0 && tolerance <= 1 ? static_cast<float>(tolerance) : 0;
 }
 
+/* Finds the vertices of a primitive that shares its accessors with others, from the lowest to the highest index, and
+ * counts indices from the lowest. Other primitives have all vertices of theirs.
+ *   list   in, out: indices
+ *   range  out
+ * Returns whether there is such a range. */
+bool find_range(const Reader &r, const tinygltf::Primitive &primitive, uint32_t *list, uint32_t count, Range *range)
+{
+    auto position = primitive.attributes.find("POSITION");
+    size_t accessor = position == primitive.attributes.end() ? SIZE_MAX : static_cast<size_t>(position->second);
+    if (!list || count == 0 || accessor >= r.users.size() || r.users[accessor] < 2 || !primitive.targets.empty())
+        return false;
+    uint32_t low = *std::min_element(list, list + count), high = *std::max_element(list, list + count);
+    size_t elements = r.model.accessors[accessor].count;
+    if (high >= elements || elements > INT32_MAX)
+        return false; /* which the message of reading them all tells */
+    for (uint32_t i = 0; i < count; i++)
+        list[i] -= low;
+    *range = {low, high + 1, static_cast<uint32_t>(elements)};
+    return true;
+}
+
 enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, size_t index,
                                  const std::string &where, struct hatch_scene_mesh *out)
 {
     struct hatch_mesh mesh = {};
-    HATCH_TRY(read_attributes(r, primitive, where, &mesh));
-    HATCH_TRY(read_morph(r, primitive, index, where, &mesh));
-    uint32_t *list = nullptr, count = mesh.vertex_count;
+    uint32_t *list = nullptr, count = 0;
+    Range range;
     struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
     if (primitive.indices != -1)
         HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &list, &count));
-    HATCH_TRY(triangulate(r, primitive.mode, list, count, where, &mesh));
+    HATCH_TRY(
+        read_attributes(r, primitive, where, &mesh, find_range(r, primitive, list, count, &range) ? &range : nullptr));
+    HATCH_TRY(read_morph(r, primitive, index, where, &mesh));
+    HATCH_TRY(triangulate(r, primitive.mode, list, list ? count : mesh.vertex_count, where, &mesh));
     hatch_arena_rewind(r.scratch, mark);
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
@@ -227,6 +251,18 @@ bool has_faces(const tinygltf::Primitive &primitive)
     return primitive.mode >= TINYGLTF_MODE_TRIANGLES;
 }
 
+void count_users(Reader &r)
+{
+    r.users.assign(r.model.accessors.size(), 0);
+    for (const tinygltf::Mesh &mesh : r.model.meshes)
+        for (const tinygltf::Primitive &primitive : mesh.primitives) {
+            auto position = primitive.attributes.find("POSITION");
+            if (position != primitive.attributes.end() && has_faces(primitive) &&
+                static_cast<size_t>(position->second) < r.users.size())
+                r.users[static_cast<size_t>(position->second)]++;
+        }
+}
+
 } // namespace
 
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
@@ -237,6 +273,7 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
         return HATCH_LIMIT;
     for (const tinygltf::Mesh &mesh : r.model.meshes)
         primitives += mesh.primitives.size();
+    count_users(r);
     r.scene->meshes = HATCH_NEW(r.arena, struct hatch_scene_mesh, primitives, r.err);
     if (!r.scene->meshes)
         return HATCH_LIMIT;

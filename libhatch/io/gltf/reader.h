@@ -4,6 +4,7 @@
 #define HATCH_IO_GLTF_READER_H
 
 #include <string>
+#include <vector>
 
 #include <tiny_gltf.h>
 
@@ -30,6 +31,12 @@ struct Reader {
     uint32_t *node_of = nullptr;  /* per glTF node: index of the scene's node; HATCH_NONE outside the default scene */
     bool *image_noted = nullptr;  /* per image: whether notes already count it as missing */
     uint32_t *replaced = nullptr; /* read_floats counts here what it replaces by 0; NULL: it fails */
+    std::vector<uint32_t> users = {}; /* per accessor: primitives with faces that have it as POSITION */
+};
+
+/* The vertices of a primitive, from `first` to before `end` of those that its attributes have. */
+struct Range {
+    uint32_t first, end, count;
 };
 
 /* Names a place in the file for messages: "mesh 3, primitive 0". */
@@ -45,9 +52,10 @@ enum hatch_status check_index(Reader &r, int index, size_t count, const std::str
 /* Reads an accessor as floats; normalised integers are divided by the largest value of their type. Fails for values
  * that are not finite.
  *   components  number of components that the accessor must have
- *   data        out: count * components, in r.arena */
+ *   data        out: count * components, in r.arena
+ *   range       the elements that are read and counted, which there are; NULL: all */
 enum hatch_status read_floats(Reader &r, int accessor, int components, const std::string &where, float **data,
-                              uint32_t *count);
+                              uint32_t *count, const Range *range = nullptr);
 
 /* Reads an accessor of unsigned integers. Fails for a type's largest value (primitive restart, which glTF
  * excludes).
@@ -98,9 +106,10 @@ enum hatch_status read_strokes(Reader &r, const std::vector<tinygltf::Primitive>
                                struct hatch_scene_mesh *surface);
 
 /* Reads the attributes of a primitive.
- *   mesh  in, out: without attributes */
+ *   mesh   in, out: without attributes
+ *   range  of the vertices that are read; NULL: all */
 enum hatch_status read_attributes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
-                                  struct hatch_mesh *mesh);
+                                  struct hatch_mesh *mesh, const Range *range = nullptr);
 
 /* Each of these fills a part of the scene. read_all calls them in the order that they need. */
 enum hatch_status read_nodes(Reader &r);
