@@ -78,3 +78,22 @@ enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
+
+static int compare_thresholds(const void *a, const void *b)
+{
+    const float *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+enum hatch_status hatch_curves_densest(const float *thresholds, uint32_t count, struct hatch_arena *scratch,
+                                       float *densest, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    float *sorted;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &sorted, count, err));
+    memcpy(sorted, thresholds, count * sizeof *sorted);
+    qsort(sorted, count, sizeof *sorted, compare_thresholds);
+    *densest = sorted[count - 1 - count / HATCH_DENSITY_BEYOND];
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}

@@ -15,4 +15,15 @@ enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves
                                                struct hatch_arena *scratch, float *thresholds,
                                                struct hatch_err *err) HATCH_MUST_USE;
 
+#define HATCH_DENSITY_BEYOND 1000u /* one of so many points may have a threshold over the greatest density */
+
+/* Finds the greatest density that strokes reach: a threshold that at most one point of HATCH_DENSITY_BEYOND exceeds.
+ * Single points that tracing left far above all others, as beside a short end, would promise strokes that there are
+ * not.
+ *   thresholds  count of them, at least 1
+ *   densest     out
+ * HATCH_LIMIT when memory runs out. */
+enum hatch_status hatch_curves_densest(const float *thresholds, uint32_t count, struct hatch_arena *scratch,
+                                       float *densest, struct hatch_err *err) HATCH_MUST_USE;
+
 #endif

@@ -65,6 +65,23 @@ START_TEST(no_threshold_changes_by_more_than_the_limit)
 }
 END_TEST
 
+START_TEST(a_single_threshold_is_not_the_greatest_density)
+{
+    enum { COUNT = 2 * HATCH_DENSITY_BEYOND };
+    static float thresholds[COUNT];
+    float densest = 0;
+    for (uint32_t i = 0; i < COUNT; i++)
+        thresholds[i] = 1 + (float)(7919 * i % COUNT); /* each number once */
+    HATCH_TEST_OK(hatch_curves_densest(thresholds, COUNT, &scratch, &densest, &err), &err);
+    ck_assert_float_eq(densest, COUNT - 2);
+    thresholds[5] = 1e6f;
+    HATCH_TEST_OK(hatch_curves_densest(thresholds, COUNT, &scratch, &densest, &err), &err);
+    ck_assert_float_eq(densest, COUNT - 1);
+    HATCH_TEST_OK(hatch_curves_densest(thresholds, HATCH_DENSITY_BEYOND - 1, &scratch, &densest, &err), &err);
+    ck_assert_float_eq(densest, 1e6f); /* of few points, the greatest */
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("density");
@@ -72,6 +89,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, thresholds_become_the_density_below_them);
     tcase_add_test(tests, no_threshold_changes_by_more_than_the_limit);
+    tcase_add_test(tests, a_single_threshold_is_not_the_greatest_density);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -203,6 +203,7 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, 6 * (size_t)curves->point_count, err));
     HATCH_TRY(find_thresholds(source, arena, scratch, &thresholds, err));
+    HATCH_TRY(hatch_curves_densest(thresholds, curves->point_count, scratch, &strokes->densest, err));
     list_entries(curves, thresholds, entries);
     qsort(entries, curves->count, sizeof *entries, compare);
     uint32_t *next = indices;
@@ -221,10 +222,8 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     strokes->finest = curves->sets[0].gap;
     for (uint32_t s = 0; s < curves->set_count; s++)
         strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
-    for (uint32_t i = 0; i < first; i++) {
-        strokes->densest = fmaxf(strokes->densest, points[i].threshold);
+    for (uint32_t i = 0; i < first; i++)
         strokes->narrow = strokes->narrow || points[i].crossing > 0;
-    }
     strokes->points = gpu_buffer_make(points, sizeof *points * first);
     strokes->indices = gpu_buffer_make(indices, sizeof *indices * (size_t)(next - indices));
     hatch_arena_rewind(scratch, mark);

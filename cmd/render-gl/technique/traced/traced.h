@@ -57,7 +57,7 @@ struct traced_strokes {
     const struct hatch_curve_point *curve_points; /* that the curves of the sources refer to */
     const float *thresholds;                      /* of these points, as they are drawn */
     const uint32_t *end;                          /* number of points up to the end of each stroke */
-    float finest, densest;                        /* finest gap, in mesh units; greatest threshold */
+    float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest */
     float raised;                                 /* of hatch_stroke_width_px */
     bool narrow;                                  /* whether some lie on narrow faces */
 };
