@@ -19,12 +19,12 @@
 #include "curve/stroke_look.h"
 
 #define HATCH_STROKE_FADE 2.0      /* ratio of thresholds from the middle of the fading to its ends */
-#define HATCH_STROKE_HALF 0.75     /* share of the width in the middle */
-#define HATCH_STROKE_GAIN 1.213008 /* (1 + HALF) ln 2: ink of all strokes, if those under the limit would have 1 */
+#define HATCH_STROKE_HALF 0.5      /* share of the width in the middle */
+#define HATCH_STROKE_GAIN 1.039721 /* (1 + HALF) ln 2: ink of all strokes, if those under the limit would have 1 */
 #define HATCH_STROKE_WIDEST 2.4
 #define HATCH_STROKE_SPARE                                                                                             \
     1.4 /* least ratio of the densest strokes to those drawn: if more are wanted, strokes get wider */
-#define HATCH_STROKE_GRAZING 0.3 /* foreshortening across strokes under which their density hardly falls */
+#define HATCH_STROKE_GRAZING 0.4 /* foreshortening across strokes under which their density hardly falls */
 #define HATCH_STROKE_RESPONSES 8u
 #define HATCH_STROKE_TONES 33u /* entries of a table of tones */
 
@@ -67,9 +67,10 @@ double hatch_stroke_whole_px(const struct hatch_stroke_pen *pen, double tone);
 double hatch_stroke_share(double ratio);
 
 /* Returns the factor, at least 1, by which strokes are denser and thinner because the surface is seen at a grazing
- * angle across them: the scale times it is never under `grazing` times facing_scale. scale, facing_scale  as below, of
- * the surface, and of one that faces the camera; facing_scale over 0 grazing              HATCH_STROKE_GRAZING, or 0:
- * the factor is 1 */
+ * angle across them: the scale times it is never under `grazing` times facing_scale.
+ *   scale         as below, of the surface
+ *   facing_scale  of one that faces the camera, over 0
+ *   grazing       HATCH_STROKE_GRAZING; 0: the factor is 1 */
 double hatch_stroke_grazing(double scale, double facing_scale, double grazing);
 
 /* Returns the width of a stroke at a point, in pixels; 0: it is not drawn there.

@@ -29,7 +29,7 @@ void hatch_style_default(struct hatch_style *style)
         .directions = {{0, 0, 0.5f}, {1.570796327f, 0.5f, 1}, {0, 0.8f, 1}},
         .pen = {.thin = 0.6f,
                 .join = 0.38f,
-                .response = {0.1205f, 0.2388f, 0.3568f, 0.4740f, 0.5917f, 0.7065f, 0.8094f, 0.8887f},
+                .response = {0.1206f, 0.2388f, 0.3563f, 0.4745f, 0.5923f, 0.7047f, 0.8040f, 0.8822f},
                 .taper_px = 16,
                 .vary = 0.3f,
                 .wobble_px = 0.3f},

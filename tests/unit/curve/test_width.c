@@ -96,6 +96,19 @@ START_TEST(a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold)
 }
 END_TEST
 
+/* When a hundredth more strokes are wanted, no stroke gets wider by more than a hundredth of its whole width, so that
+ * strokes do not flicker where the scale changes fast. */
+START_TEST(no_width_changes_faster_than_what_is_wanted)
+{
+    const double step = 1.01;
+    for (double ratio = 0.3; ratio < 3; ratio *= 1.003) {
+        double change = hatch_stroke_share(step * ratio) - hatch_stroke_share(ratio);
+        ck_assert_double_ge(change, 0);
+        ck_assert_double_le(change, step * log(step));
+    }
+}
+END_TEST
+
 START_TEST(strokes_at_grazing_angles_are_denser)
 {
     const double grazing = HATCH_STROKE_GRAZING, facing = 300;
@@ -122,6 +135,7 @@ static Suite *suite(void)
     tcase_add_test(tests, levels_that_halve_gaps_cover_the_tone_evenly);
     tcase_add_test(tests, wider_strokes_make_up_for_those_that_lack);
     tcase_add_test(tests, a_stroke_gets_wider_with_the_tone_and_ends_below_its_threshold);
+    tcase_add_test(tests, no_width_changes_faster_than_what_is_wanted);
     tcase_add_test(tests, strokes_at_grazing_angles_are_denser);
     suite_add_tcase(made, tests);
     return made;

@@ -1,5 +1,5 @@
 // The width of a stroke at a point in the picture: libhatch/curve/width.h, where the law is explained.
-const float FADE = 2.0, HALF = 0.75, GAIN = 1.213008, SPARE = 1.4, WIDEST = 2.4;
+const float FADE = 2.0, HALF = 0.5, GAIN = 1.039721, SPARE = 1.4, WIDEST = 2.4;
 
 float ink_beyond(float factor)
 {
