@@ -82,7 +82,7 @@ is "turned strokes are about as even: $turned, $straight" \
     "$(awk -v turned="$turned" -v straight="$straight" 'BEGIN {print (straight > .01 && turned < straight + .008 && straight < .0195)}')" 1
 # Strokes do not taper where a border ends them: a strip along it, about as wide as tapered ends are long, is not light.
 # Few strokes reach a border.
-near "the border of a plane" "$(mean_ink --size 20x200 --camera -0.9,0,3.7320508:-0.9,0,0 --fov 30 --tone-range .4:.4)" .44 .03
+near "the border of a plane" "$(mean_ink --size 20x200 --camera -0.9,0,3.7320508:-0.9,0,0 --fov 30 --tone-range .4:.4)" .42 .03
 
 # Feature lines by the brush of a style: wider before a deep step, narrower in the light, paler with a light ink.
 outline() {
