@@ -10,7 +10,7 @@
 #include "curve/width.h"
 
 #define HATCH_FINER_LEVELS_MAX 24u /* more than the mesh came with */
-#define HATCH_FINER_START 1.52     /* strokes wanted, times the densest: from here on, finer ones are traced */
+#define HATCH_FINER_START 1.4      /* strokes wanted, times the densest: from here on, finer ones are traced */
 
 struct hatch_finer_source {
     const struct hatch_mesh *mesh; /* with the direction field in _HATCH_DIR */

@@ -11,8 +11,8 @@
 #define STREAM_FINER 12
 #define OCTAVE_LOW 0.35     /* threshold, times the finest gap, at which the last complete octave begins */
 #define LENGTH_DEFAULT 40.0 /* where the strokes do not say what they were traced with */
-#define JOINED 1.82         /* times the densest strokes of the mesh: from here on, thresholds are not raised */
-#define THINNING 2.2        /* exponent of what is wanted: strokes are as thin as others at 2.18 times JOINED */
+#define JOINED 1.6          /* times the densest strokes of the mesh: from here on, thresholds are not raised */
+#define THINNING 2.0        /* exponent of what is wanted: strokes are as thin as others at 2.24 times JOINED */
 #define HARD_DEFAULT 0.69813170079773183
 
 struct hatch_finer {
