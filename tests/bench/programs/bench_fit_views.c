@@ -3,12 +3,16 @@
  * The fragments of all strokes are read back from the GPU. hatch_cubic_fit, which tests/unit/render-gl/test_strokes.c
  * compares with the shaders, is compared with the pseudo-inverse in doubles (fit/reference.h), and with the problem
  * that fit/cubic.h states, solved in doubles from singular values (fit/stated.h); the distance of a stroke is the
- * largest one at its fragments. Standard output gets rows of two kinds: `whole` strokes, and those `drawn`, of which
- * some are parts of a stroke that no cubic follows; each for all strokes, by the number of different parameters, and
- * for four kinds of systems: regular    all others few        fewer than four different parameters, or a range of them
- * under 1 / 64 ill        fragments with errors of a pixel would give a factor an error of more than a pixel scattered
- * so much of the weight lies so far from the curve that render-gl divides the stroke; of drawn ones, what remains of
- * strokes of too many parts */
+ * largest one at its fragments. A third reference, `ranked`, is the pseudo-inverse of the Legendre polynomials' matrix
+ * without its singular values under RANK_SHARE of the largest. Standard output gets rows of two kinds: `whole` strokes,
+ * and those `drawn`, of which some are parts of a stroke that no cubic follows; each for all strokes, by the number of
+ * different parameters, and for four kinds of systems:
+ *
+ * - regular: all others
+ * - few: fewer than four different parameters, or a range of them under 1 / 64
+ * - ill: fragments with errors of a pixel would give a factor an error of more than a pixel
+ * - scattered: so much of the weight lies so far from the curve that render-gl divides the stroke; of drawn ones, what
+ *   remains of strokes of too many parts */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,8 +26,10 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #define RANGE_LEAST (1.0 / 64)
-#define DETERMINED 1.0 /* fit_reference_determined */
-#define REACH 1.5      /* in widths, and a pixel more: as in technique/strokes/fit.c */
+#define RANK_SHARE 0.03 /* singular values below this share of the largest count as 0 */
+#define DETERMINED 1.0  /* fit_reference_determined */
+#define POINTS 129
+#define REACH 1.5 /* in widths, and a pixel more: as in technique/strokes/fit.c */
 #define MISSED_MOST 0.05
 
 enum kind { REGULAR, FEW, ILL, SCATTERED, ALL, COUNTED, KINDS = COUNTED + 7 };
@@ -34,12 +40,18 @@ static const uint32_t most_parameters[] = {1, 2, 3, 4, 8, 16, UINT32_MAX};
 static struct job job;
 static struct hatch_err err;
 
-enum reference { PLAIN, STATED, REFERENCES };
+enum reference { PLAIN, RANKED, STATED, REFERENCES };
+
+/* Of strokes that are over a pixel from the pseudo-inverse, for it and for the curve: the curve's length beyond the
+ * reach of fragments, and the fragments' weight beyond the reach of the curve, in pixels; and the weight of all. */
+enum cover { OFF_PLAIN, OFF, MISSED_PLAIN, MISSED, WEIGHT, COVERS };
 
 /* Distances of strokes of one kind, in pixels. */
 struct distances {
     size_t count;
     struct hatch_weighted *of[REFERENCES];
+    double covers[COVERS]; /* sums */
+    size_t worse[2]; /* strokes for which the curve has over a pixel more than the pseudo-inverse, off and missed */
 };
 
 /* The strokes of the picture, and their fragments. */
@@ -83,22 +95,63 @@ static void find_distances(const struct hatch_fragment *fragments, size_t count,
                            double largest[REFERENCES])
 {
     struct fit_reference reference;
-    struct fit_stated stated;
+    struct fit_stated stated, ranked;
+    fit_stated_ranked(fragments, count, RANK_SHARE, &ranked);
     fit_reference_find(fragments, count, &reference);
     fit_stated_find(fragments, count, &stated);
-    largest[PLAIN] = largest[STATED] = 0;
+    largest[PLAIN] = largest[RANKED] = largest[STATED] = 0;
     for (size_t i = 0; i < count; i++) {
         double here[2], there[REFERENCES][2];
         fit_curve_at(cubic, (double)fragments[i].t, here);
         fit_reference_at(&reference, (double)fragments[i].t, there[PLAIN]);
         fit_stated_at(&stated, (double)fragments[i].t, there[STATED]);
+        fit_stated_at(&ranked, (double)fragments[i].t, there[RANKED]);
         for (int k = 0; k < REFERENCES; k++)
             largest[k] = fmax(largest[k], hypot(here[0] - there[k][0], here[1] - there[k][1]));
     }
 }
 
-static void note(const double largest[REFERENCES], struct distances *kind)
+/* Finds what a curve, given by its points, leaves of its fragments. */
+static void find_cover(const struct hatch_fragment *fragments, size_t count, double places[POINTS][2], double reach_px,
+                       double *off, double *missed)
 {
+    bool near[POINTS] = {false};
+    *off = *missed = 0;
+    for (size_t i = 0; i < count; i++) {
+        bool reached = false;
+        for (int k = 0; k < POINTS; k++)
+            if (hypot(places[k][0] - (double)fragments[i].x, places[k][1] - (double)fragments[i].y) <= reach_px)
+                near[k] = reached = true;
+        *missed += reached ? 0 : (double)fragments[i].weight;
+    }
+    for (int k = 1; k < POINTS; k++)
+        if (!near[k - 1] && !near[k])
+            *off += hypot(places[k][0] - places[k - 1][0], places[k][1] - places[k - 1][1]);
+}
+
+static void find_covers(const struct hatch_fragment *fragments, size_t count, const struct hatch_cubic *cubic,
+                        double reach_px, double covers[COVERS])
+{
+    struct fit_reference reference;
+    double plain[POINTS][2], places[POINTS][2];
+    fit_reference_find(fragments, count, &reference);
+    for (int k = 0; k < POINTS; k++) {
+        const double t = (double)cubic->t[0] + (double)(cubic->t[1] - cubic->t[0]) * k / (POINTS - 1);
+        fit_reference_at(&reference, t, plain[k]);
+        fit_curve_at(cubic, t, places[k]);
+    }
+    find_cover(fragments, count, plain, reach_px, &covers[OFF_PLAIN], &covers[MISSED_PLAIN]);
+    find_cover(fragments, count, places, reach_px, &covers[OFF], &covers[MISSED]);
+    for (size_t i = 0; i < count; i++)
+        covers[WEIGHT] += (double)fragments[i].weight;
+}
+
+static void note(const double largest[REFERENCES], const double covers[COVERS], struct distances *kind)
+{
+    for (int k = 0; k < COVERS; k++)
+        kind->covers[k] += covers[k];
+    kind->worse[0] += covers[OFF] > covers[OFF_PLAIN] + 1;
+    kind->worse[1] += covers[MISSED] > covers[MISSED_PLAIN] + 1;
     for (int k = 0; k < REFERENCES; k++)
         kind->of[k][kind->count] = (struct hatch_weighted){largest[k], 1};
     kind->count++;
@@ -108,9 +161,11 @@ static void note(const double largest[REFERENCES], struct distances *kind)
 static void compare(const struct hatch_fragment *fragments, size_t count, double reach_px, struct distances *all)
 {
     struct hatch_cubic cubic;
-    double largest[REFERENCES];
+    double largest[REFERENCES], covers[COVERS] = {0};
     hatch_cubic_fit(fragments, count, &cubic);
     find_distances(fragments, count, &cubic, largest);
+    if (largest[PLAIN] > 1)
+        find_covers(fragments, count, &cubic, reach_px, covers);
     uint32_t parameters = count_parameters(fragments, count), counted = 0;
     const bool few = parameters < HATCH_CUBIC_TERMS || (double)(cubic.t[1] - cubic.t[0]) < RANGE_LEAST;
     const enum kind kind = few                                                                    ? FEW
@@ -119,9 +174,9 @@ static void compare(const struct hatch_fragment *fragments, size_t count, double
                                                                                                   : REGULAR;
     while (parameters > most_parameters[counted])
         counted++;
-    note(largest, &all[kind]);
-    note(largest, &all[ALL]);
-    note(largest, &all[COUNTED + counted]);
+    note(largest, covers, &all[kind]);
+    note(largest, covers, &all[ALL]);
+    note(largest, covers, &all[COUNTED + counted]);
 }
 
 /* Divides the fragments of a stroke as render-gl does.
@@ -153,7 +208,9 @@ static void print_rows(const char *name, const char *what, struct distances all[
                 hatch_percentiles(all[kind].of[k], all[kind].count, shares, 3, found);
             printf("\t%.4g\t%.4g\t%.4g\t%zu", found[0], found[1], found[2], over);
         }
-        printf("\n");
+        for (int k = 0; k < COVERS; k++)
+            printf("\t%.3g", all[kind].covers[k]);
+        printf("\t%zu\t%zu\n", all[kind].worse[0], all[kind].worse[1]);
     }
 }
 

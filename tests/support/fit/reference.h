@@ -9,6 +9,8 @@
 
 #include "fit/cubic.h"
 
+#define FIT_REFERENCE_SHARE 1e-12 /* singular values below this share of the largest are noise of doubles */
+
 struct fit_reference {
     double t[2];
     double factor[2][HATCH_CUBIC_TERMS]; /* of the powers of v */
@@ -81,7 +83,8 @@ static inline void fit_reference_turn(double matrix[HATCH_CUBIC_TERMS][HATCH_CUB
     }
 }
 
-static inline void fit_reference_solve(double triangle[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS + 2],
+/* Solves a triangle. Singular values of at most `share` of the largest count as 0. */
+static inline void fit_reference_solve(double triangle[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS + 2], double share,
                                        struct fit_reference *reference)
 {
     enum { SWEEPS = 12 };
@@ -103,7 +106,7 @@ static inline void fit_reference_solve(double triangle[HATCH_CUBIC_TERMS][HATCH_
         most = fmax(most, reference->values[k]);
     }
     for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++) {
-        if (!(reference->values[k] > 1e-12 * most))
+        if (!(reference->values[k] > share * most))
             continue;
         reference->rank++;
         for (int axis = 0; axis < 2; axis++) {
@@ -135,7 +138,7 @@ static inline void fit_reference_find(const struct hatch_fragment *fragments, si
             row[k] *= sqrt((double)fragments[i].weight);
         fit_reference_add(triangle, row);
     }
-    fit_reference_solve(triangle, reference);
+    fit_reference_solve(triangle, FIT_REFERENCE_SHARE, reference);
 }
 
 /* Returns how well fragments determine a cubic: the least singular value of the matrix of Legendre polynomials over the
@@ -156,7 +159,7 @@ static inline double fit_reference_determined(const struct hatch_fragment *fragm
                                              root * (2.5 * u * u - 1.5) * u};
         fit_reference_add(triangle, row);
     }
-    fit_reference_solve(triangle, &found);
+    fit_reference_solve(triangle, FIT_REFERENCE_SHARE, &found);
     return fit_reference_least(&found);
 }
 

@@ -63,7 +63,7 @@ static inline void fit_stated_pass(double rows[HATCH_CUBIC_TERMS][HATCH_CUBIC_TE
             row[(int)HATCH_CUBIC_TERMS + axis] = row[k] * stated->factor[axis][k];
         fit_reference_add(triangle, row);
     }
-    fit_reference_solve(triangle, &found);
+    fit_reference_solve(triangle, FIT_REFERENCE_SHARE, &found);
     for (int axis = 0; axis < 2; axis++)
         for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
             stated->factor[axis][k] = found.factor[axis][k];
@@ -90,6 +90,26 @@ static inline void fit_stated_find(const struct hatch_fragment *fragments, size_
     fit_stated_add(stated, fragments, count, HATCH_CUBIC_TERMS, all);
     for (uint32_t pass = 0; pass < HATCH_CUBIC_PASSES; pass++)
         fit_stated_pass(all, penalty, stated);
+}
+
+/* Finds the solution without penalties, from the singular values of the same matrix that are over a share of the
+ * largest: the pseudo-inverse of its numerical rank. Returns the rank. */
+static inline int fit_stated_ranked(const struct hatch_fragment *fragments, size_t count, double share,
+                                    struct fit_stated *stated)
+{
+    double triangle[HATCH_CUBIC_TERMS][HATCH_CUBIC_TERMS + 2] = {{0}};
+    struct fit_reference found = {.t = {0, 0}};
+    *stated = (struct fit_stated){.t = {1, 0}, .origin = {(double)fragments->x, (double)fragments->y}};
+    for (size_t i = 0; i < count; i++) {
+        stated->t[0] = fmin(stated->t[0], (double)fragments[i].t);
+        stated->t[1] = fmax(stated->t[1], (double)fragments[i].t);
+    }
+    fit_stated_add(stated, fragments, count, HATCH_CUBIC_TERMS, triangle);
+    fit_reference_solve(triangle, share, &found);
+    for (int axis = 0; axis < 2; axis++)
+        for (uint32_t k = 0; k < HATCH_CUBIC_TERMS; k++)
+            stated->factor[axis][k] = found.factor[axis][k];
+    return found.rank;
 }
 
 #endif
