@@ -86,6 +86,13 @@ static void turn_textures(const struct solid_files *files, struct scene *scene)
     hatch_unit_scene_turn_rest(&scene->unit, turn);
 }
 
+/* Returns whether the four samples of each quad share the reads of the texture: a texture that mips have smoothed is
+ * the same at all of a pixel's samples. Thresholds are not. */
+static bool shares_reads(const struct look *look, uint32_t side)
+{
+    return look->kind == LOOK_PLAIN && side % 2 == 0;
+}
+
 static struct solids_form wanted_form(const struct look *look, uint32_t side)
 {
     static const enum hatch_zoom_blend usual[] = {[LOOK_PLAIN] = HATCH_ZOOM_HISTOGRAM,
@@ -98,7 +105,9 @@ static struct solids_form wanted_form(const struct look *look, uint32_t side)
                                       : (enum hatch_zoom_blend)look_options.blend;
     double period_px = look_options.period_px > 0 ? look_options.period_px : 2.0 * look->files.solids[0].size;
     return (struct solids_form){.period_px = period_px,
-                                .samples = look->kind == LOOK_COLLAGE ? 1 : side, /* its papers are drawn for pixels */
+                                .samples = look->kind == LOOK_COLLAGE ? 1 /* its papers are drawn for pixels */
+                                           : shares_reads(look, side) ? side / 2
+                                                                      : side,
                                 .grey = ranks,
                                 .blend = ranks && blend == HATCH_ZOOM_LINEAR ? HATCH_ZOOM_RANK : blend};
 }
@@ -131,10 +140,10 @@ enum hatch_status look_prepare(struct look *look, struct frame *frame, const str
         scene_set_rest(frame->scene);
     }
     turn_textures(&look->files, frame->scene);
-    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s%s", look->solids.count,
+    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s%s%s", look->solids.count,
              look->solids.channels, look->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "",
              look->form.blend == HATCH_ZOOM_UNION ? "#define UNION 1\n" : "",
-             look_options.colors ? "#define COLORS 1\n" : "");
+             look_options.colors ? "#define COLORS 1\n" : "", shares_reads(look, side) ? "#define QUADS 1\n" : "");
     if (strcmp(defines, look->defines) != 0) {
         memset(&look->shader, 0, sizeof look->shader);
         memset(&look->papers, 0, sizeof look->papers);

@@ -11,7 +11,7 @@
 enum look_kind { LOOK_PLAIN, LOOK_BINARY, LOOK_WATERCOLOR, LOOK_COLLAGE };
 
 #define LOOK_INKS_MAX 16u
-#define LOOK_DEFINES_BYTES 96u
+#define LOOK_DEFINES_BYTES 128u
 
 struct look_options {
     const char *files;  /* --solid */

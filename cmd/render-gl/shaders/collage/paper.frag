@@ -11,7 +11,7 @@ void main()
     base_holes();
     float band = strip_band(max(texelFetch(strips, ivec2(gl_FragCoord.xy), 0).x, 1.0));
     int solid = min(int(band * float(SOLIDS) / edges.x), SOLIDS - 1);
-    vec3 texture = texture_color(solid, cycle_here()) / max(colors[solid].offset.w, 0.02);
+    vec3 texture = texture_color(solid) / max(colors[solid].offset.w, 0.02);
     vec2 amount = vec2((band + 0.5) / edges.x, 0.0);
     if (counts.z == 2)
         amount = vec2(max(2.0 * amount.x - 1.0, 0.0), max(1.0 - 2.0 * amount.x, 0.0));

@@ -18,8 +18,7 @@ void main()
 {
     base_holes();
     vec2 asked = amounts();
-    Cycle cycle = cycle_here();
-    float rank = values_here(solid_of_material(), cycle).r;
+    float rank = values_here(solid_of_material()).r;
     float step = clamp(length(vec2(dFdx(rank), dFdy(rank))), 0.01, 0.7);
     float dark = covered(rank, step, asked.x), light = covered(1.0 - rank, step, asked.y);
     o_color = vec4(own_ink_on_paper(vec3(dark), vec3(light)), opacity);

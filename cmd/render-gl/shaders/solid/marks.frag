@@ -25,7 +25,7 @@ void main()
 #ifndef PICTURE
     o_wash = vec4(amounts(), 1.0, 1.0);
 #endif
-    o_grain.x = values_here(solid, cycle).r;
+    o_grain.x = values_here(solid).r;
     o_grain.y = variation(solid, cycle, vec3(0.5, 0.25, 0.75), 2.0, SMOOTH);
     o_grain.z = variation(solid, cycle, vec3(0.15, 0.6, 0.35), 2.0, SMOOTH);
 }

@@ -8,7 +8,6 @@ void main()
 {
     base_holes();
     vec2 asked = amounts();
-    Cycle cycle = cycle_here();
-    vec3 grain = mix(vec3(1.0), texture_color(solid_of_material(), cycle), marks.x);
+    vec3 grain = mix(vec3(1.0), texture_color(solid_of_material()), marks.x);
     o_color = vec4(base_color(0.0) * own_ink_on_paper(1.0 - grain * (1.0 - asked.x), asked.yyy * grain), opacity);
 }

@@ -50,34 +50,52 @@ struct Cycle {
     float s, level;
 };
 
+// The octave of a fragment is a real number; its fraction is s. place_in() returns the place in periods of a whole octave,
+// and footprint() the binary logarithm of the size of a fragment in periods of octave 0.
 #ifdef FLAT
-Cycle cycle_here()
+#define v_from v_texcoord
+#define PLACE vec2
+
+float octave_here()
 {
-    Cycle cycle;
     mat2 pixels = pixels_along_both();
-    float far = zoom.z - 0.5 * log2(clamp(abs(determinant(pixels)), 1e-36, 1e36)), whole = floor(far);
-    vec2 x = dFdx(v_texcoord), y = dFdy(v_texcoord);
-    cycle.s = far - whole;
-    cycle.place = vec3(place_at(whole), 0.5);
-    cycle.level = 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-37)) - whole;
-    return cycle;
+    return zoom.z - 0.5 * log2(clamp(abs(determinant(pixels)), 1e-36, 1e36));
+}
+
+vec3 place_in(float octave)
+{
+    return vec3(place_at(octave), 0.5);
 }
 #else
-Cycle cycle_here()
+#define v_from v_place
+#define PLACE vec3
+
+float octave_here()
 {
-    Cycle cycle;
-    float far = zoom.x - rest_log - log2(gl_FragCoord.w), whole = floor(far);
-    vec3 x = dFdx(v_place), y = dFdy(v_place);
-    cycle.s = far - whole;
-    cycle.place = v_place * exp2(-whole);
+    return zoom.x - rest_log - log2(gl_FragCoord.w);
+}
+
+vec3 place_in(float octave)
+{
+    vec3 place = v_place * exp2(-octave);
 #ifdef PIECES
-    int depth = int(whole);
-    cycle.place += vec3(bits_at(v_origin_u, depth), bits_at(v_origin_v, depth), bits_at(v_origin_w, depth));
+    int depth = int(octave);
+    place += vec3(bits_at(v_origin_u, depth), bits_at(v_origin_v, depth), bits_at(v_origin_w, depth));
 #endif
-    cycle.level = 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-37)) - whole;
-    return cycle;
+    return place;
 }
 #endif
+
+float footprint(PLACE x, PLACE y)
+{
+    return 0.5 * log2(max(max(dot(x, x), dot(y, y)), 1e-37));
+}
+
+Cycle cycle_here()
+{
+    float octave = octave_here(), whole = floor(octave);
+    return Cycle(place_in(whole), octave - whole, footprint(dFdx(v_from), dFdy(v_from)) - whole);
+}
 
 vec3 octaves_at(int solid, vec3 place, float level)
 {
@@ -121,30 +139,85 @@ float variation(int solid, Cycle cycle, vec3 shift, float coarser, float smoothe
 }
 
 #ifdef TABLES
-float changed(int solid, int channel, Cycle cycle, float value)
+float changed(int solid, int channel, float s, float value)
 {
-    return texture(tables, vec3(value, (cycle.s * 16.0 + 0.5) / 17.0, float(solid * CHANNELS + channel))).r;
+    return texture(tables, vec3(value, (s * 16.0 + 0.5) / 17.0, float(solid * CHANNELS + channel))).r;
 }
 #endif
 
-// Returns the blended values of the texture, one per channel.
-vec3 values_here(int solid, Cycle cycle)
+// Returns what the tables make of blended values.
+vec3 table_values(int solid, float s, vec3 value)
 {
-    vec3 value = raw_values(solid, cycle, vec3(0.0), 0.0);
 #ifdef TABLES
-    value.r = changed(solid, 0, cycle, value.r);
+    value.r = changed(solid, 0, s, value.r);
 #if CHANNELS == 3
-    value.g = changed(solid, 1, cycle, value.g);
-    value.b = changed(solid, 2, cycle, value.b);
+    value.g = changed(solid, 1, s, value.g);
+    value.b = changed(solid, 2, s, value.b);
 #endif
 #endif
     return value;
 }
 
-// Returns the colour of the texture, linear reflectance.
-vec3 texture_color(int solid, Cycle cycle)
+#ifdef QUADS
+#if CHANNELS == 1
+#define VALUES float
+#define CHANNELS_OF(texel) (texel).r
+#else
+#define VALUES vec3
+#define CHANNELS_OF(texel) (texel)
+#endif
+
+// Returns the sum over the 2 by 2 samples of a quad. turn: 1 at its first samples along x and y, -1 at its second ones
+VALUES quad_sum(VALUES value, vec2 turn)
 {
-    vec3 value = values_here(solid, cycle);
+    VALUES row = 2.0 * value + turn.x * dFdxFine(value);
+    return 2.0 * row + turn.y * dFdyFine(row);
+}
+
+float quad_mean(float value, vec2 turn)
+{
+    float row = value + 0.5 * turn.x * dFdxFine(value);
+    return row + 0.5 * turn.y * dFdyFine(row);
+}
+
+// Returns the whole number nearest to x among the even or, for odd = 1, the odd ones.
+float nearest_of(float x, float odd)
+{
+    return 2.0 * floor(0.5 * (x - odd) + 0.5) + odd;
+}
+
+// Returns the blended values of the texture, the same ones at the 2 by 2 samples of a quad. Each sample reads one mip
+// level of one octave at the middle of the quad: the even or the odd one. Weights fall to 0 where the nearest even or
+// odd number changes, so that roundings that differ between samples do no harm.
+vec3 values_here(int solid)
+{
+    vec2 odd = mod(floor(gl_FragCoord.xy), 2.0), turn = 1.0 - 2.0 * odd;
+    PLACE x = dFdxFine(v_from), y = dFdyFine(v_from), middle = 0.5 * (turn.x * x + turn.y * y);
+    float at = quad_mean(octave_here(), turn), octave = nearest_of(at, odd.y);
+    float level = quad_mean(footprint(x, y), turn) + 1.0 - octave + log2(colors[solid].axes[0].w);
+    float whole = nearest_of(level, odd.x), weight = (1.0 - abs(at - octave)) * (1.0 - abs(level - whole));
+    vec3 place = place_in(octave);
+#ifdef FLAT
+    place.xy += exp2(-octave) * middle;
+#else
+    place += exp2(-octave) * middle;
+#endif
+    VALUES sum = quad_sum(weight * CHANNELS_OF(octaves_at(solid, place, whole)), turn);
+    return table_values(solid, fract(at), vec3(sum));
+}
+#else
+// Returns the blended values of the texture, one per channel.
+vec3 values_here(int solid)
+{
+    Cycle cycle = cycle_here();
+    return table_values(solid, cycle.s, raw_values(solid, cycle, vec3(0.0), 0.0));
+}
+#endif
+
+// Returns the colour of the texture, linear reflectance.
+vec3 texture_color(int solid)
+{
+    vec3 value = values_here(solid);
 #if CHANNELS == 3
     Color color = colors[solid];
     return clamp(color.offset.rgb + value.r * color.axes[0].rgb + value.g * color.axes[1].rgb +
