@@ -246,6 +246,33 @@ START_TEST(materials_keep_their_colours)
 }
 END_TEST
 
+/* The four samples of a pixel share the reads of the texture: they show it as it is at the middle of the pixel, within
+ * two steps of eight bits, to which renderers may round what they read. */
+START_TEST(samples_of_a_pixel_show_its_middle)
+{
+    static const double middle[3] = {0.1, 0.05, 0}, back[3] = {0.3, 0.2, 0.9};
+    static float pixels[4 * SMALL * SMALL], samples[16 * SMALL * SMALL];
+    double worst = 0, least = 1, most = 0;
+    begin_plane();
+    solid_use_look(&frame, &solid, 64, LOOK_PLAIN);
+    frame.shown.style.curve.low = frame.shown.style.curve.high = 0;
+    for (int i = 0; i < 4; i++) {
+        struct hatch_view view = zoomed_view(&frame, middle, back, 0.5 * exp2(-0.3 * i), 1);
+        frame_draw_samples(&frame, "solid", &view, SMALL, SMALL, 1, pixels);
+        frame_draw_samples(&frame, "solid", &view, SMALL, SMALL, 2, samples);
+        for (size_t at = 0; at < (size_t)4 * SMALL * SMALL; at++) {
+            double value = (double)pixels[4 * (at / (4 * SMALL) * SMALL + at % (2 * SMALL) / 2)];
+            worst = fmax(worst, fabs((double)samples[4 * at] - value));
+            least = fmin(least, value);
+            most = fmax(most, value);
+        }
+    }
+    ck_assert_double_lt(worst, 2.0 / 255);
+    ck_assert_double_gt(most - least, 0.3);
+    end();
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("looks");
@@ -256,6 +283,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, a_picture_of_tones_is_painted_like_a_solid, 0, 2); /* inks but one */
     tcase_add_test(tests, painted_tiles_join_without_a_seam);
     tcase_add_test(tests, materials_keep_their_colours);
+    tcase_add_test(tests, samples_of_a_pixel_show_its_middle);
     suite_add_tcase(made, tests);
     return made;
 }

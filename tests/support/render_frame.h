@@ -199,6 +199,7 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
                               uint32_t width, uint32_t height, uint32_t side, struct hatch_image *image)
 {
     struct hatch_err *error = &frame->err;
+    frame->technique_context.side = side;
     const struct picture picture = frame_picture(frame, technique);
     struct canvas canvas;
     HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, side, &canvas, error), error);
@@ -207,20 +208,29 @@ static inline void frame_draw(struct test_frame *frame, const char *technique, c
     canvas_free(&canvas);
 }
 
-/* Draws with a technique that writes numbers instead of colours, one sample per pixel; the background is -1.
- *   rgba  out: 4 floats per pixel, rows from the bottom up */
-static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
-                                      uint32_t width, uint32_t height, float *rgba)
+/* Draws the samples of a picture; the background is -1.
+ *   side  samples along a pixel's side
+ *   rgba  out: 4 floats per sample, rows from the bottom up */
+static inline void frame_draw_samples(struct test_frame *frame, const char *technique, const struct hatch_view *view,
+                                      uint32_t width, uint32_t height, uint32_t side, float *rgba)
 {
     static const float nothing[3] = {-1, -1, -1};
+    frame->technique_context.side = side;
     const struct picture picture = frame_picture(frame, technique);
     const struct hatch_tile tile = {0, 0, width, height, width, height};
     struct canvas canvas;
     const struct frame_request request = {.view = view, .tile = &tile, .canvas = &canvas, .background = nothing};
-    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, 1, &canvas, &frame->err), &frame->err);
+    HATCH_TEST_OK(picture_canvas(&frame->shown, width, height, side, &canvas, &frame->err), &frame->err);
     HATCH_TEST_OK(technique_draw(&frame->technique_context, picture.instance, &request, &frame->err), &frame->err);
     canvas_read_samples(&canvas, rgba);
     canvas_free(&canvas);
+}
+
+/* Draws with a technique that writes numbers instead of colours, one sample per pixel, as frame_draw_samples() does. */
+static inline void frame_draw_numbers(struct test_frame *frame, const char *technique, const struct hatch_view *view,
+                                      uint32_t width, uint32_t height, float *rgba)
+{
+    frame_draw_samples(frame, technique, view, width, height, 1, rgba);
 }
 
 /* Returns the largest difference between two pictures of the same size in any channel of a pixel. */

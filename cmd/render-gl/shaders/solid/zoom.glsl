@@ -1,6 +1,6 @@
 // The infinite zoom on solid textures: Dynamic Solid Textures (2009), section 3, as solid/zoom.h writes it. SOLIDS is
 // the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values; UNION is
-// HATCH_ZOOM_UNION.
+// HATCH_ZOOM_UNION; with QUADS, the samples of a pixel share reads.
 // With FLAT they are 2D textures, whose places are texture coordinates.
 #ifdef PIECES
 #include "frame/fixed.glsl"
@@ -50,8 +50,8 @@ struct Cycle {
     float s, level;
 };
 
-// The octave of a fragment is a real number; its fraction is s. place_in() returns the place in periods of a whole octave,
-// and footprint() the binary logarithm of the size of a fragment in periods of octave 0.
+// The octave of a fragment is a real number; its fraction is s. place_in() returns the place in periods of a whole
+// octave, and footprint() the binary logarithm of the size of a fragment in periods of octave 0.
 #ifdef FLAT
 #define v_from v_texcoord
 #define PLACE vec2
