@@ -13,6 +13,7 @@ struct job {
     uint32_t size_px, levels;
     uint32_t whole_size_px; /* size_px without --needs; 0: the same */
     uint32_t tones;         /* columns that are made */
+    uint32_t every;         /* of the columns that are filled, each every-th one is made */
     float tolerance;        /* of --needs; else 0 */
     bool color, ids;
     const char *sheet_path, *strokes_path; /* NULL: not written */

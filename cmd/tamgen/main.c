@@ -119,6 +119,11 @@ static void read_needs(struct job *job)
     for (; tile_px < job->size_px; job->size_px /= 2)
         job->levels--;
     hatch_style_targets(&job->style, job->tones, targets);
+    job->every = hatch_needs_every(&needs, targets, job->tones);
+    if (job->every > 1)
+        cmd_note("only every %u. column: they are %g tolerances apart, at most", job->every, HATCH_NEEDS_COLUMN);
+    job->tones /= job->every;
+    hatch_style_targets(&job->style, job->tones, targets);
     const struct cmd_map_part part =
         cmd_find_map_part(&needs, targets, job->tones, job->size_px, levels_given ? 1 : job->levels);
     job->tones = part.tones;
@@ -136,7 +141,8 @@ static void fill_map(struct job *job)
                                       .brush = &job->brush,
                                       .size_px = job->size_px,
                                       .tones = (uint32_t)tones,
-                                      .needed = job->tones,
+                                      .needed = job->tones * job->every,
+                                      .every = job->every,
                                       .whole_size_px = job->whole_size_px,
                                       .tolerance = job->tolerance,
                                       .levels = job->levels,
@@ -157,6 +163,7 @@ int main(int argc, char **argv)
     check_sizes();
     job.size_px = (uint32_t)size_px;
     job.tones = (uint32_t)tones;
+    job.every = 1;
     job.levels = (uint32_t)levels;
     job.ids = ids;
     job.strokes_path = strokes_path;

@@ -54,9 +54,15 @@ static uint8_t *block_at(const struct job *job, uint32_t row, uint32_t block)
 /* Copies the texels of a block; alpha is 255 in a texture without alpha. */
 static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8_t texels[TEXELS][4])
 {
-    for (uint32_t i = 0; i < TEXELS; i++) {
-        texels[i][3] = 255;
-        memcpy(texels[i], texel_at(job, row, block, i), job->plain->channels);
+    const uint32_t channels = job->plain->channels;
+    for (uint32_t line = 0; line < TEXELS; line += SIDE) {
+        const uint8_t *first = texel_at(job, row, block, line);
+        for (uint32_t x = 0; x < SIDE; x++) {
+            const uint8_t *from = first + (block * SIDE + x < job->width ? x : job->width - 1 - block * SIDE) * channels;
+            texels[line + x][3] = 255;
+            for (uint32_t c = 0; c < channels; c++)
+                texels[line + x][c] = from[c];
+        }
     }
 }
 

@@ -111,6 +111,27 @@ uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targe
     return count;
 }
 
+/* Returns the greatest difference between the tones of each n-th column, of which the one before the first is paper. */
+static double greatest_step(const float *targets, uint32_t tones, uint32_t n)
+{
+    double step = 0, before = 0;
+    for (uint32_t i = n; i <= tones; i += n) {
+        step = fmax(step, (double)targets[i - 1] - before);
+        before = (double)targets[i - 1];
+    }
+    return step;
+}
+
+uint32_t hatch_needs_every(const struct hatch_needs *needs, const float *targets, uint32_t tones)
+{
+    double most = HATCH_NEEDS_COLUMN * needs->tolerance * (needs->relative ? (double)targets[tones - 1] : 1);
+    uint32_t every = 1;
+    while (tones % (2 * every) == 0 && tones / (2 * every) >= HATCH_NEEDS_COLUMNS &&
+           greatest_step(targets, tones, 2 * every) <= most)
+        every *= 2;
+    return every;
+}
+
 uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px)
 {
     double finer = 0; /* share of the pixels that would read a finer level */

@@ -10,6 +10,8 @@
 
 #define HATCH_NEEDS_TONES 64u   /* parts of equal width of the scale of tones, from paper to ink */
 #define HATCH_NEEDS_SLICE 4.0   /* greatest tone of a slice of a volume, in tolerances */
+#define HATCH_NEEDS_COLUMN 1.5  /* greatest tone from a column of a map to the next, in tolerances */
+#define HATCH_NEEDS_COLUMNS 6u  /* columns of a map, at least, where others are left out between them */
 #define HATCH_NEEDS_SOLID 2.0   /* pixels per texel of a solid texture, at least */
 #define HATCH_NEEDS_PATCHES 4.0 /* patches side by side on the largest item, at least */
 #define HATCH_NEEDS_OCTAVES 24u /* octaves of pixels per unit of texture coordinates, from 1 pixel on */
@@ -38,6 +40,12 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
  *   targets  tones of the columns, ascending
  *   tones    number of columns, at least 1 */
 uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones);
+
+/* Returns n such that each n-th column of a map is enough: columns are at most HATCH_NEEDS_COLUMN tolerances apart
+ * then. It is a power of two that divides their number.
+ *   targets  tones of the columns, ascending
+ *   tones    number of columns, at least 1 */
+uint32_t hatch_needs_every(const struct hatch_needs *needs, const float *targets, uint32_t tones);
 
 /* Returns the side of the finest level that a map needs, size_px or a smaller power of two, at least size_min_px. A
  * tile covers a unit of texture coordinates, or less. */

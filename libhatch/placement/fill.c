@@ -215,6 +215,23 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     return HATCH_OK;
 }
 
+/* Collects the metadata of the map.
+ *   columns, every  as in struct hatch_fill_options, over 0 */
+static enum hatch_status make_metadata(const struct filler *f, uint32_t columns, uint32_t every,
+                                       struct hatch_tam_metadata *metadata, struct hatch_err *err)
+{
+    const struct hatch_fill_options *options = f->options;
+    HATCH_TRY(hatch_column_metadata(f->style, columns / every, options->levels, options->seed, options->growth,
+                                    f->arena, metadata, err));
+    if (columns < options->tones || options->whole_size_px > options->size_px)
+        metadata->whole =
+            (struct hatch_tam_whole){.size_px = options->whole_size_px ? options->whole_size_px : options->size_px,
+                                     .tones = options->tones / every,
+                                     .darkest = f->targets[options->tones - 1],
+                                     .tolerance = options->tolerance};
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, const struct hatch_tam_sink *sink,
                                  struct hatch_stroke_list *strokes, struct hatch_err *err)
@@ -226,15 +243,9 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     struct filler f = {.style = style, .options = options, .arena = arena};
     hatch_style_targets(style, options->tones, f.targets);
     struct hatch_tam_metadata metadata;
-    uint32_t columns = options->needed ? options->needed : options->tones;
-    HATCH_TRY(
-        hatch_column_metadata(style, columns, options->levels, options->seed, options->growth, arena, &metadata, err));
-    if (columns < options->tones || options->whole_size_px > options->size_px)
-        metadata.whole =
-            (struct hatch_tam_whole){.size_px = options->whole_size_px ? options->whole_size_px : options->size_px,
-                                     .tones = options->tones,
-                                     .darkest = f.targets[options->tones - 1],
-                                     .tolerance = options->tolerance};
+    uint32_t columns = options->needed ? options->needed : options->tones, every = options->every ? options->every : 1;
+    assert(options->tones % every == 0 && columns % every == 0);
+    HATCH_TRY(make_metadata(&f, columns, every, &metadata, err));
     const struct hatch_canvas_options canvas = {style,           options->brush, options->size_px,
                                                 options->levels, options->color, options->ids};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -246,8 +257,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     for (uint32_t tone = 0; status == HATCH_OK && tone < columns; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
-        if (status == HATCH_OK)
-            status = hatch_column_deliver(&f.canvas, &metadata, tone, f.targets[tone],
+        if (status == HATCH_OK && (tone + 1) % every == 0)
+            status = hatch_column_deliver(&f.canvas, &metadata, tone / every, f.targets[tone],
                                           options->ids && tone + 1 == options->tones ? &f.strokes : NULL, arena,
                                           scratch, sink, err);
     }

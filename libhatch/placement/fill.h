@@ -18,7 +18,9 @@ struct hatch_fill_options {
     const struct hatch_brush *brush; /* of the style */
     uint32_t size_px;                /* HATCH_TAM_SIZE_MIN .. HATCH_TAM_SIZE_MAX, a power of two */
     uint32_t tones;                  /* number of columns, 1 .. HATCH_TAM_TONES_MAX */
-    uint32_t needed;                 /* number of columns that are made, the first ones; 0: all */
+    uint32_t needed;                 /* number of columns that are filled, the first ones; 0: all */
+    uint32_t every;                  /* of those, only each every-th one is passed on, and the map has the columns of
+                                        one of tones / every; divides tones and needed; 0: 1 */
     uint32_t whole_size_px;          /* size_px of the whole map of which this is a part; 0: the same */
     float tolerance;                 /* that the map names if it is not whole: struct hatch_tam_whole */
     uint32_t levels;                 /* number of drawn levels, 1 upwards; the coarsest has at least 32 pixels */

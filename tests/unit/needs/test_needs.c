@@ -130,6 +130,35 @@ START_TEST(columns_reach_the_darkest_tone)
 }
 END_TEST
 
+/* Steps of 1/32 up to the last tone; the first column counts from paper. */
+START_TEST(columns_are_no_closer_than_the_tolerance_asks)
+{
+    float targets[32];
+    struct hatch_needs needs = {.tolerance = 0.04};
+    for (int i = 0; i < 32; i++)
+        targets[i] = (float)(i + 1) / 32;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 1); /* .06 */
+    needs.tolerance = 2 / 32.0 / HATCH_NEEDS_COLUMN;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 2);
+    needs.tolerance *= 1.9;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 2);
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 31), 1); /* 31 is odd */
+    needs.tolerance = 1;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 4); /* 8 columns; 4 would be fewer than 6 */
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 12), 2);
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 10), 1);
+    needs.tolerance = 2 / 32.0 / HATCH_NEEDS_COLUMN;
+    for (int i = 0; i < 32; i++)
+        targets[i] /= 2;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 4);
+    needs.relative = true; /* of the last tone, .5 */
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 2);
+    targets[8] += 0.001f; /* tones 7 and 9 are farther apart than the others */
+    targets[9] += 0.001f;
+    ck_assert_uint_eq(hatch_needs_every(&needs, targets, 32), 1);
+}
+END_TEST
+
 /* Octave 7 has the pixels with 128 to 255 per tile, which read the level of 256. */
 START_TEST(a_map_is_as_large_as_pixels_read_it)
 {
@@ -271,6 +300,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_file_is_read);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
+    tcase_add_test(tests, columns_are_no_closer_than_the_tolerance_asks);
     tcase_add_test(tests, a_map_is_as_large_as_pixels_read_it);
     tcase_add_test(tests, a_face_raises_the_cells_of_its_box);
     tcase_add_test(tests, cells_spread_to_their_neighbours);

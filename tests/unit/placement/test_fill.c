@@ -304,6 +304,29 @@ START_TEST(a_failing_sink_ends_the_filling)
 }
 END_TEST
 
+/* Half of six columns are the second, fourth and sixth, as a map of three columns; with four filled, two of three. */
+START_TEST(each_second_column_has_the_whole_maps_pixels)
+{
+    static struct test_map half;
+    map_style("ink", NULL, &map);
+    map_fill(&map);
+    map_style("ink", NULL, &half);
+    half.options.every = 2;
+    half.options.needed = _i ? 4 : 0;
+    const struct hatch_tam_sink sink = {map_keep, &half};
+    HATCH_TEST_OK(hatch_tam_fill(&half.options, &map_arena, &map_scratch, &sink, &half.strokes, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_tam_from_mipmaps(half.columns, _i ? 2 : 3, &half.tam, &map_err), &map_err);
+    ck_assert_uint_eq(half.tam.whole.tones, 3);
+    for (uint32_t i = 0; i < half.tam.tones; i++) {
+        ck_assert_float_eq(half.tam.target[i], map.tam.target[2 * i + 1]);
+        for (uint32_t level = 0; level < 7; level++) {
+            const struct hatch_image *a = &half.columns[i].levels[level], *b = &map.columns[2 * i + 1].levels[level];
+            ck_assert_mem_eq(a->pixels, b->pixels, sizeof *a->pixels * a->width * a->height * a->channel_count);
+        }
+    }
+}
+END_TEST
+
 static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     (void)context, (void)tone, (void)column, (void)err;
@@ -374,6 +397,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, columns_are_passed_in_order_with_their_metadata);
     tcase_add_test(tests, strokes_have_their_column_and_level_in_drawing_order);
+    tcase_add_loop_test(tests, each_second_column_has_the_whole_maps_pixels, 0, 2);
     tcase_add_test(tests, directions_follow_the_style);
     tcase_add_test(tests, a_tone_without_directions_uses_all_of_them);
     tcase_add_test(tests, ids_are_those_of_the_strokes_that_cover_the_pixels);
