@@ -210,9 +210,7 @@ $(B)/interop/node_modules: tests/interop/package.json
 	@mkdir -p $(@D)
 	cp $< $(@D) && cd $(@D) && npm install --no-audit --no-fund && touch node_modules
 check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $(wildcard tests/interop/*.t)
-# The installation that tests/cli/setup/install.t looks at.
-stage: all
-	@rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
+stage: all; @rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 check: all stage $(TESTS) $(REPLAYS) $(INTEROP) $(FAIL_MALLOC)
 	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
 mutants: ; perl tests/mutants/run.pl $(B)/mutants

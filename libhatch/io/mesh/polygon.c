@@ -22,11 +22,12 @@ static enum hatch_status add_triangle(struct hatch_faces *faces, const uint32_t 
     return hatch_buffer_add(&faces->indices, triangle, sizeof triangle, err);
 }
 
-/* A polygon projected to a plane, counter-clockwise. next of a clipped corner is UINT32_MAX. */
+/* A polygon projected to a plane, counter-clockwise. */
 struct outline {
     double (*at)[2];
     uint32_t *next, *previous;
-    uint32_t *reflex; /* corners that are not convex */
+    uint32_t *reflex; /* corners that are not convex, in no order */
+    uint32_t *place;  /* of each corner in reflex; UINT32_MAX: it is convex or clipped */
     uint32_t count, reflex_count;
 };
 
@@ -90,11 +91,14 @@ static bool coincide(const struct outline *o, uint32_t a, uint32_t b)
 static bool is_ear(const struct outline *o, uint32_t corner)
 {
     uint32_t a = o->previous[corner], c = o->next[corner];
+    const double *u = o->at[a], *v = o->at[corner], *w = o->at[c];
     if (!(area2(o, a, corner, c) > 0))
         return false;
+    double low = fmin(fmin(u[0], v[0]), w[0]), high = fmax(fmax(u[0], v[0]), w[0]);
     for (uint32_t i = 0; i < o->reflex_count; i++) {
         uint32_t p = o->reflex[i];
-        if (p == a || p == corner || p == c || coincide(o, p, a) || coincide(o, p, corner) || coincide(o, p, c))
+        if (!(o->at[p][0] >= low && o->at[p][0] <= high) || p == a || p == corner || p == c || coincide(o, p, a) ||
+            coincide(o, p, corner) || coincide(o, p, c))
             continue;
         if (area2(o, a, corner, p) >= 0 && area2(o, corner, c, p) >= 0 && area2(o, c, a, p) >= 0)
             return false;
@@ -102,15 +106,34 @@ static bool is_ear(const struct outline *o, uint32_t corner)
     return true;
 }
 
-/* Removes corners that are clipped or now convex from the list of reflex corners. Clipping an ear changes only its two
- * neighbours, and a reflex corner may become convex, but never the reverse. */
-static void update_reflex(struct outline *o)
+static void set_reflex(struct outline *o, uint32_t corner)
 {
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < o->reflex_count; i++)
-        if (o->next[o->reflex[i]] != UINT32_MAX && !(corner_area2(o, o->reflex[i]) > 0))
-            o->reflex[kept++] = o->reflex[i];
-    o->reflex_count = kept;
+    o->place[corner] = o->reflex_count;
+    o->reflex[o->reflex_count++] = corner;
+}
+
+/* Removes a corner from the reflex corners, if it is one of them. */
+static void clear_reflex(struct outline *o, uint32_t corner)
+{
+    if (o->place[corner] == UINT32_MAX)
+        return;
+    uint32_t last = o->reflex[--o->reflex_count];
+    o->reflex[o->place[corner]] = last;
+    o->place[last] = o->place[corner];
+    o->place[corner] = UINT32_MAX;
+}
+
+/* Clips a corner. This changes the angles of its two neighbours alone; a reflex corner may become convex, but never the
+ * reverse. */
+static void clip(struct outline *o, uint32_t corner)
+{
+    const uint32_t side[2] = {o->previous[corner], o->next[corner]};
+    o->next[side[0]] = side[1];
+    o->previous[side[1]] = side[0];
+    clear_reflex(o, corner);
+    for (int k = 0; k < 2; k++)
+        if (corner_area2(o, side[k]) > 0)
+            clear_reflex(o, side[k]);
 }
 
 static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o, const uint32_t *vertex,
@@ -131,12 +154,9 @@ static enum hatch_status clip_ears(struct hatch_faces *faces, struct outline *o,
         }
         uint32_t a = o->previous[corner], c = o->next[corner];
         HATCH_TRY(add_triangle(faces, vertex, a, corner, c, err));
-        o->next[a] = c;
-        o->previous[c] = a;
-        o->next[corner] = UINT32_MAX;
+        clip(o, corner);
         remaining--;
         misses = 0;
-        update_reflex(o);
         corner = c;
     }
     return add_triangle(faces, vertex, o->previous[corner], corner, o->next[corner], err);
@@ -158,9 +178,11 @@ static void project(const float *positions, const uint32_t *point, const double 
         o->previous[i] = (i + o->count - 1) % o->count;
     }
     o->reflex_count = 0;
-    for (uint32_t i = 0; i < o->count; i++)
+    for (uint32_t i = 0; i < o->count; i++) {
+        o->place[i] = UINT32_MAX;
         if (!(corner_area2(o, i) > 0))
-            o->reflex[o->reflex_count++] = i;
+            set_reflex(o, i);
+    }
 }
 
 static enum hatch_status add_concave(struct hatch_faces *faces, const float *positions, const uint32_t *point,
@@ -175,7 +197,8 @@ static enum hatch_status add_concave(struct hatch_faces *faces, const float *pos
     o.next = o.at ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
     o.previous = o.next ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
     o.reflex = o.previous ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
-    enum hatch_status status = o.reflex ? HATCH_OK : HATCH_LIMIT;
+    o.place = o.reflex ? HATCH_NEW(faces->scratch, uint32_t, count, err) : NULL;
+    enum hatch_status status = o.place ? HATCH_OK : HATCH_LIMIT;
     if (status == HATCH_OK) {
         project(positions, point, normal, &o);
         status = clip_ears(faces, &o, vertex, err);
