@@ -1,10 +1,11 @@
 # The technique that HACKING.md walks through, in a copy of the tree: built from its file, its shaders and its one line
 # in the list, and nothing else.
 . "${TOP:-.}/tests/tap.sh"
-cp -R "$TOP/cmd" "$TOP/libhatch" "$TOP/Makefile" "$TOP/man" "$TOP/styles" "$TOP/pipelines" "$TOP/tests" .
+# With their times, so that only objects that depend on the list are made again.
+cp -Rp "$TOP/cmd" "$TOP/libhatch" "$TOP/Makefile" "$TOP/man" "$TOP/styles" "$TOP/pipelines" "$TOP/tests" .
 folder=${BUILD#"$TOP/"}
 mkdir -p "$folder"
-cp -Rp "$BUILD/obj" "$BUILD/lib" "$BUILD/gen" "$folder" 2>/dev/null
+cp -Rp "$BUILD/obj" "$BUILD/lib" "$BUILD/gen" "$BUILD/flags" "$folder" 2>/dev/null
 
 # A file of the chapter is named before its block.
 awk '/^## / {chapter = $0 == "## A technique"}
