@@ -42,8 +42,8 @@ static void bc4_numbers(uint32_t a, uint32_t b, uint8_t numbers[8])
     }
 }
 
-/* Chooses the nearest value for each texel, of equally near ones the first; returns the sum of squared errors. Loops are
- * over texels, of 16 bits, at once on vector units. */
+/* Chooses the nearest value for each texel, of equally near ones the first; returns the sum of squared errors. Loops
+ * are over texels, of 16 bits, at once on vector units. */
 static uint32_t bc4_choose(const int16_t values[TEXELS], const uint8_t numbers[8], uint8_t index[TEXELS])
 {
     int16_t least[TEXELS]; /* 8 times the distance, plus the index */

@@ -58,7 +58,8 @@ static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8
     for (uint32_t line = 0; line < TEXELS; line += SIDE) {
         const uint8_t *first = texel_at(job, row, block, line);
         for (uint32_t x = 0; x < SIDE; x++) {
-            const uint8_t *from = first + (block * SIDE + x < job->width ? x : job->width - 1 - block * SIDE) * channels;
+            const uint8_t *from =
+                first + (block * SIDE + x < job->width ? x : job->width - 1 - block * SIDE) * channels;
             texels[line + x][3] = 255;
             for (uint32_t c = 0; c < channels; c++)
                 texels[line + x][c] = from[c];
