@@ -105,7 +105,7 @@ static void set_colors(const struct hatch_zoom *zoom, struct solids *solids, uin
         }
     }
     solids->colors[index].offset[3] = zoom->base.channels == 1 ? mean[0] : hatch_color_luminance(mean);
-    solids->colors[index].axes[0][3] = (float)zoom->octaves.size;
+    solids->colors[index].axes[0][3] = (float)log2(zoom->octaves.size);
     set_deviation(&zoom->octaves, &solids->colors[index].axes[1][3], &solids->colors[index].axes[2][3]);
 }
 

@@ -26,7 +26,7 @@ struct solids {
     uint32_t size;              /* texels along a side of A, of the largest */
     struct {
         float offset[4];  /* struct hatch_zoom; w: mean luminance of the texture */
-        float axes[3][4]; /* w: texels along a side of A; standard deviation and mean of its first value */
+        float axes[3][4]; /* w: binary logarithm of the texels along a side of A; standard deviation and mean of its first value */
     } colors[SOLIDS_MAX];
 };
 

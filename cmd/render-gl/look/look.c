@@ -140,10 +140,11 @@ enum hatch_status look_prepare(struct look *look, struct frame *frame, const str
         scene_set_rest(frame->scene);
     }
     turn_textures(&look->files, frame->scene);
-    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s%s%s", look->solids.count,
+    snprintf(defines, sizeof defines, "#define SOLIDS %u\n#define CHANNELS %u\n%s%s%s%s%s", look->solids.count,
              look->solids.channels, look->form.blend != HATCH_ZOOM_LINEAR ? "#define TABLES 1\n" : "",
              look->form.blend == HATCH_ZOOM_UNION ? "#define UNION 1\n" : "",
-             look_options.colors ? "#define COLORS 1\n" : "", shares_reads(look, side) ? "#define QUADS 1\n" : "");
+             look_options.inks ? "#define INKS 1\n" : "", look_options.colors ? "#define COLORS 1\n" : "",
+             shares_reads(look, side) ? "#define QUADS 1\n" : "");
     if (strcmp(defines, look->defines) != 0) {
         memset(&look->shader, 0, sizeof look->shader);
         memset(&look->papers, 0, sizeof look->papers);

@@ -1,6 +1,6 @@
 // The infinite zoom on solid textures: Dynamic Solid Textures (2009), section 3, as solid/zoom.h writes it. SOLIDS is
 // the number of textures, CHANNELS 1 or 3; with TABLES, struct hatch_zoom_table changes the blended values; UNION is
-// HATCH_ZOOM_UNION; with QUADS, the samples of a pixel share reads.
+// HATCH_ZOOM_UNION; with INKS, --inks has colours; with QUADS, the samples of a pixel share reads.
 // With FLAT they are 2D textures, whose places are texture coordinates.
 #ifdef PIECES
 #include "frame/fixed.glsl"
@@ -16,7 +16,7 @@ flat in uvec4 v_origin_u, v_origin_v, v_origin_w;
 
 struct Color {
     vec4 offset; // w: mean luminance
-    vec4 axes[3]; // w: texels along a side; standard deviation and mean of the first value
+    vec4 axes[3]; // w: binary logarithm of the texels along a side; standard deviation and mean of the first value
 };
 
 layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
@@ -30,8 +30,12 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
 // Returns the ink of the item's material.
 vec3 own_ink()
 {
-    uint number = material == 0xffffffffu ? item : material, count = uint(edges.y);
-    return count == 0u ? ink.rgb : inks[number % count].rgb;
+#ifdef INKS
+    uint number = material == 0xffffffffu ? item : material;
+    return inks[number % uint(edges.y)].rgb;
+#else
+    return ink.rgb;
+#endif
 }
 
 // Returns the colour of paper under inks of an item. dark, light: coverage by each, in each colour channel
@@ -119,7 +123,7 @@ vec3 appears(vec3 rank, float s)
 // octaves by which the texture is larger
 vec3 raw_values(int solid, Cycle cycle, vec3 shift, float coarser)
 {
-    float level = cycle.level + log2(colors[solid].axes[0].w) - coarser;
+    float level = cycle.level + colors[solid].axes[0].w - coarser;
     vec3 place = exp2(-coarser) * cycle.place + shift;
     vec3 fine = octaves_at(solid, place, level), coarse = octaves_at(solid, 0.5 * place, level - 1.0);
 #ifdef UNION
@@ -194,7 +198,7 @@ vec3 values_here(int solid)
     vec2 odd = mod(floor(gl_FragCoord.xy), 2.0), turn = 1.0 - 2.0 * odd;
     PLACE x = dFdxFine(v_from), y = dFdyFine(v_from), middle = 0.5 * (turn.x * x + turn.y * y);
     float at = quad_mean(octave_here(), turn), octave = nearest_of(at, odd.y);
-    float level = quad_mean(footprint(x, y), turn) + 1.0 - octave + log2(colors[solid].axes[0].w);
+    float level = quad_mean(footprint(x, y), turn) + 1.0 - octave + colors[solid].axes[0].w;
     float whole = nearest_of(level, odd.x), weight = (1.0 - abs(at - octave)) * (1.0 - abs(level - whole));
     vec3 place = place_in(octave);
 #ifdef FLAT
