@@ -109,6 +109,32 @@ static void set_colors(const struct hatch_zoom *zoom, struct solids *solids, uin
     set_deviation(&zoom->octaves, &solids->colors[index].axes[1][3], &solids->colors[index].axes[2][3]);
 }
 
+/* Uploads the slices of each level in pairs: layer i of level l holds slices i and i + 1 of that level, of which the
+ * first follows the last. Coarser levels leave layers unused. */
+static enum hatch_status upload_pairs(const struct hatch_texels *mips, struct hatch_arena *scratch, GLuint *texture,
+                                      struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint8_t *pairs = HATCH_NEW_UNSET(scratch, uint8_t, 2 * (size_t)mips->width * mips->width * mips->depth, err);
+    if (!pairs)
+        return HATCH_LIMIT;
+    *texture = gpu_texture_make(GL_TEXTURE_2D_ARRAY, (GLsizei)mips->level_count, GL_RG8, mips->width, mips->height,
+                                mips->depth);
+    for (uint32_t level = 0; level < mips->level_count; level++) {
+        uint32_t side = hatch_mip_size(mips->width, level), depth = hatch_mip_size(mips->depth, level);
+        size_t slice = (size_t)side * side, count = slice * depth;
+        for (size_t i = 0; i < count; i++) {
+            pairs[2 * i] = mips->texels[level][i];
+            pairs[2 * i + 1] = mips->texels[level][(i + slice) % count];
+        }
+        glTextureSubImage3D(*texture, (GLint)level, 0, 0, 0, (GLsizei)side, (GLsizei)side, (GLsizei)depth, GL_RG,
+                            GL_UNSIGNED_BYTE, pairs);
+    }
+    glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
 static void upload_octaves(const struct hatch_texels *mips, GLuint *texture)
 {
     GLenum layout = mips->channels == 1 ? GL_RED : GL_RGB;
@@ -143,7 +169,10 @@ static enum hatch_status upload_one(const struct solid_files *files, uint32_t in
                                     scratch, &table, err));
     set_colors(&zoom, solids, index);
     solids->size = size > solids->size ? size : solids->size;
-    upload_octaves(&mips, &solids->octaves[index]);
+    if (form->pairs && solids->channels == 1)
+        HATCH_TRY(upload_pairs(&mips, scratch, &solids->octaves[index], err));
+    else
+        upload_octaves(&mips, &solids->octaves[index]);
     for (uint32_t c = 0; c < solids->channels; c++) {
         uint32_t from = c < zoom.octaves.channels ? c : 0;
         glTextureSubImage3D(solids->tables, 0, 0, 0, (GLint)(index * solids->channels + c), HATCH_ZOOM_VALUES,

@@ -26,7 +26,8 @@ struct solids {
     uint32_t size;              /* texels along a side of A, of the largest */
     struct {
         float offset[4];  /* struct hatch_zoom; w: mean luminance of the texture */
-        float axes[3][4]; /* w: binary logarithm of the texels along a side of A; standard deviation and mean of its first value */
+        float axes[3][4]; /* w: binary logarithm of the texels along a side of A; standard deviation and mean of its
+                             first value */
     } colors[SOLIDS_MAX];
 };
 
@@ -41,6 +42,8 @@ struct solids_form {
     double period_px; /* period of the texture on the screen at the beginning of a zoom cycle, pixels */
     double samples;   /* along a side of a pixel */
     bool grey;        /* their luminance alone is used */
+    bool pairs;       /* those of one channel are array textures, whose layers hold a slice and the next one: shaders
+                         read half as many texels; not interpolated between levels */
     enum hatch_zoom_blend blend;
 };
 

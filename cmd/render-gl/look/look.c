@@ -109,6 +109,7 @@ static struct solids_form wanted_form(const struct look *look, uint32_t side)
                                            : shares_reads(look, side) ? side / 2
                                                                       : side,
                                 .grey = ranks,
+                                .pairs = shares_reads(look, side),
                                 .blend = ranks && blend == HATCH_ZOOM_LINEAR ? HATCH_ZOOM_RANK : blend};
 }
 
@@ -116,7 +117,8 @@ static enum hatch_status upload(struct look *look, uint32_t side, struct cmd_arg
 {
     const struct solids_form form = wanted_form(look, side);
     struct solids fresh;
-    if (look->solids.count && form.grey == look->form.grey && form.blend == look->form.blend)
+    if (look->solids.count && form.grey == look->form.grey && form.blend == look->form.blend &&
+        form.pairs == look->form.pairs)
         return HATCH_OK;
     HATCH_TRY(solids_upload(&look->files, &form, cmd_pool(args), &args->scratch, &fresh, err));
     solids_free(&look->solids);

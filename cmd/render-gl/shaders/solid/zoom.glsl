@@ -45,7 +45,12 @@ vec3 own_ink_on_paper(vec3 dark, vec3 light)
 }
 
 layout(binding = UNIT_TECHNIQUE) uniform sampler2DArray tables;
+#if defined(QUADS) && CHANNELS == 1
+#define PAIRS // member pairs of struct solids_form
+layout(binding = UNIT_SOLIDS) uniform sampler2DArray octaves[SOLIDS];
+#else
 layout(binding = UNIT_SOLIDS) uniform sampler3D octaves[SOLIDS];
+#endif
 
 // The zoom cycle of a fragment. place: in periods at the cycle's beginning; level: of a mip chain whose finest texels
 // are one period wide, binary logarithm of the size of a fragment
@@ -101,7 +106,7 @@ Cycle cycle_here()
     return Cycle(place_in(whole), octave - whole, footprint(dFdx(v_from), dFdy(v_from)) - whole);
 }
 
-vec3 octaves_at(int solid, vec3 place, float level)
+vec3 texel_of(int solid, vec3 place, float level)
 {
     vec3 texel = textureLod(octaves[0], place, level).rgb;
 #if SOLIDS > 1
@@ -110,6 +115,21 @@ vec3 octaves_at(int solid, vec3 place, float level)
             texel = textureLod(octaves[i], place, level).rgb;
 #endif
     return texel;
+}
+
+// Returns a texture's values at a place. level: of its mip chain; with PAIRS, a whole number
+vec3 octaves_at(int solid, vec3 place, float level)
+{
+#ifndef PAIRS
+    return texel_of(solid, place, level);
+#elif defined(FLAT)
+    return texel_of(solid, vec3(place.xy, 0.0), level).rrr;
+#else
+    float slices = exp2(clamp(colors[solid].axes[0].w - level, 0.0, colors[solid].axes[0].w));
+    float slice = place.z * slices - 0.5, below = floor(slice);
+    vec2 pair = texel_of(solid, vec3(place.xy, below - slices * floor(below / slices)), level).rg;
+    return vec3(mix(pair.r, pair.g, slice - below));
+#endif
 }
 
 // Returns the tones at which places of such ranks appear: u of solid/zoom.h.
