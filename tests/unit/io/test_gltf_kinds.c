@@ -1,5 +1,6 @@
 /* glTF features that few exporters write, each in a minimal file. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "arenas.h"
@@ -16,6 +17,7 @@ static const struct {
     uint16_t corners[6], places[2], indices[2];
     float translations[9], rotations[12];
     float times[3], values[9];
+    uint8_t numbers[5][3][4]; /* little-endian ones of each type, the largest first */
 } data = {{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
           {0, 0, 5},
           {0, 1, 2, 0, 0, 0},
@@ -24,7 +26,12 @@ static const struct {
           {2, 0, 0, 4, 0, 0, 6, 0, 0},
           {0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 1},
           {0, 1, 1},
-          {0, 0, 0, 1, 0, 0, 8, 0, 0}};
+          {0, 0, 0, 1, 0, 0, 8, 0, 0},
+          {{{127}, {0x80}, {0x81}},
+           {{255}, {51}, {0}},
+           {{0xff, 0x7f}, {0x00, 0x80}, {0x01, 0x80}},
+           {{0xff, 0xff}, {0x33, 0x33}, {0}},
+           {{0xff, 0xff, 0xff, 0xff}, {0x33, 0x33, 0x33, 0x33}, {0}}}};
 
 static enum hatch_status resolve(void *context, const char *uri, struct hatch_arena *arena, struct hatch_bytes *bytes,
                                  struct hatch_err *error)
@@ -89,6 +96,35 @@ START_TEST(positions_may_be_sparse)
 {
     reads(HEAD SQUARE("1},\"mode\":5") ",\"nodes\":[{\"mesh\":0}]}");
     ck_assert_float_eq(hatch_mesh_find(&scene.meshes[0].mesh, "POSITION", 3)[11], 5);
+}
+END_TEST
+
+/* The largest number of each type is 1 when normalised, and the least of a signed one as much as its negative. */
+START_TEST(numbers_may_be_of_any_type)
+{
+    static const struct {
+        double plain[3], normalised[3];
+    } want[] = {{{127, -128, -127}, {1, -1, -1}},
+                {{255, 51, 0}, {1, 0.2, 0}},
+                {{32767, -32768, -32767}, {1, -1, -1}},
+                {{65535, 13107, 0}, {1, 0.2, 0}},
+                {{4294967295.0, 858993459, 0}, {1, 0.2, 0}}};
+    for (int normalised = 0; normalised < 2; normalised++) {
+        char json[1000];
+        snprintf(json, sizeof json,
+                 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"d.bin\",\"byteLength\":272}],"
+                 "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"
+                 "{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":12,\"byteStride\":4}],\"accessors\":["
+                 "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+                 "{\"bufferView\":1,\"componentType\":%d,\"normalized\":%s,\"count\":3,\"type\":\"SCALAR\"}]" SQUARE(
+                     "0,\"_NUMBER\":1}") ",\"nodes\":[{\"mesh\":0}]}",
+                 212 + 12 * _i, _i < 4 ? 5120 + _i : 5125, normalised ? "true" : "false");
+        reads(json);
+        const float *numbers = hatch_mesh_find(&scene.meshes[0].mesh, "_NUMBER", 1);
+        ck_assert_ptr_nonnull(numbers);
+        for (int k = 0; k < 3; k++)
+            ck_assert_float_eq(numbers[k], (float)(normalised ? want[_i].normalised[k] : want[_i].plain[k]));
+    }
 }
 END_TEST
 
@@ -203,6 +239,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("io gltf kinds");
     TCase *tests = tcase_create("kinds");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, numbers_may_be_of_any_type, 0, 5);
     tcase_add_test(tests, indices_may_be_sparse);
     tcase_add_test(tests, positions_may_be_sparse);
     tcase_add_test(tests, instances_are_nodes);

@@ -100,6 +100,44 @@ START_TEST(equivalent_paths_have_the_same_ends)
 }
 END_TEST
 
+/* Two Bezier curves, the second of which begins with the mirrored control point. Their x is linear in the parameter. */
+static const struct {
+    const char *path, *turned; /* turned: x and y are exchanged */
+    int degree;
+    double x[3], y[2][4]; /* x of the ends; y of the control points */
+} curves[] = {
+    {"M10 20Q30 60 50 40T90 30", "M20 10Q60 30 40 50T30 90", 2, {10, 50, 90}, {{20, 60, 40}, {40, 20, 30}}},
+    {"m10 20q20 40 40 20t40-10", "m20 10q40 20 20 40t-10 40", 2, {10, 50, 90}, {{20, 60, 40}, {40, 20, 30}}},
+    {"M10 20C20 60 30 50 40 30S60 50 70 60",
+     "M20 10C60 20 50 30 30 40S50 60 60 70",
+     3,
+     {10, 40, 70},
+     {{20, 60, 50, 30}, {30, 10, 50, 60}}},
+};
+
+START_TEST(points_of_curves_lie_on_them)
+{
+    for (int turned = 0; turned < 2; turned++) {
+        char text[200];
+        snprintf(text, sizeof text, "<path stroke='black' d='%s'/>", turned ? curves[_i].turned : curves[_i].path);
+        read_page(text);
+        ck_assert_uint_gt(list.items[0].path->count, 10);
+        for (int i = 0; i < (int)list.items[0].path->count; i++) {
+            double xy[2], y[4];
+            point(0, i, xy);
+            double along = xy[turned], across = xy[!turned];
+            int part = along > curves[_i].x[1];
+            double t = (along - curves[_i].x[part]) / (curves[_i].x[part + 1] - curves[_i].x[part]);
+            memcpy(y, curves[_i].y[part], sizeof y);
+            for (int k = curves[_i].degree; k > 0; k--) /* de Casteljau */
+                for (int j = 0; j < k; j++)
+                    y[j] += t * (y[j + 1] - y[j]);
+            ck_assert_double_eq_tol(across, y[0], 1e-3);
+        }
+    }
+}
+END_TEST
+
 START_TEST(shapes_have_the_right_lengths)
 {
     read_page("<g stroke='black'><circle cx='50' cy='50' r='20'/><rect x='1' y='2' width='30' height='20'/>"
@@ -436,6 +474,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("svg");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, equivalent_paths_have_the_same_ends, 0, sizeof same_ends / sizeof *same_ends);
+    tcase_add_loop_test(tests, points_of_curves_lie_on_them, 0, 3);
     tcase_add_test(tests, shapes_have_the_right_lengths);
     tcase_add_test(tests, arcs_lie_on_their_ellipse);
     tcase_add_loop_test(tests, a_stroke_has_its_computed_style, 0, sizeof styled / sizeof *styled);
