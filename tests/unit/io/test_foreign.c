@@ -3,6 +3,7 @@
 
 #include "arenas.h"
 #include "io/foreign/foreign.h"
+#include "io/foreign/header.h"
 
 #define BMP_BYTES 26
 #define SIDE_MAX (1u << 24)
@@ -72,6 +73,76 @@ START_TEST(an_image_has_four_bytes_at_least)
 }
 END_TEST
 
+/* Headers of a width and a height in bytes. Their values end with the last byte, so that a shorter file has none. */
+#define BYTES(...)                                                                                                     \
+    (const uint8_t[]){__VA_ARGS__}, sizeof(const uint8_t[])                                                            \
+    {                                                                                                                  \
+        __VA_ARGS__                                                                                                    \
+    }
+#define TIFF_LITTLE(type, ...)                                                                                         \
+    'I', 'I', '*', 0, 10, 0, 0, 0, 99, 99, /* the directory is at 10 */                                                \
+        2, 0, 0, 1, type, 0, 1, 0, 0, 0, __VA_ARGS__, 1, 1, type, 0, 1, 0, 0, 0
+static const struct {
+    const char *extension;
+    const uint8_t *bytes;
+    size_t size;
+    uint32_t width, height;
+    bool truncated, whole; /* whole: a shorter file is refused */
+} headers[] = {
+    {".gif", BYTES('G', 'I', 'F', '8', '9', 'a', 7, 1, 5, 2), 0x107, 0x205, false, true},
+    {".bmp", BYTES('B', 'M', [14] = 40, [18] = 7, 1, 0, 0, 5, 2, 0, 0), 0x107, 0x205, false, true},
+    {".bmp", BYTES('B', 'M', [14] = 41, [18] = 7, 0, 1, 0, 0xff, 0xff, 0xff, 0xff), 0x10007, 1, false, true},
+    {".tiff", BYTES(TIFF_LITTLE(3, 7, 1, 9, 9), 5, 2, 9, 9), 0x107, 0x205, false, false},
+    {".tiff", BYTES(TIFF_LITTLE(4, 7, 0, 1, 0), 5, 0, 0, 1), 0x10007, 0x1000005, false, false},
+    {".tiff",
+     BYTES('M', 'M', 0, '*', 0, 0, 0, 8, 0, 2, 1, 0, 0, 3, 0, 0, 0, 1, 1, 7, 9, 9, 1, 1, 0, 3, 0, 0, 0, 1, 2, 5), 0x107,
+     0x205, false, false},
+    /* A segment of 4 bytes, a filling byte, a frame, a scan, its end. */
+    {".jpeg",
+     BYTES(0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 1, 0xff, 0xff, 0xc0, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 3, 0xff, 0xd9),
+     0x107, 0x205, false, false},
+    {".jpeg", BYTES(0xff, 0xd8, 0xff, 0xcf, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 3, 0xff), 0x107, 0x205, true, false},
+    /* C4, C8 and CC begin other segments. */
+    {".jpeg",
+     BYTES(0xff, 0xd8, 0xff, 0xc4, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xc8, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xcc, 0, 7, 8, 9, 9, 9,
+           9, 0xff, 0xc1, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 0xff, 0xd9),
+     0x107, 0x205, false, false},
+};
+
+START_TEST(headers_have_a_size)
+{
+    struct hatch_foreign_header header;
+    ck_assert(hatch_foreign_header_read((struct hatch_bytes){headers[_i].bytes, headers[_i].size}, &header));
+    ck_assert_str_eq(header.extension, headers[_i].extension);
+    ck_assert_uint_eq(header.width, headers[_i].width);
+    ck_assert_uint_eq(header.height, headers[_i].height);
+    ck_assert_int_eq(header.truncated, headers[_i].truncated);
+    if (headers[_i].whole)
+        ck_assert(!hatch_foreign_header_read((struct hatch_bytes){headers[_i].bytes, headers[_i].size - 1}, &header));
+}
+END_TEST
+
+static const struct {
+    const uint8_t *bytes;
+    size_t size;
+} without_size[] = {
+    {BYTES('G', 'I', 'F')},
+    {BYTES('B', 'M', [14] = 39, [18] = 7, 0, 0, 0, 5, 0, 0, 0)},
+    {BYTES(0xff, 0xd8, 0xff, 0xe0, 0, 2, 0xfe, 0xc0, 0, 7, 8, 2, 5, 1, 7, 0xff,
+           0xda)}, /* no marker after the segment */
+    {BYTES(0xff, 0xd8, 0xff, 0xda, 0, 2, 0xff, 0xd9)},
+    {BYTES('I', 'I', '*', 0, 11, 0, 0, 0, 0, 0)},
+    {BYTES(TIFF_LITTLE(3, 0, 0, 0, 0), 5, 2, 0, 0)},
+    {BYTES(TIFF_LITTLE(3, 7, 1, 0, 0), 0, 0, 0, 0)},
+};
+
+START_TEST(headers_may_lack_a_size)
+{
+    struct hatch_foreign_header header;
+    ck_assert(!hatch_foreign_header_read((struct hatch_bytes){without_size[_i].bytes, without_size[_i].size}, &header));
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io foreign");
@@ -81,6 +152,8 @@ static Suite *suite(void)
     tcase_add_test(tests, an_image_with_a_huge_side_is_refused);
     tcase_add_test(tests, rows_may_run_from_the_top_down);
     tcase_add_test(tests, an_image_has_four_bytes_at_least);
+    tcase_add_loop_test(tests, headers_have_a_size, 0, sizeof headers / sizeof *headers);
+    tcase_add_loop_test(tests, headers_may_lack_a_size, 0, sizeof without_size / sizeof *without_size);
     suite_add_tcase(suite, tests);
     return suite;
 }
