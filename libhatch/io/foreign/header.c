@@ -34,7 +34,7 @@ static bool read_jpeg(struct hatch_bytes file, struct hatch_foreign_header *head
     reader.big_endian = true;
     hatch_read_u16(&reader);
     while (!reader.cut) {
-        if (hatch_read_u8(&reader) != 0xff)
+        if (hatch_read_u8(&reader) != 0xff && !reader.cut)
             return false;
         uint8_t marker = hatch_read_u8(&reader);
         while (marker == 0xff && !reader.cut)

@@ -94,6 +94,9 @@ static const struct {
     {".bmp", BYTES('B', 'M', [14] = 41, [18] = 7, 0, 1, 0, 0xff, 0xff, 0xff, 0xff), 0x10007, 1, false, true},
     {".tiff", BYTES(TIFF_LITTLE(3, 7, 1, 9, 9), 5, 2, 9, 9), 0x107, 0x205, false, false},
     {".tiff", BYTES(TIFF_LITTLE(4, 7, 0, 1, 0), 5, 0, 0, 1), 0x10007, 0x1000005, false, false},
+    /* An entry beyond those of the directory does not count. */
+    {".tiff", BYTES(TIFF_LITTLE(3, 7, 1, 9, 9), 5, 2, 9, 9, 0, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0), 0x107, 0x205, false,
+     false},
     {".tiff",
      BYTES('M', 'M', 0, '*', 0, 0, 0, 8, 0, 2, 1, 0, 0, 3, 0, 0, 0, 1, 1, 7, 9, 9, 1, 1, 0, 3, 0, 0, 0, 1, 2, 5), 0x107,
      0x205, false, false},
@@ -102,6 +105,10 @@ static const struct {
      BYTES(0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 1, 0xff, 0xff, 0xc0, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 3, 0xff, 0xd9),
      0x107, 0x205, false, false},
     {".jpeg", BYTES(0xff, 0xd8, 0xff, 0xcf, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 3, 0xff), 0x107, 0x205, true, false},
+    {".jpeg", BYTES(0xff, 0xd8, 0xff, 0xc0, 0, 7, 8, 2, 5, 0, 1, 0xff, 0xda, 0, 2, 0xff, 0xd9), 1, 0x205, false, false},
+    /* Files that end between two segments, and in the second one. */
+    {".jpeg", BYTES(0xff, 0xd8, 0xff, 0xc0, 0, 7, 8, 2, 5, 0, 1), 1, 0x205, true, false},
+    {".jpeg", BYTES(0xff, 0xd8, 0xff, 0xc0, 0, 7, 8, 2, 5, 0, 1, 0xff, 0xe0, 0, 9, 1), 1, 0x205, true, false},
     /* C4, C8 and CC begin other segments. */
     {".jpeg",
      BYTES(0xff, 0xd8, 0xff, 0xc4, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xc8, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xcc, 0, 7, 8, 9, 9, 9,
