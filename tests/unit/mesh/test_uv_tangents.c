@@ -22,7 +22,7 @@ static struct hatch_mesh two_faces(void)
 {
     static const float positions[] = {0, 0, 0, 2, 0, 0, 0, 3, 0, 6, 5, 4, 2, 0, 0, 2, 0, 9, 2, 9, 9};
     static const float texcoords[] = {0, 0, 1, 0, 0, 1, 2, 1, 1, 0, 5, 4, 9, 8};
-    static const uint32_t faces[] = {0, 1, 2, 1, 3, 2, 4, 5, 6};
+    static const uint32_t faces[] = {0, 1, 2, 4, 5, 6, 1, 3, 2};
     return textured(positions, texcoords, 7, faces, 3);
 }
 
@@ -47,17 +47,17 @@ START_TEST(tangents_are_means_over_faces_by_area)
 }
 END_TEST
 
-/* The surface of a square of 2 x 3 has 6 times as much area as its texture coordinates, which go to -5 or 7. */
+/* Triangles with areas of 3 and 9 have 12 times as much area as their texture coordinates, which go to -5 or 7. */
 START_TEST(the_reach_is_the_largest_coordinate_as_a_length)
 {
-    static const float positions[] = {0, 0, 0, 2, 0, 0, 2, 0, 3, 0, 0, 3}, texcoords[] = {6, -4, 7, -4, 7, -5, 6, -5};
+    static const float positions[] = {0, 0, 0, 2, 0, 0, 2, 0, 3, 0, 0, 9}, texcoords[] = {6, -4, 7, -4, 7, -5, 6, -5};
     static const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
     struct hatch_mesh mesh = textured(positions, texcoords, 4, faces, 2);
     float *uv = hatch_mesh_find(&mesh, "TEXCOORD_0", 2);
-    ck_assert_double_eq_tol(hatch_uv_reach(&mesh), 7 * sqrt(6), 1e-9);
+    ck_assert_double_eq_tol(hatch_uv_reach(&mesh), 7 * sqrt(12), 1e-9);
     for (size_t v = 0; v < 4; v++)
         uv[2 * v] -= 6;
-    ck_assert_double_eq_tol(hatch_uv_reach(&mesh), 5 * sqrt(6), 1e-9);
+    ck_assert_double_eq_tol(hatch_uv_reach(&mesh), 5 * sqrt(12), 1e-9);
     for (size_t v = 0; v < 4; v++)
         uv[2 * v] = 0;
     ck_assert_double_eq(hatch_uv_reach(&mesh), 0);
