@@ -56,6 +56,33 @@ is "the outline of a sphere is one circle" "$(measure sphere.svg | awk '{
     want = 2 * 3.14159265 * 1000 / sqrt(35) * 25.4 / 96
     print $2, ($3 > 0.998 * want && $3 < 1.002 * want)}')" "1 1"
 
+# A cylinder of radius 1 along y. From distance 10, its silhouettes are at z = 0.1 and x = sqrt(0.99); there, the right
+# one is flush with a wall as far as y = 0, where depth does not step. A distance of 1 at z = 0.1 is 1000 / 9.9 pixels.
+awk 'BEGIN {
+    n = 96
+    for (i = 0; i < n; i++)
+        for (y = -1; y <= 1; y++) {
+            x = cos(2 * 3.14159265 * i / n)
+            z = sin(2 * 3.14159265 * i / n)
+            print "v", x, y, z "\nvn", x, 0, z
+        }
+    for (i = 0; i < n; i++)
+        for (k = 1; k <= 2; k++) {
+            a = 3 * i + k
+            b = 3 * ((i + 1) % n) + k
+            print "f " a "//" a " " a + 1 "//" a + 1 " " b + 1 "//" b + 1 " " b "//" b
+        }
+    print "v 0.9 -1 0.1\nv 2 -1 0.1\nv 2 0 0.1\nv 0.9 0 0.1\nvn 0 0 1\nf -4//-1 -3//-1 -2//-1 -1//-1"
+}' >wall.obj
+render-gl -q wall.obj --camera 0,0,10:0,0,0 --fov 22.61986494804043 --size 400x400 -o wall.svg
+is "an outline is left out where depth does not step" "$(perl -ne '
+    my @at = / d="M([^"Z]*)/ ? split /[ L]/, $1 : ();
+    for (1 .. @at / 2 - 1) {
+        my ($x, $y, $u, $v) = map { $_ * 96 / 25.4 - 200 } @at[2 * $_ - 2 .. 2 * $_ + 1];
+        $length[$x > 0] += abs($v - $y) if abs($u - $x) < 0.1 * abs($v - $y) && abs(abs($x) - 100.5) < 1;
+    }
+    END { printf "%.1f %.1f", map { $_ * 9.9 / 1000 } @length }' wall.svg)" "2.0 1.0"
+
 size() {
     grep -o 'viewBox="[^"]*"' a.svg
 }
