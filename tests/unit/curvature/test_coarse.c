@@ -74,7 +74,8 @@ START_TEST(the_side_of_the_simplified_mesh_does_not_matter)
 }
 END_TEST
 
-/* Six points determine a quadric without telling how well; of five on a circle and two above and below, one is left. */
+/* Six points determine a quadric without telling how well: four around and two above and below. Of seven, one is
+ * left. */
 START_TEST(six_points_have_no_confidence)
 {
     for (uint32_t around = 4; around <= 5; around++) {
@@ -82,8 +83,9 @@ START_TEST(six_points_have_no_confidence)
         uint32_t faces[30];
         for (uint32_t i = 0; i < around; i++) {
             uint32_t next = 2 + (i + 1) % around;
-            positions[3 * (2 + i)] = (float)cos(2 * PI * i / around);
-            positions[3 * (2 + i) + 1] = (float)sin(2 * PI * i / around);
+            double radius = 1 + 0.3 * i; /* points on a conic would determine no quadric */
+            positions[3 * (2 + i)] = (float)(radius * cos(2 * PI * i / around));
+            positions[3 * (2 + i) + 1] = (float)(radius * sin(2 * PI * i / around));
             memcpy(&faces[6 * (size_t)i], (uint32_t[6]){0, 2 + i, next, 1, next, 2 + i}, 6 * sizeof *faces);
         }
         struct field_case coarse = case_of(mesh_of(positions, 2 + around, faces, 2 * around));

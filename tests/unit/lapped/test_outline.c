@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#define PI 3.14159265358979323846
+
 static double random_in(uint64_t stream, uint64_t i, double low, double high)
 {
     return low + (high - low) * (double)hatch_random_unit(11, stream, i);
@@ -50,6 +52,67 @@ START_TEST(depth_and_distance_are_bounds)
         ck_assert_uint_gt(inside, 600);
         ck_assert_uint_gt(outside, 350);
     }
+}
+END_TEST
+
+/* The core's radius is a sum of waves, the bounds of which are those over 512 directions per half turn and the change
+ * between two of them. */
+START_TEST(bounds_are_those_of_the_radius)
+{
+    for (uint64_t seed = 0; seed < 10; seed++) {
+        const double roughness = 0.1 * (double)(seed + 1), feather = 0.03 * (double)(seed + 1),
+                     core_max = 0.48 - feather;
+        struct hatch_outline outline;
+        hatch_outline_make(seed, roughness, feather, &outline);
+        double low = HUGE_VAL, high = 0, slope = 0;
+        for (int i = 0; i < 100000; i++) {
+            double angle = 2e-5 * PI * i, radius = outline.wave[0][0];
+            for (int k = 1; k < 8; k++)
+                radius += outline.wave[k][0] * cos(k * angle) + outline.wave[k][1] * sin(k * angle);
+            low = fmin(low, radius);
+            high = fmax(high, radius);
+            if (i % 1000)
+                continue;
+            double at = radius + 0.3 * feather, uv[2] = {0.5 + at * cos(angle), 0.5 + at * sin(angle)};
+            ck_assert_double_eq_tol(hatch_outline_opacity(&outline, uv), 0.7, 1e-9);
+        }
+        for (int k = 1; k < 8; k++)
+            slope += k * hypot(outline.wave[k][0], outline.wave[k][1]);
+        double between = 2 * slope / 512;
+        ck_assert(low >= outline.core_min && low <= outline.core_min + between + 1e-9);
+        ck_assert(high <= outline.reach_max - feather && high >= outline.reach_max - feather - between - 1e-9);
+        ck_assert_double_eq_tol(outline.reach_max, 0.48, 1e-9);
+        double dent = outline.reach_max - feather - outline.core_min;
+        ck_assert_double_eq_tol(dent, 0.22 * roughness * core_max, 1e-9);
+        ck_assert_double_eq_tol(outline.steep, hypot(1, slope / (outline.core_min - dent / 2)), 1e-9);
+    }
+}
+END_TEST
+
+/* Of a circle: 1 where the square of 13 texels around a texel reaches into it, and a ramp to 0 at its reach where a
+ * square that is half as large again does not. */
+START_TEST(the_raster_of_a_circle_is_a_ramp)
+{
+    enum { SIDE = 200 };
+    struct hatch_outline outline;
+    struct hatch_image mask;
+    uint32_t opaque = 0, ramp = 0;
+    hatch_outline_make(1, 0, 0.15, &outline);
+    HATCH_TEST_OK(hatch_outline_raster(&outline, SIDE, &keep, &mask, &err), &err);
+    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+        double x = fabs((i % SIDE + 0.5) / SIDE - 0.5), y = fabs((i / SIDE + 0.5) / SIDE - 0.5), half = 6.5 / SIDE;
+        double start = outline.core_min + 1.42 * half, end = outline.reach_max;
+        if (hypot(fmax(0, x - half), fmax(0, y - half)) < outline.core_min) {
+            ck_assert_float_eq(mask.pixels[i], 1);
+            opaque++;
+        } else if (hypot(fmax(0, x - 1.5 * half), fmax(0, y - 1.5 * half)) > outline.core_min) {
+            double want = fmin(1, fmax(0, (end - hypot(x, y)) / (end - start)));
+            ck_assert_double_eq_tol((double)mask.pixels[i], want, 1e-6);
+            ramp += want > 0 && want < 1;
+        }
+    }
+    ck_assert_uint_gt(opaque, 10000);
+    ck_assert_uint_gt(ramp, 1000);
 }
 END_TEST
 
@@ -121,6 +184,8 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_circle_is_a_circle);
     tcase_add_test(tests, depth_and_distance_are_bounds);
+    tcase_add_test(tests, bounds_are_those_of_the_radius);
+    tcase_add_test(tests, the_raster_of_a_circle_is_a_ramp);
     tcase_add_test(tests, seeds_make_different_outlines);
     tcase_add_loop_test(tests, the_raster_is_opaque_where_the_core_is, 0, 12);
     tcase_add_test(tests, failed_allocations_are_reported);
