@@ -90,7 +90,7 @@ START_TEST(bounds_are_those_of_the_radius)
 END_TEST
 
 /* Of a circle: 1 where the square of 13 texels around a texel reaches into it, and a ramp to 0 at its reach where a
- * square that is half as large again does not. */
+ * square 1.4 times as large does not. */
 START_TEST(the_raster_of_a_circle_is_a_ramp)
 {
     enum { SIDE = 200 };
@@ -105,7 +105,7 @@ START_TEST(the_raster_of_a_circle_is_a_ramp)
         if (hypot(fmax(0, x - half), fmax(0, y - half)) < outline.core_min) {
             ck_assert_float_eq(mask.pixels[i], 1);
             opaque++;
-        } else if (hypot(fmax(0, x - 1.5 * half), fmax(0, y - 1.5 * half)) > outline.core_min) {
+        } else if (hypot(fmax(0, x - 1.4 * half), fmax(0, y - 1.4 * half)) > outline.core_min) {
             double want = fmin(1, fmax(0, (end - hypot(x, y)) / (end - start)));
             ck_assert_double_eq_tol((double)mask.pixels[i], want, 1e-6);
             ramp += want > 0 && want < 1;
