@@ -175,6 +175,21 @@ START_TEST(loosely_faces_keep_near_the_normals_of_their_corners)
 }
 END_TEST
 
+/* Two flat fans that meet at their middles alone: the shared point stays, although each fan alone would lose it. */
+START_TEST(a_point_where_surfaces_touch_stays)
+{
+    struct hatch_mesh one = fan(6), both;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 14, 12, &both, &err), &err);
+    for (uint32_t i = 0; i < 14; i++)
+        for (size_t k = 0; k < 3; k++)
+            both.attributes[0].data[3 * i + k] = one.attributes[0].data[3 * (i % 7) + (k + i / 7) % 3];
+    for (uint32_t i = 0; i < 36; i++)
+        both.indices[i] = one.indices[i % 18] + 7 * (i / 18);
+    ck_assert_uint_eq(coarse_of(&one, 0.01).face_count, 4);
+    ck_assert_uint_eq(coarse_of(&both, 0.01).face_count, 12);
+}
+END_TEST
+
 /* Texture coordinates that bend by more than the tolerance keep points on a flat sheet. */
 START_TEST(bent_texture_coordinates_keep_points)
 {
@@ -309,6 +324,7 @@ static Suite *suite(void)
     tcase_add_test(tests, loosely_waves_keep_their_height);
     tcase_add_test(tests, loosely_faces_keep_near_the_normals_of_their_corners);
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
+    tcase_add_test(tests, a_point_where_surfaces_touch_stays);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);
     tcase_add_test(tests, borders_of_parts_stay_closed);
     tcase_add_test(tests, borders_on_flat_sheets_keep_their_course);
