@@ -1,4 +1,6 @@
 /* The neighbourhood of a point, and which collapses leave it a surface. */
+#include <assert.h>
+
 #include "coarse/work.h"
 #include "math/vector.h"
 
@@ -155,19 +157,15 @@ static bool place_kept(const struct hatch_coarse_work *work, struct hatch_coarse
     return dot > TURN_COS * lengths || (hatch_vec_length(before) == 0 && hatch_vec_length(after) > 0);
 }
 
-/* Tests that a point on a border stays on it; sets the border's other end. */
-static bool keeps_border(struct hatch_coarse_collapse *collapse)
+/* Sets the other end of the border that the point is on. */
+static void find_other(struct hatch_coarse_collapse *collapse)
 {
     const struct hatch_coarse_ring *ring = collapse->ring;
+    assert(ring->border_count == 0 || (ring->border_count == 2 && collapse->spoke->border));
     collapse->other = HATCH_COARSE_NONE;
-    if (ring->border_count == 0)
-        return true;
-    if (ring->border_count != 2 || !collapse->spoke->border)
-        return false;
     for (uint32_t i = 0; i < ring->spoke_count; i++)
         if (ring->spokes[i].border && &ring->spokes[i] != collapse->spoke)
             collapse->other = ring->spokes[i].point;
-    return true;
 }
 
 bool hatch_coarse_collapse_find(struct hatch_coarse_work *work, const struct hatch_coarse_ring *ring,
@@ -177,7 +175,8 @@ bool hatch_coarse_collapse_find(struct hatch_coarse_work *work, const struct hat
     collapse->ring = ring;
     collapse->spoke = spoke;
     collapse->pair_count = collapse->kept_count = 0;
-    if (!keeps_border(collapse) || !divide(work, collapse, opposite) ||
+    find_other(collapse);
+    if (!divide(work, collapse, opposite) ||
         !stays_surface(work, ring, spoke->point, opposite, ring->face_count - collapse->kept_count))
         return false;
     for (uint32_t i = 0; i < collapse->kept_count; i++)

@@ -113,7 +113,8 @@ double hatch_coarse_attribute_error(const struct hatch_coarse_work *work, uint32
 bool hatch_coarse_ring_find(struct hatch_coarse_work *work, uint32_t point, struct hatch_coarse_ring *ring);
 
 /* Prepares the collapse of a ring's point onto a neighbour. Returns false where the surface would no longer be one, a
- * face would turn over, or a wedge has none that could replace it. */
+ * face would turn over, or a wedge has none that could replace it.
+ *   spoke  of a point on a border: one of its two border spokes */
 bool hatch_coarse_collapse_find(struct hatch_coarse_work *work, const struct hatch_coarse_ring *ring,
                                 const struct hatch_coarse_spoke *spoke, struct hatch_coarse_collapse *collapse);
 

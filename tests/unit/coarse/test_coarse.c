@@ -175,18 +175,65 @@ START_TEST(loosely_faces_keep_near_the_normals_of_their_corners)
 }
 END_TEST
 
-/* Two flat fans that meet at their middles alone: the shared point stays, although each fan alone would lose it. */
+/* Two flat fans that meet at their middles alone, one of which has a dent to near its middle, and which differ in
+ * texture: the shared point stays, although each fan alone would lose it. */
 START_TEST(a_point_where_surfaces_touch_stays)
 {
-    struct hatch_mesh one = fan(6), both;
+    struct hatch_mesh one = fan(6), dented = fan(6), both;
     HATCH_TEST_OK(hatch_mesh_make(&keep, 14, 12, &both, &err), &err);
+    float *texcoords;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &both, "TEXCOORD_0", 2, &texcoords, &err), &err);
+    texcoords[2 * 13] = 1;
+    dented.attributes[0].data[0] = 0.005f;
     for (uint32_t i = 0; i < 14; i++)
         for (size_t k = 0; k < 3; k++)
-            both.attributes[0].data[3 * i + k] = one.attributes[0].data[3 * (i % 7) + (k + i / 7) % 3];
+            both.attributes[0].data[3 * i + k] =
+                (i < 7 ? &one : &dented)->attributes[0].data[3 * (i % 7) + (k + i / 7) % 3];
     for (uint32_t i = 0; i < 36; i++)
         both.indices[i] = one.indices[i % 18] + 7 * (i / 18);
     ck_assert_uint_eq(coarse_of(&one, 0.01).face_count, 4);
+    ck_assert_uint_eq(coarse_of(&dented, 0.01).face_count, 4);
     ck_assert_uint_eq(coarse_of(&both, 0.01).face_count, 12);
+}
+END_TEST
+
+/* Counts the corners of borders whose position is at most a distance from the middle. */
+static uint32_t border_within(const struct hatch_mesh *mesh, double limit)
+{
+    uint32_t count = 0;
+    for (uint32_t side = 0; side < 3 * mesh->face_count; side++) {
+        uint32_t from = mesh->indices[side], to = mesh->indices[side / 3 * 3 + (side + 1) % 3], back = 0;
+        for (uint32_t other = 0; other < 3 * mesh->face_count; other++)
+            back += mesh->indices[other] == to && mesh->indices[other / 3 * 3 + (other + 1) % 3] == from;
+        const float *at = &mesh->attributes[0].data[3 * (size_t)from];
+        count += !back && hypot((double)at[0], (double)at[1]) <= limit;
+    }
+    return count;
+}
+
+/* A disc whose rim has teeth that are lower than the tolerance. Points of the rim move along it alone, although there
+ * are points beside it that are nearer. */
+START_TEST(points_of_a_border_stay_on_it)
+{
+    enum { AROUND = 96 };
+    struct hatch_mesh disc;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 2 * AROUND + 1, 3 * AROUND, &disc, &err), &err);
+    for (uint32_t i = 0; i < AROUND; i++) {
+        uint32_t next = (i + 1) % AROUND;
+        const uint32_t faces[9] = {i,          next,       AROUND + i,    next,      AROUND + next,
+                                   AROUND + i, AROUND + i, AROUND + next, 2 * AROUND};
+        memcpy(&disc.indices[9 * (size_t)i], faces, sizeof faces);
+        for (uint32_t ring = 0; ring < 2; ring++) {
+            double radius = ring ? 0.97 : i % 3 ? 1 : 1.02;
+            float *at = &disc.attributes[0].data[3 * (size_t)(ring * AROUND + i)];
+            at[0] = (float)(radius * cos(2 * PI * i / AROUND));
+            at[1] = (float)(radius * sin(2 * PI * i / AROUND));
+        }
+    }
+    ck_assert_uint_eq(border_within(&disc, 2), AROUND);
+    struct hatch_mesh coarse = coarse_of(&disc, 0.1);
+    ck_assert_uint_lt(border_within(&coarse, 2), AROUND / 2);
+    ck_assert_uint_eq(border_within(&coarse, 0.98), 0);
 }
 END_TEST
 
@@ -325,6 +372,7 @@ static Suite *suite(void)
     tcase_add_test(tests, loosely_faces_keep_near_the_normals_of_their_corners);
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
     tcase_add_test(tests, a_point_where_surfaces_touch_stays);
+    tcase_add_test(tests, points_of_a_border_stay_on_it);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);
     tcase_add_test(tests, borders_of_parts_stay_closed);
     tcase_add_test(tests, borders_on_flat_sheets_keep_their_course);
