@@ -28,7 +28,7 @@ sub mutations {
     my ($code) = @_;
     my @found;
     # Preprocessor lines other than constants, assertions, and sizes of arrays: one more changes nothing.
-    return () if ($code =~ /^\s*#/ && $code !~ /^\s*#define \w+ /) || $code =~ /\bassert\(/;
+    return () if ($code =~ /^\s*#/ && $code !~ /^\s*#define \w+ /) || $code =~ /\bassert(?:_\w+)?\(/;
     $code =~ s/(?<=\[)(\d+)(?=\])/"\x01" x length $1/ge if $code =~ /^\s*(?:(?:static|const|struct|enum) )*\w+ \*?\w+\[/;
     # Nor does it change the sizes of parameters.
     $code =~ s/(\b(?:double|float|u?int\w*) \w+\[)(\d+)(?=\])/$1 . "\x01" x length $2/ge;

@@ -313,6 +313,31 @@ START_TEST(even_texture_has_less_stretch_than_natural)
 }
 END_TEST
 
+/* Along a meridian of a catenoid of waist c, the length from its middle is c sinh(y / c). */
+START_TEST(even_texture_follows_the_length)
+{
+    const double c = 0.5; /* HATCH_CATENOID_WAIST */
+    const struct hatch_shape_options options = {.faces = 2000, .uv = HATCH_SHAPE_UV_EVEN};
+    struct hatch_mesh mesh = shape_with(HATCH_SHAPE_CATENOID, options), plain = shape_of(HATCH_SHAPE_CATENOID, 2000);
+    const float *even = hatch_mesh_find(&mesh, "TEXCOORD_0", 2), *natural = hatch_mesh_find(&plain, "TEXCOORD_0", 2);
+    const float *position = mesh.attributes[0].data;
+    uint32_t first = 0, last = 0;
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        first = even[2 * v + 1] < even[2 * first + 1] ? v : first;
+        last = even[2 * v + 1] > even[2 * last + 1] ? v : last;
+    }
+    ck_assert_float_eq(even[2 * first + 1], natural[2 * first + 1]);
+    ck_assert_float_eq(even[2 * last + 1], natural[2 * last + 1]);
+    double from = sinh((double)position[3 * first + 1] / c), to = sinh((double)position[3 * last + 1] / c);
+    double low = (double)even[2 * first + 1], high = (double)even[2 * last + 1];
+    ck_assert_double_gt(high, low + 0.5);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        double share = (sinh((double)position[3 * v + 1] / c) - from) / (to - from);
+        ck_assert_double_eq_tol((double)even[2 * v + 1], low + share * (high - low), 1e-3 * (high - low));
+    }
+}
+END_TEST
+
 START_TEST(face_counts_are_near_the_requested)
 {
     const uint32_t counts[] = {100, 1000, 12345, 300000};
@@ -407,6 +432,7 @@ static Suite *suite(void)
     tcase_add_test(tests, teapot_has_the_published_size_and_topology);
     tcase_add_test(tests, handle_and_spout_are_not_inside_out);
     tcase_add_test(tests, even_texture_has_less_stretch_than_natural);
+    tcase_add_test(tests, even_texture_follows_the_length);
     tcase_add_test(tests, face_counts_are_near_the_requested);
     tcase_add_test(tests, cells_are_stretched);
     tcase_add_test(tests, the_same_seed_gives_the_same_shape);
