@@ -241,6 +241,32 @@ START_TEST(growing_strokes_end_at_their_full_size)
 }
 END_TEST
 
+/* Drawn again one by one, each stroke brings the image nearer to its target, from whichever side. */
+START_TEST(every_stroke_brings_its_image_closer_to_the_target)
+{
+    uint32_t past = 0;
+    for (uint64_t seed = 1; seed <= 5; seed++) {
+        map_style("ink", NULL, &map);
+        map.options.seed = seed;
+        map.options.levels = 1;
+        map.options.tones = 12;
+        map_fill(&map);
+        const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
+        struct hatch_canvas canvas;
+        HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
+        for (uint32_t i = 0; i < map.strokes.count; i++) {
+            const struct hatch_stroke *stroke = &map.strokes.items[i];
+            double target = (double)map.tam.target[stroke->column], missing = target - canvas.darkness[0];
+            hatch_canvas_draw(&canvas, stroke, 0, 0, 1);
+            double left = target - canvas.darkness[0];
+            ck_assert(missing > 0 && left < missing && left >= -missing);
+            past += left < 0;
+        }
+    }
+    ck_assert_uint_gt(past, 20);
+}
+END_TEST
+
 /* Returns the number of the choice that a stroke comes from, where each choice has one candidate: at least `from`. */
 static uint64_t number_of(const struct hatch_stroke *stroke, uint64_t from)
 {
@@ -407,6 +433,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
     tcase_add_test(tests, growing_strokes_start_small);
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);
+    tcase_add_test(tests, every_stroke_brings_its_image_closer_to_the_target);
     tcase_add_test(tests, an_image_is_full_after_eight_choices_without_effect);
     tcase_add_test(tests, a_failing_sink_ends_the_filling);
     tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
