@@ -170,6 +170,38 @@ static double drawn_length(const struct hatch_finer_found *found, const struct h
     return sum / (side * side);
 }
 
+/* On a plane with a field along x all strokes are straight, and one that is seen whole has nothing before or after it.
+ */
+START_TEST(strokes_of_a_plane_are_straight_and_whole)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    struct hatch_finer_view view = view_of(0, 0, 4, 0.02);
+    struct hatch_finer_found found = find(finer, &view);
+    uint32_t traced = 0;
+    for (uint32_t s = 0; s < found.curves.set_count; s++)
+        for (uint32_t c = 0; c < found.curves.sets[s].count && found.curves.sets[s].level >= 3; c++) {
+            const struct hatch_curve *curve = &found.curves.curves[found.curves.sets[s].first + c];
+            const struct hatch_finer_part *part = &found.parts[found.curves.sets[s].first + c];
+            float first[3], last[3], at[3];
+            hatch_curve_position(&plane.field.mesh, &found.curves.points[curve->first], first);
+            hatch_curve_position(&plane.field.mesh, &found.curves.points[curve->first + curve->count - 1], last);
+            for (uint32_t i = 0; i < curve->count; i++) {
+                hatch_curve_position(&plane.field.mesh, &found.curves.points[curve->first + i], at);
+                ck_assert_float_eq_tol(at[1], first[1], 1e-4f);
+            }
+            ck_assert_float_eq_tol(part->before, 0, 1e-5f);
+            ck_assert_float_eq_tol(part->after, 0, 1e-5f);
+            ck_assert_double_eq_tol(curve_length(&found.curves, curve, &plane.field.mesh),
+                                    fabs((double)last[0] - (double)first[0]), 1e-5);
+            traced++;
+        }
+    ck_assert_uint_gt(traced, 100);
+    hatch_finer_free(finer);
+}
+END_TEST
+
 START_TEST(as_many_strokes_are_drawn_as_are_wanted)
 {
     struct finer_case plane;
@@ -290,6 +322,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, nothing_is_traced_where_the_strokes_suffice);
     tcase_add_test(tests, finer_strokes_join_gradually);
+    tcase_add_test(tests, strokes_of_a_plane_are_straight_and_whole);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
     tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);
     tcase_add_test(tests, the_way_to_a_view_does_not_matter);
