@@ -283,6 +283,36 @@ START_TEST(values_change_sides)
 }
 END_TEST
 
+/* A strip of a cylinder of radius 20 around the x-axis. Three points across determine a parabola alone there, so that
+ * fits have a lower degree than they might. */
+START_TEST(a_narrow_strip_is_followed)
+{
+    enum { LONG = 400, WIDE = 3 };
+    struct hatch_mesh strip;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, WIDE * LONG, 2 * (WIDE - 1) * (LONG - 1), &strip, &err), &err);
+    for (uint32_t v = 0; v < WIDE * LONG; v++) {
+        double angle = 0.005 * (v / WIDE);
+        float *at = &strip.attributes[0].data[3 * v];
+        at[0] = 0.1f * (float)(v % WIDE);
+        at[1] = (float)(20 * cos(angle));
+        at[2] = (float)(20 * sin(angle));
+    }
+    for (uint32_t q = 0; q < (WIDE - 1) * (LONG - 1); q++) {
+        uint32_t v = q / (WIDE - 1) * WIDE + q % (WIDE - 1);
+        const uint32_t faces[6] = {v, v + 1, v + WIDE, v + 1, v + WIDE + 1, v + WIDE};
+        memcpy(&strip.indices[6 * (size_t)q], faces, sizeof faces);
+    }
+    struct field_case of = case_of(strip);
+    struct hatch_curvature found = estimate_case(&of, 0, 0);
+    double sum = 0;
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        ck_assert(found.confidence[p] < 0.5 || fabs(found.direction[3 * (size_t)p]) < 0.02);
+        sum += found.confidence[p];
+    }
+    ck_assert_double_gt(sum, 0.7 * of.surface.point_count);
+}
+END_TEST
+
 static double to_nearer_axis(double degrees)
 {
     return degrees < 45 ? degrees : 90 - degrees;
@@ -355,6 +385,7 @@ static Suite *suite(void)
     tcase_add_test(tests, points_between_nodes_have_the_linear_values);
     tcase_add_test(tests, the_variance_follows_its_formula);
     tcase_add_test(tests, nodes_without_a_fit_depend_on_the_others);
+    tcase_add_test(tests, a_narrow_strip_is_followed);
     tcase_add_test(tests, values_change_sides);
     tcase_add_test(tests, noisy_lines_that_turn_are_followed);
     tcase_add_test(tests, noisy_borders_are_followed);
