@@ -12,6 +12,10 @@ mkdir in
     cp "$TOP"/tests/fuzz/corpus/foreign/a.* .
     echo '<svg viewBox="0 0 9 9"><style>path{stroke:red}</style><path d="m1,4q3-5,6,1m-6,2h8" fill="none"
         stroke-dasharray="2 .5"/></svg>' >drawing.svg
+    # A palette with transparent entries, for which libpng allocates memory.
+    perl -e 'print pack "H*", join "", @ARGV' 89504e470d0a1a0a0000000d4948445200000003000000010203000000668efc27 \
+        00000009504c5445ff00000033000000ff01afc8500000000274524e53ff335a67515c0000000a494441 \
+        5478da63900000001a001980008ebb0000000049454e44ae426082 >clear.png
     printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n' >a.obj
     printf 'vertex\tdx\tdy\tdz\tweight\n7\t1\t1\t0\t10\n' >hand.tsv
     printf 'brush pencil\nwidth 3\nlength 0.2 0.5\n' >own.style

@@ -52,6 +52,63 @@ START_TEST(colours_are_exact_to_half_a_step)
 }
 END_TEST
 
+/* Pictures of one row, in kinds that are written by others. */
+static const struct {
+    uint8_t file[128];
+    size_t size;
+    uint32_t width, channels;
+    float code[16]; /* sRGB, and alpha */
+} expanded[] = {
+    /* Two bits of a palette, two entries of which have an alpha. */
+    {"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x03\0\0\0\x01\x02\x03\0\0\0\x66\x8e\xfc\x27\0\0\0\tPLTE\xff\0\0\0\x33\0\0\0"
+     "\xff"
+     "\x01\xaf\xc8\x50\0\0\0\x02tRNS\xff\x33\x5a\x67\x51\x5c\0\0\0\nIDAT\x78\xda\x63\x90\0\0\0\x1a\0\x19\x80\0\x8e\xbb"
+     "\0\0\0\0IEND\xae\x42\x60\x82",
+     102,
+     3,
+     4,
+     {1, 0, 0, 1, 0, 0.2f, 0, 0.2f, 0, 0, 1, 1}},
+    /* One bit of a palette. */
+    {"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x02\0\0\0\x01\x01\x03\0\0\0\xce\xec\xed\xc9\0\0\0\x06PLTE\xff\0\0\0\x33\xff"
+     "\x98\xca\x98\xbe\0\0\0\nIDAT\x78\xda\x63\x70\0\0\0\x42\0\x41\x84\xbf\x8e\x62\0\0\0\0IEND\xae\x42\x60\x82",
+     85,
+     2,
+     3,
+     {1, 0, 0, 0, 0.2f, 1}},
+    /* Two bits of grey, the third of which is transparent. */
+    {"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x04\0\0\0\x01\x02\0\0\0\0\x96\xe7\x48\xb0\0\0\0\x02tRNS\0\x02\x98\x9d\xac"
+     "\x14"
+     "\0\0\0\nIDAT\x78\xda\x63\x90\x06\0\0\x1d\0\x1c\x23\x7c\x8f\xac\0\0\0\0IEND\xae\x42\x60\x82",
+     81,
+     4,
+     2,
+     {0, 1, 1 / 3.0f, 1, 2 / 3.0f, 0, 1, 1}},
+    /* Sixteen bits, and a transparent colour that differs from another by one step. */
+    {"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x02\0\0\0\x01\x10\x02\0\0\0\x2b\xd0\x34\x9e\0\0\0\x06tRNS\xff\xff\0\0\0\x01"
+     "\x37\x01\x5b\x47\0\0\0\x12IDAT\x78\xda\x63\xf8\xff\x9f\x81\x81\x81\x11\x4c\x32\0\0\x21\xf2\x03\xfe\x2b\x30\x16"
+     "\x34"
+     "\0\0\0\0IEND\xae\x42\x60\x82",
+     93,
+     2,
+     4,
+     {1, 0, 1 / 65535.0f, 0, 1, 0, 0, 1}},
+};
+
+START_TEST(palettes_and_transparent_colours_are_expanded)
+{
+    struct hatch_image got;
+    HATCH_TEST_OK(
+        hatch_png_read((struct hatch_bytes){expanded[_i].file, expanded[_i].size}, &keep, &scratch, &got, &err), &err);
+    ck_assert_uint_eq(got.width, expanded[_i].width);
+    ck_assert_uint_eq(got.channel_count, expanded[_i].channels);
+    for (uint32_t i = 0; i < got.width * got.channel_count; i++) {
+        bool alpha = got.channel_count % 2 == 0 && i % got.channel_count == got.channel_count - 1;
+        float want = alpha ? expanded[_i].code[i] : hatch_srgb_to_linear(expanded[_i].code[i]);
+        ck_assert_float_eq_tol(got.pixels[i], want, 1e-7f);
+    }
+}
+END_TEST
+
 START_TEST(raw_values_are_rounded_to_nearest_and_clamped)
 {
     static const float values[] = {-1, 0, 0.49f / 255, 0.51f / 255, 0.5f, 1, 2, NAN};
@@ -174,6 +231,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("png");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, colours_are_exact_to_half_a_step, 0, 8);
+    tcase_add_loop_test(tests, palettes_and_transparent_colours_are_expanded, 0, 4);
     tcase_add_test(tests, raw_values_are_rounded_to_nearest_and_clamped);
     tcase_add_test(tests, truncated_files_are_refused_and_damaged_ones_harmless);
     tcase_add_test(tests, a_wrong_header_is_refused_before_any_allocation);
