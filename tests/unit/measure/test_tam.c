@@ -160,6 +160,32 @@ START_TEST(a_stroke_missing_from_one_image_is_found)
 }
 END_TEST
 
+/* A pixel of a coloured stroke that is white in one channel. */
+START_TEST(a_stroke_missing_from_one_channel_is_found)
+{
+    map_style("speckle", NULL, &map);
+    map_fill(&map);
+    ck_assert(map.tam.color);
+    ck_assert_uint_eq(missing(), 0);
+    const struct hatch_stroke *stroke = &map.strokes.items[0];
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 2, true, false};
+    struct hatch_canvas canvas;
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
+    (void)hatch_canvas_try(&canvas, stroke, 0, 1);
+    uint32_t darkest = 0;
+    for (uint32_t i = 0; i < canvas.footprint.count; i++)
+        darkest = canvas.footprint.alpha[i] > canvas.footprint.alpha[darkest] ? i : darkest;
+    for (size_t c = 0; c < 3; c++) {
+        float *at = &pixels(stroke->column, 0)[3 * (size_t)canvas.footprint.at[darkest] + c], before = *at;
+        ck_assert_float_lt(before, 0.95f);
+        *at = 1;
+        ck_assert_uint_ge(missing(), 1);
+        *at = before;
+    }
+    ck_assert_uint_eq(missing(), 0);
+}
+END_TEST
+
 START_TEST(growing_strokes_nest)
 {
     map.options.growth = 0.5f;
@@ -266,6 +292,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_flat_image_has_no_seam_and_no_spread);
     tcase_add_test(tests, the_spread_of_white_noise_falls_with_the_box_size);
     tcase_add_test(tests, a_stroke_missing_from_one_image_is_found);
+    tcase_add_test(tests, a_stroke_missing_from_one_channel_is_found);
     tcase_add_test(tests, growing_strokes_nest);
     tcase_add_test(tests, a_script_of_another_map_is_refused);
     tcase_add_test(tests, the_darkness_of_a_stroke_is_its_area);
