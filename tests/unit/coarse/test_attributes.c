@@ -31,18 +31,22 @@ static float *add(struct hatch_mesh *mesh, const char *name, uint32_t components
     return data;
 }
 
+/* Makes the mesh coarser, with another part before it, which is far away and has no attributes. */
 static bool keeps_middle(const struct hatch_mesh *mesh)
 {
     double tolerances[POINTS];
-    struct hatch_mesh out;
-    for (uint32_t v = 0; v < POINTS; v++)
+    struct hatch_mesh other = square(), out[2];
+    for (uint32_t v = 0; v < POINTS; v++) {
         tolerances[v] = tolerance;
-    const struct hatch_coarse_part part = {mesh, tolerances, NULL};
-    HATCH_TEST_OK(hatch_coarse_make(&part, 1, &keep, &scratch, &out, &err), &err);
-    for (uint32_t v = 0; v < out.vertex_count; v++)
-        if (out.attributes[0].data[3 * v] == 0.5f && out.attributes[0].data[3 * v + 1] == 0.5f)
+        other.attributes[0].data[3 * v + 2] = 9;
+    }
+    const struct hatch_coarse_part parts[2] = {{&other, tolerances, NULL}, {mesh, tolerances, NULL}};
+    HATCH_TEST_OK(hatch_coarse_make(parts, 2, &keep, &scratch, out, &err), &err);
+    ck_assert_uint_eq(out[0].face_count, 2);
+    for (uint32_t v = 0; v < out[1].vertex_count; v++)
+        if (out[1].attributes[0].data[3 * v] == 0.5f && out[1].attributes[0].data[3 * v + 1] == 0.5f)
             return true;
-    ck_assert_uint_eq(out.face_count, 2);
+    ck_assert_uint_eq(out[1].face_count, 2);
     return false;
 }
 
@@ -114,6 +118,12 @@ START_TEST(weights_may_differ_a_little)
     ck_assert(keeps_middle(&mesh));
     middle[3] = 0.2f;
     joints[4 * (size_t)MIDDLE + 1] = 9; /* a joint that no other point has */
+    ck_assert(keeps_middle(&mesh));
+    memcpy(&joints[4 * (size_t)MIDDLE], (const float[]){3, 5, 7, 9}, sizeof *places);
+    memcpy(middle, shares[0], 3 * sizeof *middle);
+    middle[3] = 0.049f;
+    ck_assert(!keeps_middle(&mesh));
+    middle[3] = 0.051f;
     ck_assert(keeps_middle(&mesh));
     mesh.attributes[1].name[0] = 'X'; /* without joints, weights mean nothing */
     ck_assert(!keeps_middle(&mesh));
