@@ -2,9 +2,13 @@
 
 #include <math.h>
 
-#define REACH_PX 1.25 /* distances at which the surface beyond a line is looked at: this, and twice this */
-#define STEP_PX 4.0   /* least step in depth */
-#define CLIFF 8.0     /* least steps in depth, over REACH_PX, that are another step and no slope */
+/* Distances from a line at which the surface beyond it is looked at: these, and twice these. In narrow folds the
+ * surface is steep, and takes all of the step from what is seen at the farther ones. A line may lie up to a pixel
+ * beside the edge, and nothing is beyond it yet at the nearer ones. */
+#define NEAR_PX 0.6
+#define FAR_PX 1.25
+
+#define CLIFF 25.6 /* least slope, in depth per distance in the picture, that is another step */
 
 const struct hatch_occluder *hatch_occluders_find(const struct hatch_occluders *occluders, const double at_px[2],
                                                   double *depth)
@@ -42,15 +46,22 @@ double hatch_occluders_depth(const struct hatch_occluders *occluders, const doub
     return depth;
 }
 
-bool hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
-                          double depth)
+/* Returns the step as seen at a distance from the line, and at twice that distance. */
+static double step_at(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
+                      double depth, double reach_px)
 {
-    double step = STEP_PX * (occluders->view.orthographic ? 1 : depth) / occluders->focal_px[1], at[2], beyond[2];
+    double pixel = (occluders->view.orthographic ? 1 : depth) / occluders->focal_px[1], at[2], beyond[2];
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < 2; k++)
-            at[k] = at_px[k] + (i + 1) * REACH_PX * away[k];
-        beyond[i] = hatch_occluders_depth(occluders, at);
+            at[k] = at_px[k] + (i + 1) * reach_px * away[k];
+        beyond[i] = (hatch_occluders_depth(occluders, at) - depth) / pixel;
     }
-    double slope = beyond[1] - beyond[0] < CLIFF * step ? fmax(beyond[1] - beyond[0], 0) : 0;
-    return beyond[0] - slope > depth + step;
+    double slope = beyond[1] - beyond[0] < CLIFF * reach_px ? fmax(beyond[1] - beyond[0], 0) : 0;
+    return beyond[0] - slope;
+}
+
+double hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
+                            double depth)
+{
+    return fmax(step_at(occluders, at_px, away, depth, NEAR_PX), step_at(occluders, at_px, away, depth, FAR_PX));
 }

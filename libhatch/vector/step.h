@@ -13,12 +13,13 @@ const struct hatch_occluder *hatch_occluders_find(const struct hatch_occluders *
  * picture. */
 double hatch_occluders_depth(const struct hatch_occluders *occluders, const double at_px[2]);
 
-/* Returns whether the surface beyond a line is farther than the line by a few pixels, its own slope deducted: one that
- * merely recedes is no step. The same rule as in shaders/overlay/line_test.frag of render-gl.
+/* Returns by how many pixels the surface beyond a line is farther than the line, its own slope deducted: one that
+ * merely recedes is no step. HUGE_VAL where there is none. line_test.frag of render-gl, which sees depths of pixels
+ * only, looks a little farther.
  *   at_px  place on the line
  *   away   unit vector in the picture, from the line to where the surface beyond it is looked for
  *   depth  of the line there */
-bool hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
-                          double depth);
+double hatch_occluders_step(const struct hatch_occluders *occluders, const double at_px[2], const double away[2],
+                            double depth);
 
 #endif

@@ -9,8 +9,10 @@
 #define FLOAT_SLACK 5e-7      /* rounding of positions in the unit scene to floats */
 #define PIECE_PX 4.0          /* steps are looked for at least this often */
 #define PIECES_MAX 10000.0    /* of a segment */
+#define STEP_PX 4.0           /* a part has a step in depth if it is deeper somewhere, */
+#define SHALLOW_PX 1.5        /* and nowhere shallower */
 #define GAP_PX 16.0           /* shorter parts without a step are drawn, between parts with one */
-#define SPECK_PX 8.0          /* shorter parts with a step are not, between parts without one */
+#define SPECK_PX 4.0          /* shorter parts with a step are not, between parts without one */
 
 /* Curves under construction. */
 struct gathering {
@@ -23,7 +25,8 @@ struct gathering {
 /* A part of a silhouette. */
 struct piece {
     double length_px;
-    bool step; /* in depth, across it */
+    double step_px; /* in depth, across it */
+    bool step;      /* it is drawn as one */
 };
 
 static uint32_t point_count(const struct gathering *gathering)
@@ -54,7 +57,7 @@ static void mix(const double a[3], const double b[3], double share, double out[3
         out[k] = a[k] + share * (b[k] - a[k]);
 }
 
-/* Adds a segment of a silhouette, without its last point, in pieces, and tells of each whether it has a step. */
+/* Adds a segment of a silhouette, without its last point, in pieces, and finds the step across each. */
 static enum hatch_status add_silhouette(struct gathering *gathering, const double a[3], const double b[3], float slack,
                                         int surface, struct hatch_err *err)
 {
@@ -70,12 +73,21 @@ static enum hatch_status add_silhouette(struct gathering *gathering, const doubl
         mix(a, b, i / count, at);
         mix(a, b, (i + 0.5) / count, middle);
         double here = project(gathering->occluders, middle, at_px);
-        const struct piece piece = {known ? length / count : 0,
-                                    !known || hatch_occluders_step(gathering->occluders, at_px, away, here)};
+        double step = known ? hatch_occluders_step(gathering->occluders, at_px, away, here) : HUGE_VAL;
+        const struct piece piece = {known ? length / count : 0, step, step > STEP_PX};
         HATCH_TRY(add_point(gathering, at, slack, err));
         HATCH_TRY(hatch_buffer_add(&gathering->pieces, &piece, sizeof piece, err));
     }
     return HATCH_OK;
+}
+
+/* Continues deep steps where they become shallow, so that a line does not stop and go where they are about STEP_PX. */
+static void continue_steps(struct piece *pieces, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++)
+        pieces[i].step = pieces[i].step || (pieces[i - 1].step && pieces[i].step_px > SHALLOW_PX);
+    for (uint32_t i = count; i-- > 1;)
+        pieces[i - 1].step = pieces[i - 1].step || (pieces[i].step && pieces[i - 1].step_px > SHALLOW_PX);
 }
 
 /* Changes runs of pieces that are shorter than a length, and lie between runs of the other kind.
@@ -101,6 +113,7 @@ static void hide_flat(struct gathering *gathering, uint32_t first)
     struct piece *pieces = (void *)gathering->pieces.data;
     float *slack = (void *)gathering->slack.data;
     uint32_t count = (uint32_t)(gathering->pieces.size / sizeof *pieces);
+    continue_steps(pieces, count);
     change_short(pieces, count, false, GAP_PX);
     change_short(pieces, count, true, SPECK_PX);
     for (uint32_t i = 0; i < count; i++)

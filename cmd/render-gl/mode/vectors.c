@@ -16,7 +16,7 @@ enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_ST
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
 #define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
 #define TOLERANCE_MM 0.05 /* largest distance from a line to its simplified path */
-#define SPECK_PX 10.0     /* shorter paths of which no end meets another path are left out */
+#define SPECK_PX 6.0      /* shorter paths of which no end meets another path are left out */
 #define MEET_PX 2.0       /* a path meets another one at most this far from its end */
 #define SHORTEST_PX 2.0   /* shorter paths are left out */
 #define DASH_PENS 6.0     /* length of dashes and of the gaps between them, in pen widths */

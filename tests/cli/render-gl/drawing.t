@@ -82,6 +82,27 @@ is "an outline is left out where depth does not step" "$(perl -ne '
         $length[$x > 0] += abs($v - $y) if abs($u - $x) < 0.1 * abs($v - $y) && abs(abs($x) - 100.5) < 1;
     }
     END { printf "%.1f %.1f", map { $_ * 9.9 / 1000 } @length }' wall.svg)" "2.0 1.0"
+# A fold from x = -0.5 to 0.5 at z = 0 hangs before a board, which lies 0.5 pixels behind it at one end and 10.5 at the
+# other: a pixel is 0.01 there. The line begins where the board is 1.5 pixels behind, and goes on to the other end.
+cat >fold.obj <<'END'
+v -0.5 0 0
+v 0.5 0 0
+v 0.5 0.6 0
+v -0.5 0.6 0
+v 0.5 0.6 -0.3
+v -0.5 0.6 -0.3
+v -0.5 -0.6 -0.005
+v 0.5 -0.6 -0.105
+v 0.5 0.6 -0.105
+v -0.5 0.6 -0.005
+f 1 2 3 4
+f 2 1 6 5
+f 7 8 9 10
+END
+$(echo "$draw" | sed 's/squares/fold/') --lines silhouettes -o fold.svg
+is "a step in depth is drawn until it is shallow" "$(measure fold.svg | awk '{
+    px = $3 * 96 / 25.4
+    print $2, (px > 86 && px < 94 ? "90" : px)}')" "1 90"
 
 size() {
     grep -o 'viewBox="[^"]*"' a.svg

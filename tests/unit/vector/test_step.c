@@ -22,8 +22,8 @@ static void make_pair(double below, double slope)
     hide_behind(&both, &view_facing);
 }
 
-/* Whether there is a step to the right of the middle of the picture, where the left strip ends at depth 2. */
-static bool steps(void)
+/* The step to the right of the middle of the picture, in pixels, where the left strip ends at depth 2. */
+static double step(void)
 {
     static const double middle[2] = {SIDE_PX / 2, SIDE_PX / 2}, right[2] = {1, 0};
     return hatch_occluders_step(&hiding, middle, right, 2);
@@ -61,23 +61,38 @@ START_TEST(what_is_before_the_near_plane_does_not_count)
 }
 END_TEST
 
-START_TEST(a_step_is_deeper_than_four_pixels)
+START_TEST(a_step_counts_in_pixels)
 {
     make_pair(3.9, 0);
-    ck_assert(!steps());
-    make_pair(4.1, 0);
-    ck_assert(steps());
+    ck_assert_double_eq_tol(step(), 3.9, 1e-3);
+    make_pair(50, 0);
+    ck_assert_double_eq_tol(step(), 50, 1e-3);
     make_pair(-50, 0); /* nearer */
-    ck_assert(!steps());
+    ck_assert_double_lt(step(), 0);
 }
 END_TEST
 
+/* A slope of 6 is 3.6 pixels deeper at the first place, 7.2 at the second. Steps hardly differ in perspective. */
 START_TEST(a_slope_is_no_step)
 {
-    make_pair(0, 6); /* 7.5 pixels deeper at the first place, 15 at the second */
-    ck_assert(!steps());
+    make_pair(0, 6);
+    ck_assert_double_lt(step(), 0.1);
     make_pair(30, 6);
-    ck_assert(steps());
+    ck_assert_double_eq_tol(step(), 30, 0.5);
+}
+END_TEST
+
+/* Beyond a step of 6 pixels the surface is level for 1.3 pixels and then falls by 29 to the third, as in a fold: what
+ * is seen at 1.25 and 2.5 pixels would all be taken for a slope. */
+START_TEST(a_step_above_a_steep_slope_is_found)
+{
+    static const double nowhere[3] = {0, 0, 0}, level = 1.3 * PIXEL, steep = 3 * PIXEL;
+    struct hatch_mesh left = strip(-0.8, 0, 0, 0), right = strip(0, level, -6 * PIXEL, -6 * PIXEL);
+    struct hatch_mesh slope = strip(level, steep, -6 * PIXEL, -35 * PIXEL), two, three;
+    two = joined(&left, &right, 1, nowhere);
+    three = joined(&two, &slope, 1, nowhere);
+    hide_behind(&three, &view_facing);
+    ck_assert_double_eq_tol(step(), 6, 0.1);
 }
 END_TEST
 
@@ -85,7 +100,7 @@ START_TEST(the_background_is_a_step)
 {
     struct hatch_mesh left = strip(-0.8, 0, 0, 0);
     hide_behind(&left, &view_facing);
-    ck_assert(steps());
+    ck_assert(isinf(step()));
 }
 END_TEST
 
@@ -96,8 +111,9 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, the_depth_is_that_of_the_nearest_face);
     tcase_add_test(tests, what_is_before_the_near_plane_does_not_count);
-    tcase_add_test(tests, a_step_is_deeper_than_four_pixels);
+    tcase_add_test(tests, a_step_counts_in_pixels);
     tcase_add_test(tests, a_slope_is_no_step);
+    tcase_add_test(tests, a_step_above_a_steep_slope_is_found);
     tcase_add_test(tests, the_background_is_a_step);
     suite_add_tcase(suite, tests);
     return suite;
