@@ -34,9 +34,15 @@ static inline uint64_t hatch_random_u64(uint64_t seed, uint64_t stream, uint64_t
 }
 
 /* Returns a uniform number in [0, 1) that is a multiple of 2^-24, so that a float holds it exactly. */
+static inline float hatch_random_unit_at(uint64_t key, uint64_t index)
+{
+    return (float)(hatch_random_at(key, index) >> 40) * 0x1p-24f;
+}
+
+/* The same for a number of a stream. */
 static inline float hatch_random_unit(uint64_t seed, uint64_t stream, uint64_t index)
 {
-    return (float)(hatch_random_u64(seed, stream, index) >> 40) * 0x1p-24f;
+    return hatch_random_unit_at(hatch_random_key(seed, stream), index);
 }
 
 #endif

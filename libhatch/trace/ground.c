@@ -216,21 +216,22 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
  *   moved  out: the way */
 static uint32_t move(const struct hatch_trace_face *face, struct hatch_trace_place *place, double length, double *moved)
 {
-    double corner[3][2];
+    const double x1 = (double)face->x1, x2 = (double)face->x2, y2 = (double)face->y2, back = x2 - x1;
+    const double x = place->x, y = place->y, dx = place->heading[0], dy = place->heading[1];
     uint32_t reached = 3;
-    hatch_trace_corners(face, corner);
+    /* For each side, how fast its line comes nearer, and how far it is, both times the side's length. */
+    const double rates[3] = {-x1 * dy, y2 * dx - back * dy, x2 * dy - y2 * dx};
     for (uint32_t c = 0; c < 3; c++) {
-        const double *a = corner[c], *b = corner[(c + 1) % 3];
-        double edge[2] = {b[0] - a[0], b[1] - a[1]};
-        double rate = edge[1] * place->heading[0] - edge[0] * place->heading[1]; /* towards the outside */
-        double inside = edge[0] * (place->y - a[1]) - edge[1] * (place->x - a[0]);
-        if (rate > 0 && inside < length * rate) {
-            length = inside > 0 ? inside / rate : 0;
+        if (!(rates[c] > 0))
+            continue;
+        double inside = c == 0 ? x1 * y : c == 1 ? back * y - y2 * (x - x1) : y2 * (x - x2) - x2 * (y - y2);
+        if (inside < length * rates[c]) {
+            length = inside > 0 ? inside / rates[c] : 0;
             reached = c;
         }
     }
-    place->x += length * place->heading[0];
-    place->y += length * place->heading[1];
+    place->x += length * dx;
+    place->y += length * dy;
     *moved = length;
     return reached;
 }
@@ -246,7 +247,8 @@ static void cross_side(const struct hatch_trace_ground *ground, struct hatch_tra
     const double *a = from[c], *b = from[(c + 1) % 3], *p = to[other % 3], *q = to[(other + 1) % 3];
     double edge[2] = {b[0] - a[0], b[1] - a[1]};
     double along = (place->x - a[0]) * edge[0] + (place->y - a[1]) * edge[1];
-    double share = fmin(1, fmax(0, along / (edge[0] * edge[0] + edge[1] * edge[1])));
+    double share = along / (edge[0] * edge[0] + edge[1] * edge[1]);
+    share = share > 0 ? share < 1 ? share : 1 : 0;
     double x = place->heading[0], y = place->heading[1];
     if (face->contrary >> c & 1)
         y = -y;

@@ -34,6 +34,7 @@ struct source {
 struct search {
     const struct hatch_tracer *tracer;
     uint64_t stream;
+    uint64_t cells, counts;         /* keys of random numbers: ids of faces' first cells, and numbers of places */
     struct source *sources;         /* of a batch */
     struct hatch_trace_seed *batch; /* one per source */
     uint32_t batch_count;
@@ -170,7 +171,7 @@ static enum hatch_status choose_in_cell(struct search *search, const struct hatc
 {
     const struct hatch_tracer *tracer = search->tracer;
     double width = cell->high[0] - cell->low[0], height = cell->high[1] - cell->low[1];
-    double count = floor(density * width * height + (double)hatch_random_unit(tracer->seed, STREAM_COUNT, id));
+    double count = floor(density * width * height + (double)hatch_random_unit_at(search->counts, id));
     for (uint64_t i = 0; (double)i < count; i++) {
         uint64_t item = hatch_random_u64(id, STREAM_ITEM, i);
         double x = cell->low[0] + width * (double)hatch_random_unit(item, STREAM_PLACE, 0), share[3];
@@ -184,27 +185,27 @@ static enum hatch_status choose_in_cell(struct search *search, const struct hatc
 }
 
 /* Chooses places on a face, cell by cell, so that a part of a large face has the places that the whole has.
- *   window  of the face */
-static enum hatch_status choose_on_face(struct search *search, const struct hatch_trace_window *window, double density,
-                                        struct hatch_err *err)
+ *   whole   window of the face
+ *   window  the part of it */
+static enum hatch_status choose_on_face(struct search *search, const struct hatch_trace_window *whole,
+                                        const struct hatch_trace_window *window, double density, struct hatch_err *err)
 {
     const struct hatch_tracer *tracer = search->tracer;
-    const struct hatch_trace_window whole = hatch_trace_window_of(&tracer->ground, window->face);
     double side = CELL_GAPS * tracer->gap;
-    uint64_t id = hatch_random_u64(tracer->seed, search->stream,
-                                   tracer->ground.surface->face_source[tracer->ground.source[window->face]]);
+    uint64_t id =
+        hatch_random_at(search->cells, tracer->ground.surface->face_source[tracer->ground.source[window->face]]);
     int64_t first[2], last[2];
     for (int k = 0; k < 2; k++) {
-        first[k] = (int64_t)floor((window->low[k] - whole.low[k]) / side);
-        last[k] = (int64_t)floor((window->high[k] - whole.low[k]) / side);
+        first[k] = (int64_t)floor((window->low[k] - whole->low[k]) / side);
+        last[k] = (int64_t)floor((window->high[k] - whole->low[k]) / side);
     }
     for (int64_t y = first[1]; y <= last[1]; y++)
         for (int64_t x = first[0]; x <= last[0]; x++) {
-            double low[2] = {whole.low[0] + (double)x * side, whole.low[1] + (double)y * side};
+            double low[2] = {whole->low[0] + (double)x * side, whole->low[1] + (double)y * side};
             const struct hatch_trace_window cell = {
                 window->face,
                 {low[0], low[1]},
-                {fmin(low[0] + side, whole.high[0]), fmin(low[1] + side, whole.high[1])}};
+                {fmin(low[0] + side, whole->high[0]), fmin(low[1] + side, whole->high[1])}};
             uint64_t number = x == 0 && y == 0 ? id : hatch_random_u64(id, (uint64_t)x, (uint64_t)y);
             HATCH_TRY(choose_in_cell(search, &cell, number, density, err));
         }
@@ -217,10 +218,9 @@ static enum hatch_status choose_faces(struct search *search, double density, str
     const struct hatch_component *component = tracer->component;
     uint32_t count = tracer->region ? tracer->region->count : component->face_count;
     for (uint32_t i = 0; i < count && density > 0; i++) {
-        const struct hatch_trace_window window =
-            tracer->region ? tracer->region->windows[i]
-                           : hatch_trace_window_of(&tracer->ground, component->first_face + i);
-        HATCH_TRY(choose_on_face(search, &window, density, err));
+        uint32_t face = tracer->region ? tracer->region->windows[i].face : component->first_face + i;
+        const struct hatch_trace_window whole = hatch_trace_window_of(&tracer->ground, face);
+        HATCH_TRY(choose_on_face(search, &whole, tracer->region ? &tracer->region->windows[i] : &whole, density, err));
     }
     return HATCH_OK;
 }
@@ -248,7 +248,9 @@ enum hatch_status hatch_trace_add_seeds(struct hatch_tracer *tracer, uint32_t ph
     struct search search = {
         .tracer = tracer,
         .stream = STREAM_PHASES + (uint64_t)tracer->level * HATCH_TRACE_PHASES + phase,
+        .counts = hatch_random_key(tracer->seed, STREAM_COUNT),
     };
+    search.cells = hatch_random_key(tracer->seed, search.stream);
     double density = tracer->level == 0 && phase == 0 ? FIRST_ON_FACES : on_faces[phase];
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &search.sources, BATCH, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &search.batch, BATCH, err));

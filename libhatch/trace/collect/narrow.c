@@ -58,14 +58,17 @@ struct span {
     double width; /* of both together; HUGE_VAL if one does not end within the reach */
 };
 
-static struct span span_at(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double reach)
+/* Finds the ways, up to a reach of both together.
+ *   least  no way ends before that */
+static struct span span_at(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double reach,
+                           double least)
 {
     struct span span = {.width = 0};
     for (int side = 0; side < 2; side++) {
         struct hatch_trace_place there = *place;
         there.heading[0] *= 1 - 2 * side;
         there.heading[1] *= 1 - 2 * side;
-        span.ways[side] = walk(ground, &there, reach - span.width);
+        span.ways[side] = walk(ground, &there, reach - (side ? span.width : least));
         span.width = span.ways[side].ended ? span.width + span.ways[side].length : HUGE_VAL;
         if (span.width >= reach)
             span.width = HUGE_VAL;
@@ -114,7 +117,7 @@ static struct extent measure(const struct hatch_trace_ground *ground, const stru
             continue;
         struct hatch_trace_place across = aside;
         rotate(aside.heading, back, across.heading);
-        extent.width = fmax(extent.width, span_at(ground, &across, reach).width);
+        extent.width = fmax(extent.width, span_at(ground, &across, reach, 0).width);
         extent.length += walk(ground, &aside, ASIDE * width).length;
     }
     return extent;
@@ -145,11 +148,13 @@ static struct hatch_trace_place place_in(const struct hatch_trace_ground *ground
         joint->face, joint->x + INSIDE * (middle[0] - joint->x), joint->y + INSIDE * (middle[1] - joint->y), {1, 0}};
 }
 
-/* Returns the width of the face around a place, along its heading; HUGE_VAL if it is not narrow. */
-static double width_along(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double reach)
+/* Returns the width of the face around a place, along its heading; HUGE_VAL if it is not narrow.
+ *   least  as in span_at */
+static double width_along(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place, double reach,
+                          double least)
 {
     struct hatch_trace_place middle = *place;
-    struct span span = span_at(ground, place, reach);
+    struct span span = span_at(ground, place, reach, least);
     double width = HUGE_VAL;
     if (!(span.width > 0 && span.width < HUGE_VAL))
         return HUGE_VAL;
@@ -175,7 +180,7 @@ void hatch_trace_find_narrow(const struct hatch_trace_ground *ground, const stru
         if (!isfinite(angle))
             continue;
         rotate(direction, (const double[]){cos(angle), sin(angle)}, here.heading);
-        double width = width_along(ground, &here, reach);
+        double width = width_along(ground, &here, reach, 0.5 * (double)end.distance);
         if (width < (least < HUGE_VAL ? CLEARLY * least : HUGE_VAL)) {
             least = width;
             point->across = f;
