@@ -14,7 +14,7 @@
 enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
 
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
-#define JOIN_PENS 0.5     /* ends at most this many pen widths apart are joined */
+#define JOIN_PENS 1.0     /* ends at most this many pen widths apart, whose round caps touch, are joined */
 #define TOLERANCE_MM 0.05 /* largest distance from a line to its simplified path */
 #define SPECK_PX 6.0      /* shorter paths of which no end meets another path are left out */
 #define MEET_PX 2.0       /* a path meets another one at most this far from its end */

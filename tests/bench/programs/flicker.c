@@ -7,7 +7,8 @@
  * because a sharp line that moves by a part of a pixel cannot be interpolated. With --paper, the picture FILE takes the
  * place of all frames: a texture that stays with the screen.
  * Standard output gets the mean of the magnitude of the difference of luminance over all pixels whose point is visible
- * in both frames, and the share of such pixels among those that show the surface. */
+ * in both frames; the share of such pixels among those that show the surface; and the share of ink that is kept: of
+ * the ink of a pixel of the frame before, not blurred, as much as the darkest of 3 x 3 pixels around its place has. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -37,12 +38,13 @@ struct shot {
     struct hatch_arena arena;
     uint32_t width, height;
     float *luminance; /* blurred */
+    float *ink;       /* 1 - luminance, not blurred */
     struct hatch_occluders occluders;
 };
 
 /* Sums over the pixels of all frames. */
 struct sums {
-    double difference;
+    double difference, ink, kept;
     uint64_t shown, compared;
 };
 
@@ -90,9 +92,11 @@ static void read_frame(const char *path, struct shot *shot)
     shot->height = picture.height;
     for (int k = 0; k < 2; k++)
         cmd_check(HATCH_ALLOC(&shot->arena, &means[k], count, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&shot->arena, &shot->ink, count, &err), NULL, &err);
     for (size_t i = 0; i < count; i++) {
         const float *at = &picture.pixels[i * picture.channel_count];
         means[0][i] = picture.channel_count < 3 ? at[0] : hatch_color_luminance(at);
+        shot->ink[i] = 1 - means[0][i];
     }
     for (int i = 0; i < MEANS; i++)
         blur(means[i % 2], shot->width, shot->height, means[1 - i % 2]);
@@ -123,22 +127,44 @@ static double luminance_at(const struct shot *shot, const double at_px[2])
     return sum;
 }
 
+/* Finds the place in one frame of the point that a pixel of another shows. Returns false if it shows none, or if the
+ * place is hidden, or less than two pixels from the border.
+ *   shown  in, out: increased if the pixel shows a point; or NULL */
+static bool find_place(const struct shot *from, const struct shot *to, const uint32_t pixel[2], uint64_t *shown,
+                       double place_px[2])
+{
+    const double at_px[2] = {pixel[0] + 0.5, from->height - pixel[1] - 0.5};
+    double depth, there[3];
+    const struct hatch_occluder *face = hatch_occluders_find(&from->occluders, at_px, &depth);
+    if (!face)
+        return false;
+    if (shown)
+        ++*shown;
+    follow(&from->occluders, &to->occluders, face->face, at_px, there);
+    place_px[0] = there[0] / there[2];
+    place_px[1] = there[1] / there[2];
+    return fmin(place_px[0], place_px[1]) >= 2 && place_px[0] <= from->width - 2 && place_px[1] <= from->height - 2 &&
+           fabs(hatch_occluders_depth(&to->occluders, place_px) / there[2] - 1) < SAME;
+}
+
 static void compare_pixel(const struct shot *before, const struct shot *now, uint32_t column, uint32_t row,
                           struct sums *sums)
 {
-    const double at_px[2] = {column + 0.5, now->height - row - 0.5};
-    double depth, was[3];
-    const struct hatch_occluder *face = hatch_occluders_find(&now->occluders, at_px, &depth);
-    if (!face)
+    const uint32_t pixel[2] = {column, row};
+    double place_px[2];
+    if (find_place(now, before, pixel, &sums->shown, place_px)) {
+        sums->compared++;
+        sums->difference +=
+            fabs((double)now->luminance[(size_t)row * now->width + column] - luminance_at(before, place_px));
+    }
+    if (!find_place(before, now, pixel, NULL, place_px))
         return;
-    sums->shown++;
-    follow(&now->occluders, &before->occluders, face->face, at_px, was);
-    const double was_px[2] = {was[0] / was[2], was[1] / was[2]};
-    if (!(fmin(was_px[0], was_px[1]) >= 2 && was_px[0] <= now->width - 2 && was_px[1] <= now->height - 2) ||
-        !(fabs(hatch_occluders_depth(&before->occluders, was_px) / was[2] - 1) < SAME))
-        return;
-    sums->compared++;
-    sums->difference += fabs((double)now->luminance[(size_t)row * now->width + column] - luminance_at(before, was_px));
+    const size_t middle = (size_t)(now->height - place_px[1]) * now->width + (size_t)place_px[0];
+    float ink = before->ink[(size_t)row * before->width + column], darkest = 0;
+    for (size_t k = 0; k < 9; k++)
+        darkest = fmaxf(darkest, now->ink[middle + k / 3 * now->width + k % 3 - now->width - 1]);
+    sums->ink += (double)ink;
+    sums->kept += (double)fminf(ink, darkest);
 }
 
 /* Reads a frame, and finds the faces of its view.
@@ -206,7 +232,7 @@ int main(int argc, char **argv)
     };
     static struct shot shots[2];
     struct hatch_scene scene;
-    struct sums sums = {0, 0, 0};
+    struct sums sums = {0, 0, 0, 0, 0};
     cmd_begin(&program, argc, argv, &args);
     cmd_read_scene(&args, args.operands[0], CMD_SCENE_AS_IS, &scene);
     if (rate > 0 && !scene.animation_count)
@@ -221,6 +247,7 @@ int main(int argc, char **argv)
         if (i > 0)
             hatch_arena_free(&shots[1 - i % 2].arena);
     }
-    printf("%.5f\t%.4f\n", sums.difference / (double)sums.compared, (double)sums.compared / (double)sums.shown);
+    printf("%.5f\t%.4f\t%.4f\n", sums.difference / (double)sums.compared, (double)sums.compared / (double)sums.shown,
+           sums.kept / sums.ink);
     return cmd_end(&args, HATCH_OK);
 }
