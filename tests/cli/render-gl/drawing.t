@@ -104,6 +104,27 @@ is "a step in depth is drawn until it is shallow" "$(measure fold.svg | awk '{
     px = $3 * 96 / 25.4
     print $2, (px > 86 && px < 94 ? "90" : px)}')" "1 90"
 
+# Bars before the fold, at z = 1, hide 1.5 and 2.5 pixels of its line. The pen is 2 pixels wide, and its round caps fill
+# the gap of the first one.
+for width in 0.0135 0.0225; do
+    { sed '/^f/d' fold.obj
+      echo "v 0.2 -0.1 1"
+      awk -v "x=$width" 'BEGIN {print "v", 0.2 + x, "-0.1 1\nv", 0.2 + x, "0.1 1"}'
+      echo "v 0.2 0.1 1"
+      sed -n '/^f/p' fold.obj
+      echo "f 11 12 13 14"; } >bar.obj
+    $(echo "$draw" | sed 's/squares/bar/') --lines silhouettes -o $width.svg
+done
+is "ends whose caps touch are joined" "$(grep -c '<path' 0.0135.svg) $(grep -c '<path' 0.0225.svg)" "1 2"
+
+# Lines of 8 and of 5 pixels that meet no other
+for length in 0.08 0.05; do
+    sed "s/^v -0.5 0/v 0 0/; s/^v 0.5 0/v $length 0/; s/^v -0.5 0.6/v 0 0.6/; s/^v 0.5 0.6/v $length 0.6/; /^f 7/d" \
+        fold.obj >short.obj
+    $(echo "$draw" | sed 's/squares/short/') --lines silhouettes -o $length.svg 2>.err
+done
+is "a line of 8 pixels is drawn, one of 5 is not" "$(grep -c '<path' 0.08.svg) $(grep -c '<path' 0.05.svg)" "1 0"
+
 size() {
     grep -o 'viewBox="[^"]*"' a.svg
 }
