@@ -82,6 +82,7 @@ is "an outline is left out where depth does not step" "$(perl -ne '
         $length[$x > 0] += abs($v - $y) if abs($u - $x) < 0.1 * abs($v - $y) && abs(abs($x) - 100.5) < 1;
     }
     END { printf "%.1f %.1f", map { $_ * 9.9 / 1000 } @length }' wall.svg)" "2.0 1.0"
+
 # A fold from x = -0.5 to 0.5 at z = 0 hangs before a board, which lies 0.5 pixels behind it at one end and 10.5 at the
 # other: a pixel is 0.01 there. The line begins where the board is 1.5 pixels behind, and goes on to the other end.
 cat >fold.obj <<'END'
