@@ -59,7 +59,7 @@ is "the outline of a sphere is one circle" "$(measure sphere.svg | awk '{
 # A cylinder of radius 1 along y. From distance 10, its silhouettes are at z = 0.1 and x = sqrt(0.99); there, the right
 # one is flush with a wall as far as y = 0, where depth does not step. A distance of 1 at z = 0.1 is 1000 / 9.9 pixels.
 awk 'BEGIN {
-    n = 96
+    n = 960
     for (i = 0; i < n; i++)
         for (y = -1; y <= 1; y++) {
             x = cos(2 * 3.14159265 * i / n)
