@@ -30,13 +30,12 @@ static void queue_point(struct hatch_coarse_work *work, const struct hatch_coars
         hatch_coarse_queue_set(&work->queue, ring->point, best);
 }
 
+/* Queues a point with its cheapest neighbour. One without a ring may stay in the queue: try_point passes it over. */
 static void queue_anew(struct hatch_coarse_work *work, uint32_t point)
 {
     struct hatch_coarse_ring ring;
     if (hatch_coarse_ring_find(work, point, &ring))
         queue_point(work, &ring, -1, 0);
-    else
-        hatch_coarse_queue_drop(&work->queue, point);
 }
 
 /* Tries the best collapse of a point. */
