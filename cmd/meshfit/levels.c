@@ -15,13 +15,15 @@ struct making {
 /* Returns a node that draws the meshes of another at its place. */
 static struct hatch_node carrier_of(const struct hatch_node *from, uint32_t first_mesh)
 {
-    struct hatch_node node = {.rotation = {0, 0, 0, 1}, .scale = {1, 1, 1}, .camera = HATCH_NONE, .light = HATCH_NONE};
-    node.parent = HATCH_NONE;
-    node.first_mesh = first_mesh;
-    node.mesh_count = from->mesh_count;
-    node.weights = from->weights;
-    node.skin = from->skin;
-    return node;
+    return (struct hatch_node){.parent = HATCH_NONE,
+                               .rotation = {0, 0, 0, 1},
+                               .scale = {1, 1, 1},
+                               .first_mesh = first_mesh,
+                               .mesh_count = from->mesh_count,
+                               .weights = from->weights,
+                               .skin = from->skin,
+                               .camera = HATCH_NONE,
+                               .light = HATCH_NONE};
 }
 
 /* Moves the meshes of each node to a child of it, so that its other children and its animation are at all levels. */

@@ -356,6 +356,10 @@ START_TEST(errors_name_their_place)
     refused(MESH("\"attributes\":{\"POSITION\":0,\"NORMAL\":6}"), "NORMAL: 3 elements");
     refused(MESH("\"attributes\":{\"POSITION\":0}"), "4 corners do not form triangles");
     refused(MESH("\"attributes\":{\"POSITION\":0},\"indices\":0,\"mode\":5"), "unsigned integers");
+    /* The first index beyond three vertices, of one primitive and of two that share them. */
+#define BEYOND "\"attributes\":{\"POSITION\":6},\"indices\":3,\"mode\":5"
+    refused(MESH(BEYOND), "primitive 0: index 3");
+    refused(MESH(BEYOND "},{" BEYOND), "primitive 0: index 3");
     refused(MESH("\"attributes\":{\"POSITION\":0},\"material\":3,\"mode\":5"), "material 3");
     refused(MESH("\"attributes\":{\"POSITION\":0},\"mode\":7"), "mode 7");
 }
