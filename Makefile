@@ -172,7 +172,7 @@ TEST_SRC := $(wildcard tests/unit/*/test_*.c tests/prop/test_*.c tests/stability
 TESTS := $(patsubst tests/%.c,$(B)/tests/%,$(TEST_SRC))
 ARCHIVES := $(call archive,$(FOLDERS) cmd $(PACKAGES) core)
 include tests/steps.mk tests/memory/library.mk tests/stability/limits/limits.mk
-$(addprefix $(B)/tests/,unit/render-gl/% prop/test_rptam_zoom prop/test_strokes_% prop/test_solid_% stability/limits/% stability/test_rptam_limits stability/test_solid_% bench/programs/%): GL := $(libs_gl)
+$(addprefix $(B)/tests/,unit/render-gl/% unit/gpu/% prop/test_rptam_zoom prop/test_strokes_% prop/test_solid_% stability/limits/% stability/test_rptam_limits stability/test_solid_% bench/programs/%): GL := $(libs_gl)
 $(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
