@@ -237,6 +237,35 @@ START_TEST(points_of_a_border_stay_on_it)
 }
 END_TEST
 
+/* Whatever the tolerance allows, closed surfaces stay closed: each side of a face has one face on its other side, and
+ * vertices less edges and faces are as many as before. */
+START_TEST(closed_surfaces_stay_closed)
+{
+    static const enum hatch_shape shapes[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_TORUS};
+    for (int round = 0; round < 10; round++) {
+        const struct hatch_shape_options options = {.faces = 300, .jitter = 1, .seed = (uint64_t)round};
+        struct hatch_mesh mesh = shape_with(shapes[round % 2], options), coarse;
+        struct hatch_mesh_notes notes = {0};
+        mesh.attribute_count = 1;
+        HATCH_TEST_OK(hatch_mesh_clean(&keep, &scratch, &mesh, &notes, &err), &err);
+        coarse = coarse_of(&mesh, 0.1 * (round + 1));
+        ck_assert_uint_lt(coarse.face_count, 150);
+        for (uint32_t side = 0; side < 3 * coarse.face_count; side++) {
+            uint32_t from = coarse.indices[side], to = coarse.indices[side / 3 * 3 + (side + 1) % 3];
+            uint32_t same = 0, back = 0;
+            for (uint32_t other = 0; other < 3 * coarse.face_count; other++) {
+                uint32_t a = coarse.indices[other], b = coarse.indices[other / 3 * 3 + (other + 1) % 3];
+                same += a == from && b == to;
+                back += a == to && b == from;
+            }
+            ck_assert_uint_eq(same, 1);
+            ck_assert_uint_eq(back, 1);
+        }
+        ck_assert_int_eq((int)coarse.vertex_count - (int)coarse.face_count / 2, round % 2 ? 0 : 2);
+    }
+}
+END_TEST
+
 /* Texture coordinates that bend by more than the tolerance keep points on a flat sheet. */
 START_TEST(bent_texture_coordinates_keep_points)
 {
@@ -373,6 +402,7 @@ static Suite *suite(void)
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
     tcase_add_test(tests, a_point_where_surfaces_touch_stays);
     tcase_add_test(tests, points_of_a_border_stay_on_it);
+    tcase_add_test(tests, closed_surfaces_stay_closed);
     tcase_add_test(tests, bent_texture_coordinates_keep_points);
     tcase_add_test(tests, borders_of_parts_stay_closed);
     tcase_add_test(tests, borders_on_flat_sheets_keep_their_course);
