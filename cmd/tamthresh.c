@@ -133,7 +133,16 @@ static void read_picture(struct cmd_args *args, const char *path, struct hatch_i
     *shown = image;
 }
 
-/* Makes thresholds; with needs, of few bins in half of the layers if their mean error is within the tolerance.
+static void compress(struct cmd_args *args, const char *name, struct hatch_thresholds *made)
+{
+    struct hatch_err err;
+    struct hatch_block_figures figures;
+    cmd_check(hatch_thresholds_compress(made, cmd_pool(args), &args->keep, &made->texels, &figures, &err), name, &err);
+    cmd_note("compression error: %.4f at most, %.4f root mean square", figures.error_max, figures.error_rms);
+}
+
+/* Makes thresholds; with needs, of few bins in half of the layers if their mean error is within the tolerance, and
+ * compressed in a KTX2 file.
  *   how  in, out: its number of bins */
 static void make(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
                  struct hatch_threshold_options *how, struct hatch_thresholds *made)
@@ -148,6 +157,8 @@ static void make(struct cmd_args *args, const char *name, const struct hatch_tam
         cmd_note("%u bins, not %u, in %u layers: their mean error is within the tolerance", how->bins, bins_wanted,
                  HATCH_THRESHOLD_LAYERS_FEW);
         hatch_thresholds_pack(made);
+        if (!cmd_is_exr_path(args->output))
+            compress(args, name, made);
     } else if (how->bins < bins_wanted) {
         how->bins = bins_wanted;
         cmd_check(hatch_thresholds_make(tam, how, cmd_pool(args), &args->keep, &args->scratch, made, &err), name, &err);

@@ -64,6 +64,7 @@ static void open_texture(struct cmd_args *args, const char *name, struct hatch_b
         subject->sample = sample_exact;
         subject->sampled = &subject->exact;
     } else if (hatch_texels_value(keys, HATCH_THRESHOLD_KEY_BORDERS)) {
+        cmd_check(hatch_thresholds_decompress(&texels, &args->keep, &texels, &err), name, &err);
         cmd_check(hatch_thresholds_from_texels(&texels, keys, &subject->thresholds, &err), name, &err);
         subject->sample = sample_thresholds;
         subject->sampled = &subject->thresholds;

@@ -15,13 +15,14 @@
 #include <stdbool.h>
 
 #include "base/parallel.h"
-#include "image/texels.h"
+#include "image/block_compress.h"
 #include "tam/tam.h"
 
 #define HATCH_THRESHOLD_BINS 7u
 #define HATCH_THRESHOLD_LAYERS 4u
-#define HATCH_THRESHOLD_BINS_FEW 4u   /* most bins that two layers hold */
-#define HATCH_THRESHOLD_LAYERS_FEW 2u /* X0 and DY0; modulation and mask are 1 */
+#define HATCH_THRESHOLD_BINS_FEW 4u                                    /* most bins that two layers hold */
+#define HATCH_THRESHOLD_LAYERS_FEW 2u                                  /* X0 and DY0; modulation and mask are 1 */
+#define HATCH_THRESHOLD_LAYERS_BLOCKS (4 * HATCH_THRESHOLD_LAYERS_FEW) /* one for each channel of these */
 
 /* Layers of the RGBA texture array. In a shader:
  *     ink = dot(vec4(greaterThan(vec4(t), x0)), dy0) + dot(vec3(greaterThan(vec3(t), x1.rgb)), dy1.rgb) */
@@ -74,11 +75,28 @@ enum hatch_status hatch_thresholds_make(const struct hatch_tam *tam, const struc
  * nor mask. */
 void hatch_thresholds_pack(struct hatch_thresholds *thresholds);
 
+/* Compresses thresholds of few bins as BC4, in half of the bytes: each channel of their two layers becomes a layer, in
+ * this order. Within a block x keeps its range, so that it stays in its bin.
+ *   thresholds  after hatch_thresholds_pack
+ *   pool        NULL: one thread; the result is the same
+ *   packed      out, in arena; unchanged on failure
+ *   figures     out: errors of x and dy together */
+enum hatch_status hatch_thresholds_compress(const struct hatch_thresholds *thresholds, struct hatch_pool *pool,
+                                            struct hatch_arena *arena, struct hatch_texels *packed,
+                                            struct hatch_block_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns compressed thresholds as two layers again, decompressed; other textures as they are, without a copy.
+ *   file    a file's texture
+ *   texels  out, in arena; unchanged on failure; may be file
+ * HATCH_BAD_INPUT for blocks in another number of layers. */
+enum hatch_status hatch_thresholds_decompress(const struct hatch_texels *file, struct hatch_arena *arena,
+                                              struct hatch_texels *texels, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Key of the file, beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_THRESHOLD_KEY_BORDERS "hatch:bins" /* bins + 1 numbers, separated by spaces */
 
 /* Interprets a file's texture as threshold textures.
- *   texels      its levels are kept by reference
+ *   texels      from hatch_thresholds_decompress; its levels are kept by reference
  *   key_values  keys and values alternate, NULL-terminated, as from hatch_ktx2_read_keys
  *   thresholds  out; unchanged on failure
  * HATCH_BAD_INPUT for anything else. */

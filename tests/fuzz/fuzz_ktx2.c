@@ -20,7 +20,8 @@ static void open_kinds(const struct hatch_texels *texture, const char *const *ke
     enum hatch_status unpacked = hatch_texels_decompress(texture, &arenas->keep, &plain, &err);
     fuzz_check(unpacked, &err, arenas);
     bool is_volume = unpacked == HATCH_OK && hatch_volume_from_texels(&plain, keys, &volume, &err) == HATCH_OK;
-    bool is_thresholds = hatch_thresholds_from_texels(texture, keys, &thresholds, &err) == HATCH_OK;
+    bool is_thresholds = hatch_thresholds_decompress(texture, &arenas->keep, &plain, &err) == HATCH_OK &&
+                         hatch_thresholds_from_texels(&plain, keys, &thresholds, &err) == HATCH_OK;
     bool is_exact = hatch_exact_from_texels(texture, &exact, &err) == HATCH_OK;
     for (size_t i = 0; i < sizeof coordinates / sizeof *coordinates; i++) {
         float value[4], at = coordinates[i];

@@ -26,10 +26,11 @@ static float darkest_of(const struct hatch_thresholds *thresholds)
     return (float)((double)sum / (255.0 * (double)count));
 }
 
-static enum hatch_status read_thresholds(const char *const *key_values, struct tone_texture *texture,
-                                         struct hatch_err *err)
+static enum hatch_status read_thresholds(const char *const *key_values, struct hatch_arena *arena,
+                                         struct tone_texture *texture, struct hatch_err *err)
 {
     struct hatch_thresholds thresholds;
+    HATCH_TRY(hatch_thresholds_decompress(&texture->texels, arena, &texture->texels, err));
     HATCH_TRY(hatch_thresholds_from_texels(&texture->texels, key_values, &thresholds, err));
     texture->holds = TONE_TEXTURE_THRESHOLDS;
     texture->levels = thresholds.levels;
@@ -77,7 +78,7 @@ enum hatch_status tone_texture_read(struct hatch_bytes file, struct hatch_arena 
     if (made.texels.code == HATCH_TEXELS_R32UI)
         HATCH_TRY(read_exact(&made, err));
     else if (hatch_texels_value(key_values, HATCH_THRESHOLD_KEY_BORDERS))
-        HATCH_TRY(read_thresholds(key_values, &made, err));
+        HATCH_TRY(read_thresholds(key_values, arena, &made, err));
     else if (hatch_texels_value(key_values, HATCH_VOLUME_KEY_DARKEST))
         HATCH_TRY(read_volume(key_values, scratch, &made, err));
     else

@@ -91,12 +91,14 @@ START_TEST(a_volume_of_a_cut_map_has_the_first_slices_of_the_whole)
 }
 END_TEST
 
+static const char *const few_keys[] = {HATCH_TAM_ATTR_LEVELS, "1", HATCH_THRESHOLD_KEY_BORDERS, "0 0.2 0.4 0.6 1",
+                                       NULL};
+
 START_TEST(thresholds_of_few_bins_are_the_same_in_two_layers)
 {
     struct hatch_tam tam = made_map(64, 24, 1, "Y", ramp);
     const struct hatch_threshold_options how = {.bins = 4, .seed = 1};
     struct hatch_thresholds made, got;
-    const char *const keys[] = {HATCH_TAM_ATTR_LEVELS, "1", HATCH_THRESHOLD_KEY_BORDERS, "0 0.2 0.4 0.6 1", NULL};
     const char *const more[] = {HATCH_TAM_ATTR_LEVELS, "1", HATCH_THRESHOLD_KEY_BORDERS, "0 0.2 0.4 0.6 0.8 1", NULL};
     float before[11];
     HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err), &map_err);
@@ -104,10 +106,60 @@ START_TEST(thresholds_of_few_bins_are_the_same_in_two_layers)
         before[i] = hatch_thresholds_sample(&made, 0.37f, 0.81f, (float)i / 10, 0.4f);
     hatch_thresholds_pack(&made);
     ck_assert_uint_eq(made.texels.layers, 2);
-    HATCH_TEST_OK(hatch_thresholds_from_texels(&made.texels, keys, &got, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_thresholds_from_texels(&made.texels, few_keys, &got, &map_err), &map_err);
     for (int i = 0; i <= 10; i++)
         ck_assert_float_eq_tol(hatch_thresholds_sample(&got, 0.37f, 0.81f, (float)i / 10, 0.4f), before[i], 1e-6f);
     ck_assert_int_eq(hatch_thresholds_from_texels(&made.texels, more, &got, &map_err), HATCH_BAD_INPUT);
+}
+END_TEST
+
+/* Blocks hold two values exactly, and of more the least and the greatest. */
+START_TEST(compressed_thresholds_are_the_same_but_for_their_blocks)
+{
+    struct hatch_tam tam = made_map(64, 24, 1, "Y", ramp);
+    const struct hatch_threshold_options how = {.bins = 4, .seed = 1};
+    struct hatch_thresholds made, got;
+    struct hatch_texels packed, texels;
+    struct hatch_block_figures figures;
+    HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err), &map_err);
+    hatch_thresholds_pack(&made);
+    HATCH_TEST_OK(hatch_thresholds_compress(&made, NULL, &map_arena, &packed, &figures, &map_err), &map_err);
+    ck_assert_uint_eq(packed.layers, 8);
+    ck_assert_uint_eq(2 * hatch_texels_level_size(&packed, 0), hatch_texels_level_size(&made.texels, 0));
+    HATCH_TEST_OK(hatch_thresholds_decompress(&packed, &map_arena, &texels, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_thresholds_from_texels(&texels, few_keys, &got, &map_err), &map_err);
+    int most = 0;
+    for (size_t i = 0; i < hatch_texels_level_size(&texels, 0); i++) {
+        int off = abs(texels.texels[0][i] - made.texels.texels[0][i]);
+        most = off > most ? off : most;
+    }
+    ck_assert_int_eq(most, (int)lround(figures.error_max * 255));
+    ck_assert_int_gt(most, 0);
+    for (size_t i = 0; i < 4 * (size_t)64 * 64; i++) /* x stays in its bin */
+        ck_assert_int_ge(texels.texels[0][i], (int)ceilf(made.border[i % 4] * 255 - 1e-3f));
+    HATCH_TEST_OK(hatch_thresholds_decompress(&made.texels, &map_arena, &texels, &map_err), &map_err);
+    ck_assert_ptr_eq(texels.texels[0], made.texels.texels[0]);
+    packed.layers = 4;
+    ck_assert_int_eq(hatch_thresholds_decompress(&packed, &map_arena, &texels, &map_err), HATCH_BAD_INPUT);
+}
+END_TEST
+
+/* Each channel keeps its place: channel c of the eight is c everywhere. */
+START_TEST(channels_of_compressed_thresholds_keep_their_places)
+{
+    struct hatch_thresholds made = {.texels = {.width = 8, .height = 8, .layers = 2, .channels = 4, .level_count = 4},
+                                    .bins = 4};
+    struct hatch_texels packed, texels;
+    struct hatch_block_figures figures;
+    HATCH_TEST_OK(hatch_texels_make(&map_arena, &made.texels, &map_err), &map_err);
+    for (uint32_t level = 0; level < 4; level++)
+        for (size_t i = 0, count = (size_t)(8 >> level) * (8 >> level); i < 8 * count; i++)
+            made.texels.texels[level][i] = (uint8_t)(10 * level + i / (4 * count) * 4 + i % 4);
+    HATCH_TEST_OK(hatch_thresholds_compress(&made, NULL, &map_arena, &packed, &figures, &map_err), &map_err);
+    ck_assert(figures.error_max <= 0);
+    HATCH_TEST_OK(hatch_thresholds_decompress(&packed, &map_arena, &texels, &map_err), &map_err);
+    for (uint32_t level = 0; level < 4; level++)
+        ck_assert_mem_eq(texels.texels[level], made.texels.texels[level], hatch_texels_level_size(&texels, level));
 }
 END_TEST
 
@@ -201,6 +253,8 @@ static Suite *suite(void)
     tcase_add_test(tests, darker_columns_are_nowhere_lighter);
     tcase_add_loop_test(tests, a_volume_of_a_cut_map_has_the_first_slices_of_the_whole, 0, 2);
     tcase_add_test(tests, thresholds_of_few_bins_are_the_same_in_two_layers);
+    tcase_add_test(tests, compressed_thresholds_are_the_same_but_for_their_blocks);
+    tcase_add_test(tests, channels_of_compressed_thresholds_keep_their_places);
     suite_add_tcase(suite, tests);
     return suite;
 }
