@@ -142,6 +142,8 @@ struct hatch_scene {
     struct hatch_animation *animations;
     struct hatch_lod *lods; /* ascending by node */
     uint32_t lod_count;
+    float rounding;    /* for writing: over 0: normals, directions and texture coordinates may be integers; of vectors
+                          none is then off by more than this, of texture coordinates by more than 1 / 65534 */
     bool up_undefined; /* from a format that does not define which axis points up: one node with one mesh */
 };
 

@@ -34,6 +34,11 @@ if [ -x "$BUILD/tests/interop/samples" ]; then
     strokegen -q --levels 3 scene.glb -o strokes.glb
     validated strokes.glb
     kept strokegen scene.glb strokes.glb
+    render-gl -q scene.glb --needs -o scene.needs
+    strokegen -q --needs scene.needs scene.glb -o needed.glb
+    validated needed.glb
+    lapped-param -q --needs scene.needs scene.glb -o needed.lapped.glb
+    validated needed.lapped.glb
     meshfit -q --size 320x180 --error 3 scene.glb -o fit.glb
     validated fit.glb
     kept meshfit scene.glb fit.glb fewer

@@ -257,6 +257,7 @@ void cmd_split_unseen(struct cmd_args *args, const char *name, const struct hatc
     hatch_scene_renumber(scene, first);
     scene->meshes = meshes;
     scene->mesh_count = count;
+    scene->rounding = (float)needs->tolerance;
     cmd_note("no view shows %llu of %llu faces", (unsigned long long)unseen, (unsigned long long)all);
 }
 

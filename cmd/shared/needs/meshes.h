@@ -20,7 +20,7 @@ void cmd_check_needs(struct cmd_args *args, const char *path, const char *name, 
 void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, struct hatch_scene *scene);
 
 /* Divides each mesh into the part that views show and the rest, whose unseen_tolerance is set; says how many faces that
- * are. Each node draws both. Dies on failure.
+ * are. Each node draws both. Directions and texture coordinates are rounded when the scene is written. Dies on failure.
  *   scene  in, out: new arrays are in args->keep */
 void cmd_split_unseen(struct cmd_args *args, const char *name, const struct hatch_needs *needs,
                       struct hatch_scene *scene);

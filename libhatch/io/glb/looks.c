@@ -168,6 +168,7 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
         const char *name;
     } extensions[] = {{placed, "KHR_texture_transform"},
                       {scene->light_count > 0, "KHR_lights_punctual"},
+                      {glb->quantized, "KHR_mesh_quantization"},
                       {scene->lod_count > 0, "MSFT_lod"}};
     bool any = false;
     for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++) {
@@ -177,7 +178,8 @@ static enum hatch_status print_extensions(struct hatch_glb *glb)
                                      extensions[i].name));
         any = true;
     }
-    return hatch_glb_put(glb, any ? "]" : "");
+    HATCH_TRY(hatch_glb_put(glb, any ? "]" : ""));
+    return hatch_glb_put(glb, glb->quantized ? ",\"extensionsRequired\":[\"KHR_mesh_quantization\"]" : "");
 }
 
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)

@@ -4,7 +4,14 @@
 
 #include "io/glb/glb.h"
 
-enum hatch_glb_component { HATCH_GLB_U8 = 5121, HATCH_GLB_U16 = 5123, HATCH_GLB_U32 = 5125, HATCH_GLB_F32 = 5126 };
+enum hatch_glb_component {
+    HATCH_GLB_I8 = 5120,
+    HATCH_GLB_U8,
+    HATCH_GLB_I16,
+    HATCH_GLB_U16,
+    HATCH_GLB_U32 = 5125,
+    HATCH_GLB_F32
+};
 enum hatch_glb_target { HATCH_GLB_OTHER = 0, HATCH_GLB_VERTICES = 34962, HATCH_GLB_INDICES = 34963 };
 
 /* A part of the buffer: an accessor, or an image. It has a buffer view of its own, or goes on in that of the part
@@ -15,6 +22,7 @@ struct hatch_glb_view {
     const void *data;    /* array of floats; of uint32_t for indices; of bytes for images */
     size_t count;        /* number of elements; of bytes for images */
     uint32_t components; /* numbers per element: 1 .. 4, or 16 for a matrix */
+    bool normalized;     /* integers stand for 0 .. 1 or, with a sign, for -1 .. 1 */
     bool bounds;         /* whether the format requires min and max */
     bool goes_on;        /* whether it is in the buffer view of the part before it; both have numbers of one type */
     size_t offset, size; /* bytes in the buffer */
@@ -39,6 +47,7 @@ struct hatch_glb {
     uint32_t view_count, accessor_count;
     uint32_t image_view;    /* index of the buffer view of the first image */
     size_t size;            /* size of the buffer in bytes */
+    bool quantized;         /* whether an accessor needs KHR_mesh_quantization */
     uint32_t *group_size;   /* per scene mesh: how many meshes the glTF mesh that begins here holds; 0 inside one */
     uint32_t *group;        /* per scene mesh: index of the glTF mesh that begins here; HATCH_NONE without faces */
     uint32_t *mesh_first;   /* per scene mesh: index of the accessor of its POSITION; HATCH_NONE without faces */
@@ -88,6 +97,14 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
 /* Adds a part of the buffer, and the parts of a mesh's attributes. */
 void hatch_glb_add_view(struct hatch_glb *glb, struct hatch_glb_view view);
 void hatch_glb_add_attributes(struct hatch_glb *glb, const struct hatch_mesh *mesh);
+/* Sets the type of an attribute's numbers in the file: that of the format or, with scene->rounding, integers. */
+void hatch_glb_choose_numbers(struct hatch_glb *glb, const struct hatch_mesh *mesh,
+                              const struct hatch_mesh_attribute *attribute, struct hatch_glb_view *view);
+/* Return the size of a number in the file, and of an element; elements of vertices begin at multiples of 4 bytes. */
+size_t hatch_glb_number_bytes(enum hatch_glb_component component);
+size_t hatch_glb_stride(const struct hatch_glb_view *view);
+/* Writes the numbers of an accessor; padding stays as it is. */
+void hatch_glb_put_numbers(const struct hatch_glb_view *view, uint8_t *at);
 /* Returns how many scene meshes of a glTF mesh, from `first` on, can share the accessors of their vertices.
  *   end  one after the last of the glTF mesh */
 uint32_t hatch_glb_count_shared(const struct hatch_glb *glb, uint32_t first, uint32_t end);

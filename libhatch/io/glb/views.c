@@ -5,16 +5,11 @@
 
 #include "io/glb/parts.h"
 
-static size_t component_size(enum hatch_glb_component component)
-{
-    return component == HATCH_GLB_U8 ? 1 : component == HATCH_GLB_U16 ? 2 : 4;
-}
-
 void hatch_glb_add_view(struct hatch_glb *glb, struct hatch_glb_view view)
 {
     const struct hatch_glb_view *before = view.goes_on ? &glb->views[glb->view_count - 1] : NULL;
     view.offset = before ? before->offset + before->size : glb->size;
-    view.size = view.count * view.components * component_size(view.component);
+    view.size = view.count * hatch_glb_stride(&view);
     glb->size = (view.offset + view.size + 3) / 4 * 4;
     glb->views[glb->view_count++] = view;
 }
@@ -64,14 +59,13 @@ void hatch_glb_add_attributes(struct hatch_glb *glb, const struct hatch_mesh *me
     uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], count = hatch_glb_order(mesh, order);
     for (uint32_t i = 0; i < count; i++) {
         const struct hatch_mesh_attribute *a = &mesh->attributes[order[i]];
-        bool integers = strncmp(a->name, "JOINTS_", 7) == 0 || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
-                        strcmp(a->name, HATCH_CURVE_STROKE) == 0 || strcmp(a->name, HATCH_CURVE_NARROW) == 0;
-        hatch_glb_add_view(glb, (struct hatch_glb_view){.component = integers ? HATCH_GLB_U16 : HATCH_GLB_F32,
-                                                        .target = HATCH_GLB_VERTICES,
-                                                        .data = a->data,
-                                                        .count = mesh->vertex_count,
-                                                        .components = a->components,
-                                                        .bounds = i == 0});
+        struct hatch_glb_view view = {.target = HATCH_GLB_VERTICES,
+                                      .data = a->data,
+                                      .count = mesh->vertex_count,
+                                      .components = a->components,
+                                      .bounds = i == 0};
+        hatch_glb_choose_numbers(glb, mesh, a, &view);
+        hatch_glb_add_view(glb, view);
     }
 }
 
@@ -308,7 +302,7 @@ static enum hatch_status print_accessors(struct hatch_glb *glb)
                                      view->components == 16 ? "MAT4" : types[view->components - 1]));
         if (view->bounds)
             HATCH_TRY(print_bounds(glb, view));
-        HATCH_TRY(hatch_glb_put(glb, "}"));
+        HATCH_TRY(hatch_glb_put(glb, view->normalized ? ",\"normalized\":true}" : "}"));
     }
     return hatch_glb_put(glb, "]");
 }
@@ -330,46 +324,13 @@ enum hatch_status hatch_glb_print_views(struct hatch_glb *glb)
         HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
                                      view->offset, end - view->offset));
+        if (view->components * hatch_glb_number_bytes(view->component) < hatch_glb_stride(view))
+            HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"byteStride\":%zu", hatch_glb_stride(view)));
         if (view->target)
             HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"target\":%d", (int)view->target));
         HATCH_TRY(hatch_glb_put(glb, "}"));
     }
     return hatch_buffer_print(&glb->json, glb->err, "],\"buffers\":[{\"byteLength\":%zu}]", glb->size);
-}
-
-static void put_u16(uint8_t *at, uint32_t value)
-{
-    at[0] = (uint8_t)value;
-    at[1] = (uint8_t)(value >> 8);
-}
-
-static void put_u32(uint8_t *at, uint32_t value)
-{
-    put_u16(at, value);
-    put_u16(at + 2, value >> 16);
-}
-
-static void put_indices(const struct hatch_glb_view *view, uint8_t *at)
-{
-    const uint32_t *indices = view->data;
-    for (size_t i = 0; i < view->count; i++)
-        if (view->component == HATCH_GLB_U16)
-            put_u16(at + 2 * i, indices[i]);
-        else
-            put_u32(at + 4 * i, indices[i]);
-}
-
-static void put_floats(const struct hatch_glb_view *view, uint8_t *at)
-{
-    const float *values = view->data;
-    for (size_t i = 0; i < view->count * view->components; i++) {
-        uint32_t bits;
-        memcpy(&bits, &values[i], sizeof bits);
-        if (view->component == HATCH_GLB_U16)
-            put_u16(at + 2 * i, (uint32_t)values[i]);
-        else
-            put_u32(at + 4 * i, bits);
-    }
 }
 
 void hatch_glb_put_views(const struct hatch_glb *glb, uint8_t *at)
@@ -378,9 +339,7 @@ void hatch_glb_put_views(const struct hatch_glb *glb, uint8_t *at)
         const struct hatch_glb_view *view = &glb->views[i];
         if (view->component == HATCH_GLB_U8)
             memcpy(at + view->offset, view->data, view->size);
-        else if (view->target == HATCH_GLB_INDICES)
-            put_indices(view, at + view->offset);
         else
-            put_floats(view, at + view->offset);
+            hatch_glb_put_numbers(view, at + view->offset);
     }
 }

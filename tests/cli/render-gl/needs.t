@@ -241,6 +241,10 @@ dirfield -v --needs up.needs torus.glb 2>said >up.glb
 ok "a scene that is turned by --up has the same regions" grep -q "no view shows [1-9]" said
 ok "what it sees is there" render-gl -q up.glb --up z --size 320x240 --from 20:30 -t gouraud --lines none -o x.png
 
+ok "its normals are integers" grep -aq '"extensionsRequired":\["KHR_mesh_quantization"\]' egg.field.glb
+ok "as are those of patches" sh -c 'lapped-param -q --needs egg.needs egg.glb | grep -aq KHR_mesh_quantization'
+ok "and of strokes" sh -c 'strokegen -q --needs egg.needs egg.glb | grep -aq KHR_mesh_quantization'
+
 # Volumes and thresholds of maps that were cut, and cut by themselves.
 tamgen -q --size 128 --tones 32 --needs turn.needs | tamvol -q -o cut.ktx2
 tamvol -v --needs turn.needs whole.exr -o fit.ktx2 2>said
