@@ -8,11 +8,18 @@
 #define SIDE HATCH_BLOCK_SIDE
 #define TEXELS (SIDE * SIDE)
 
-/* The work on one mip level; a task handles one row of blocks of one layer or slice. */
+/* Errors of a block. */
+struct errors {
+    uint32_t squares, worst;
+};
+
+/* The work on one mip level; a task handles one row of blocks: of all layers or slices when packing, of one when
+ * unpacking. */
 struct job {
     const struct hatch_texels *plain, *packed;
     uint32_t level, width, height;
     uint32_t across, down; /* size in blocks */
+    struct errors *last;   /* when packing, per place: those of the block in the layer before */
     struct sums {
         uint64_t squares;
         uint32_t worst;
@@ -54,12 +61,11 @@ static uint8_t *block_at(const struct job *job, uint32_t row, uint32_t block)
 /* Copies the texels of a block; alpha is 255 in a texture without alpha. */
 static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8_t texels[TEXELS][4])
 {
-    const uint32_t channels = job->plain->channels;
+    const uint32_t channels = job->plain->channels, last = job->width - 1;
     for (uint32_t line = 0; line < TEXELS; line += SIDE) {
         const uint8_t *first = texel_at(job, row, block, line);
         for (uint32_t x = 0; x < SIDE; x++) {
-            const uint8_t *from =
-                first + (block * SIDE + x < job->width ? x : job->width - 1 - block * SIDE) * channels;
+            const uint8_t *from = first + (block * SIDE + x <= last ? x : last - block * SIDE) * channels;
             texels[line + x][3] = 255;
             for (uint32_t c = 0; c < channels; c++)
                 texels[line + x][c] = from[c];
@@ -67,15 +73,30 @@ static void get_block(const struct job *job, uint32_t row, uint32_t block, uint8
     }
 }
 
-static void compare(const struct job *job, uint8_t before[TEXELS][4], uint8_t after[TEXELS][4], struct sums *sums)
+static struct errors compare(uint32_t channels, uint8_t before[TEXELS][4], uint8_t after[TEXELS][4])
 {
+    struct errors errors = {0, 0};
     for (uint32_t i = 0; i < TEXELS; i++)
-        for (uint32_t c = 0; c < job->plain->channels; c++) {
+        for (uint32_t c = 0; c < channels; c++) {
             uint32_t apart =
                 (uint32_t)(before[i][c] > after[i][c] ? before[i][c] - after[i][c] : after[i][c] - before[i][c]);
-            sums->squares += apart * apart;
-            sums->worst = apart > sums->worst ? apart : sums->worst;
+            errors.squares += apart * apart;
+            errors.worst = apart > errors.worst ? apart : errors.worst;
         }
+    return errors;
+}
+
+/* Returns whether a block has the texels of that in the layer before. */
+static bool is_repeated(const struct job *job, uint32_t row, uint32_t block)
+{
+    if (row < job->down)
+        return false;
+    const uint32_t across = job->width - block * SIDE < SIDE ? job->width - block * SIDE : SIDE;
+    for (uint32_t line = 0; line < TEXELS; line += SIDE)
+        if (memcmp(texel_at(job, row, block, line), texel_at(job, row - job->down, block, line),
+                   (size_t)across * job->plain->channels) != 0)
+            return false;
+    return true;
 }
 
 static void encode(enum hatch_texels_code code, uint8_t texels[TEXELS][4], uint8_t *block)
@@ -100,16 +121,31 @@ static bool decode(enum hatch_texels_code code, const uint8_t *block, uint8_t te
     return true;
 }
 
-static void pack_row(void *context, uint32_t row)
+static struct errors pack_block(const struct job *job, uint32_t row, uint32_t b)
+{
+    uint8_t texels[TEXELS][4], got[TEXELS][4], *block = block_at(job, row, b);
+    get_block(job, row, b, texels);
+    encode(job->packed->code, texels, block);
+    decode(job->packed->code, block, got);
+    return compare(job->plain->channels, texels, got);
+}
+
+/* Packs a row of blocks of each layer. In a volume most blocks are those of the layer before. */
+static void pack_row(void *context, uint32_t y)
 {
     const struct job *job = context;
-    for (uint32_t b = 0; b < job->across; b++) {
-        uint8_t texels[TEXELS][4], got[TEXELS][4], *block = block_at(job, row, b);
-        get_block(job, row, b, texels);
-        encode(job->packed->code, texels, block);
-        decode(job->packed->code, block, got);
-        compare(job, texels, got, &job->rows[row]);
-    }
+    const uint32_t bytes = hatch_texels_block_bytes(job->packed->code, job->packed->channels);
+    struct sums *sums = &job->rows[y];
+    for (uint32_t row = y; row < job->down * planes_of(job->plain, job->level); row += job->down)
+        for (uint32_t b = 0; b < job->across; b++) {
+            struct errors *errors = &job->last[(size_t)y * job->across + b];
+            if (is_repeated(job, row, b))
+                memcpy(block_at(job, row, b), block_at(job, row - job->down, b), bytes);
+            else
+                *errors = pack_block(job, row, b);
+            sums->squares += errors->squares;
+            sums->worst = errors->worst > sums->worst ? errors->worst : sums->worst;
+        }
 }
 
 static void unpack_row(void *context, uint32_t row)
@@ -126,12 +162,12 @@ static void unpack_row(void *context, uint32_t row)
     }
 }
 
-static enum hatch_status for_rows(struct job *job, struct hatch_pool *pool, hatch_task task, struct hatch_arena *arena,
-                                  struct sums *sums, struct hatch_err *err)
+static enum hatch_status for_rows(struct job *job, uint32_t rows, struct hatch_pool *pool, hatch_task task,
+                                  struct hatch_arena *arena, struct sums *sums, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    uint32_t rows = job->down * planes_of(job->plain, job->level);
     HATCH_TRY(HATCH_ALLOC(arena, &job->rows, rows, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &job->last, (size_t)job->down * job->across, err));
     hatch_parallel_for(pool, rows, task, job);
     for (uint32_t i = 0; i < rows; i++) {
         sums->squares += job->rows[i].squares;
@@ -157,7 +193,7 @@ enum hatch_status hatch_texels_compress(const struct hatch_texels *plain, enum h
     HATCH_TRY(hatch_texels_make(arena, &made, err));
     for (uint32_t level = 0; level < plain->level_count; level++) {
         struct job job = job_of(plain, &made, level);
-        HATCH_TRY(for_rows(&job, pool, pack_row, arena, &sums, err));
+        HATCH_TRY(for_rows(&job, job.down, pool, pack_row, arena, &sums, err));
         numbers += (double)TEXELS * job.across * job.down * planes_of(plain, level) * plain->channels;
     }
     if (figures)
@@ -181,7 +217,7 @@ enum hatch_status hatch_texels_decompress(const struct hatch_texels *packed, str
     HATCH_TRY(hatch_texels_make(arena, &made, err));
     for (uint32_t level = 0; level < made.level_count; level++) {
         struct job job = job_of(&made, packed, level);
-        HATCH_TRY(for_rows(&job, NULL, unpack_row, arena, &sums, err));
+        HATCH_TRY(for_rows(&job, job.down * planes_of(&made, level), NULL, unpack_row, arena, &sums, err));
         if (sums.unknown)
             return hatch_fail(err, HATCH_BAD_INPUT, "level %u: BC7 is supported in mode 6 only", level);
     }

@@ -208,6 +208,32 @@ START_TEST(a_single_colour_is_exact)
 }
 END_TEST
 
+/* Layers that repeat that before them have its blocks, and its error; one that differs has its own. */
+START_TEST(repeated_layers_have_repeated_blocks)
+{
+    struct hatch_texels plain = {.width = 10, .height = 9, .layers = 4, .channels = 1, .level_count = 1}, packed, one;
+    struct hatch_block_figures all, first, last;
+    const size_t layer = 90;
+    HATCH_TEST_OK(hatch_texels_make(&keep, &plain, &err), &err);
+    for (size_t i = 0; i < layer; i++)
+        for (size_t k = 0; k < 4; k++)
+            plain.texels[0][k * layer + i] = (uint8_t)(i * i * 31 + (k == 3 && i == 5 ? 40 : 0));
+    HATCH_TEST_OK(hatch_texels_compress(&plain, HATCH_TEXELS_BC4, NULL, &keep, &packed, &all, &err), &err);
+    plain.layers = 1;
+    HATCH_TEST_OK(hatch_texels_compress(&plain, HATCH_TEXELS_BC4, NULL, &keep, &one, &first, &err), &err);
+    size_t bytes = hatch_texels_level_size(&one, 0);
+    for (size_t k = 0; k < 3; k++)
+        ck_assert_mem_eq(packed.texels[0] + k * bytes, one.texels[0], bytes);
+    plain.texels[0] += 3 * layer;
+    HATCH_TEST_OK(hatch_texels_compress(&plain, HATCH_TEXELS_BC4, NULL, &keep, &one, &last, &err), &err);
+    ck_assert_mem_eq(packed.texels[0] + 3 * bytes, one.texels[0], bytes);
+    ck_assert_mem_ne(packed.texels[0], one.texels[0], bytes);
+    ck_assert_double_eq_tol(all.error_rms * all.error_rms * 4,
+                            first.error_rms * first.error_rms * 3 + last.error_rms * last.error_rms, 1e-12);
+    ck_assert_double_eq_tol(all.error_max, fmax(first.error_max, last.error_max), 1e-12);
+}
+END_TEST
+
 START_TEST(a_block_of_another_mode_is_rejected)
 {
     uint8_t block[16] = {1};
@@ -272,6 +298,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, bc1_colours_are_approximated, 0, 4);
     tcase_add_test(tests, bc1_colours_between_the_end_points_are_exact);
     tcase_add_test(tests, a_single_colour_is_exact);
+    tcase_add_test(tests, repeated_layers_have_repeated_blocks);
     tcase_add_test(tests, a_block_of_another_mode_is_rejected);
     tcase_add_test(tests, unorm8_rounds_and_clamps);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
