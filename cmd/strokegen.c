@@ -181,7 +181,7 @@ int main(int argc, char **argv)
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     if (needs_path) {
-        cmd_read_needs(&args, needs_path, &needs);
+        cmd_read_needs_and_regions(&args, needs_path, &needs);
         cmd_fit_meshes(&args, input, needs_path, &needs, &scene);
     } else
         surfaces = cmd_make_surfaces(&args, input, &scene);

@@ -115,7 +115,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     cmd_read_scene(args, input, CMD_SCENE_AS_IS, &run.scene);
     cmd_warn_up(name, &run.scene);
     if (options->needs) {
-        cmd_read_needs(args, options->needs, &needs);
+        cmd_read_needs_and_regions(args, options->needs, &needs);
         cmd_check_needs(args, options->needs, name, &needs, &run.scene);
         cmd_coarsen(args, name, &needs, &run.scene);
     }

@@ -196,7 +196,7 @@ int main(int argc, char **argv)
     cmd_warn_up(cmd_input_name(input), &scene);
     lapped_param_clear(&args, name, &scene);
     if (needs_path) {
-        cmd_read_needs(&args, needs_path, &needs);
+        cmd_read_needs_and_regions(&args, needs_path, &needs);
         cmd_fit_meshes(&args, input, needs_path, &needs, &scene);
     }
     hatch_outline_make(args.seed, settings.roughness, settings.feather, &outline);

@@ -56,7 +56,7 @@ static enum hatch_status parse_row(struct hatch_text line, struct reading *readi
         return hatch_fail(err, HATCH_BAD_INPUT, "fewer than 3 fields");
     while (i < THINGS && !hatch_text_is(thing, things[i].name))
         i++;
-    if (i == THINGS)
+    if (i == THINGS || (i == REGION_PX && !reading->cells))
         return HATCH_OK;
     if (!hatch_text_number(index, &at) || !(at >= 0 && at < things[i].count && at == floor(at)))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: want an index from 0 to %u", things[i].name, things[i].count - 1);
@@ -68,7 +68,7 @@ static enum hatch_status parse_row(struct hatch_text line, struct reading *readi
         reading->values[i][0] = fmax(reading->values[i][0], value);
     else if (i != REGION_PX)
         reading->values[i][(int)at] = value;
-    else if (reading->cells)
+    else
         reading->cells[(uint32_t)at] = (float)value;
     return HATCH_OK;
 }

@@ -121,12 +121,26 @@ static float find_step(const struct hatch_image *image, uint32_t channels, doubl
     return step < STEP_MIN ? 0 : step;
 }
 
+/* Rounds the numbers of a grey image where they are not darker already; the loop is at once on vector units. */
+static void round_grey(const float *restrict from, size_t pixels, float step, float *restrict to)
+{
+    const float per = 1 / step;
+    for (size_t i = 0; i < pixels; i++) {
+        float value = round_to(from[i], step, per);
+        to[i] = to[i] < value ? to[i] : value;
+    }
+}
+
 /* Rounds a channel where it is not darker already.
  *   stride  channels of a pixel
  *   step    0: it is copied */
 static void round_channel(const float *from, size_t pixels, uint32_t stride, float step, float *to)
 {
     const float per = step > 0 ? 1 / step : 0;
+    if (stride == 1 && step > 0) {
+        round_grey(from, pixels, step, to);
+        return;
+    }
     for (size_t i = 0; i < pixels * stride; i += stride) {
         float value = step > 0 ? round_to(from[i], step, per) : from[i];
         to[i] = to[i] < value ? to[i] : value;

@@ -5,9 +5,10 @@
 #include "needs/needs.h"
 #include "shared/cmd.h"
 
-/* Reads a file of needs. Dies on failure.
+/* Read a file of needs, without or with its regions. Die on failure.
  *   path   NULL or "-": standard input
- *   needs  out: its regions are in args->keep */
+ *   needs  out: its regions, if they are read, are in args->keep */
 void cmd_read_needs(struct cmd_args *args, const char *path, struct hatch_needs *needs);
+void cmd_read_needs_and_regions(struct cmd_args *args, const char *path, struct hatch_needs *needs);
 
 #endif

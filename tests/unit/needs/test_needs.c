@@ -85,6 +85,17 @@ START_TEST(a_file_is_read)
 }
 END_TEST
 
+START_TEST(regions_that_nobody_reads_are_passed_over)
+{
+    const char *text = HEAD ROWS "region-unit-px\tx\ty\n";
+    struct hatch_needs needs;
+    HATCH_TEST_OK(hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, NULL, &needs, &err),
+                  &err);
+    ck_assert_double_eq_tol(needs.darkest, 0.5, 1e-12);
+    ck_assert_int_eq(parse(text, &needs), HATCH_BAD_INPUT);
+}
+END_TEST
+
 START_TEST(a_wrong_file_is_refused_with_its_row)
 {
     static const char *const cases[][2] = {
@@ -298,6 +309,7 @@ static Suite *suite(void)
     tcase_add_test(tests, few_dark_pixels_are_given_up);
     tcase_add_test(tests, no_pixel_needs_no_tone);
     tcase_add_test(tests, a_file_is_read);
+    tcase_add_test(tests, regions_that_nobody_reads_are_passed_over);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
     tcase_add_test(tests, columns_are_no_closer_than_the_tolerance_asks);
