@@ -144,8 +144,9 @@ static void begin_scene(void)
     make_nodes();
     make_materials();
     make_motion();
-    full = (struct hatch_scene){5,         7,        4,       2,      3,     3,          1,    1, scene_meshes, nodes,
-                                materials, textures, cameras, lights, skins, animations, NULL, 0, 0, false};
+    full =
+        (struct hatch_scene){5,        7,       4,      2,     3,          3,    1, 1, scene_meshes, nodes, materials,
+                             textures, cameras, lights, skins, animations, NULL, 0, 0, false};
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
