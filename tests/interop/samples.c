@@ -246,7 +246,7 @@ static void save_scene(const char *folder)
     struct hatch_node nodes[6];
     struct hatch_texture texture;
     const struct hatch_scene scene = {2,         6,        2,       1,      2,     3,          1,    1, meshes, nodes,
-                                      materials, &texture, cameras, lights, &skin, &animation, NULL, 0, false};
+                                      materials, &texture, cameras, lights, &skin, &animation, NULL, 0, 0,      false};
     struct hatch_buffer file = {.arena = &arena};
     make_meshes(meshes);
     make_nodes(nodes);
