@@ -7,14 +7,9 @@ set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
-meshes=$(dirname "$0")/../../../../shared/data/meshes
+. "$(dirname "$0")/scenes.sh"
 printf 'scene\tmotion\tpoints\tmean_px\tp99_px\tgone\n'
-for shape in torus teapot superquadric; do
-    meshgen $shape --faces 20000 | dirfield -q --smooth 1 -o "$work/$shape.glb"
-done
-for name in stanford-bunny.ply armadillo.obj rocker-arm.obj; do
-    [ ! -e "$meshes/$name" ] || dirfield -q "$meshes/$name" -o "$work/${name%.*}.glb"
-done
+make_fields "$work"
 for file in "$work"/*.glb; do
     name=$(basename "$file" .glb)
     strokegen -q "$file" -o "$work/strokes.glb.part"

@@ -6,19 +6,14 @@ set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
-meshes=$(dirname "$0")/../../../../shared/data/meshes
+. "$(dirname "$0")/scenes.sh"
 draw() { # draw STROKES OPTION ...
     strokes=$1
     shift
     render-gl -q "$work/$strokes" -t traced --finer 0 --lines none --size 960x720 --tone-range 0:.9 "$@"
 }
 printf 'scene\tafter_1_degree\tafter_5_degrees\tother_seed\n'
-for shape in torus teapot superquadric; do
-    meshgen $shape --faces 20000 | dirfield -q --smooth 1 -o "$work/$shape.glb"
-done
-for name in stanford-bunny.ply armadillo.obj rocker-arm.obj; do
-    [ ! -e "$meshes/$name" ] || dirfield -q "$meshes/$name" -o "$work/${name%.*}.glb"
-done
+make_fields "$work"
 for file in "$work"/*.glb; do
     name=$(basename "$file" .glb)
     printf '%s' "$name"
