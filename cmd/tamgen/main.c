@@ -121,7 +121,7 @@ static void read_needs(struct job *job)
     hatch_style_targets(&job->style, job->tones, targets);
     job->every = hatch_needs_every(&needs, targets, job->tones);
     if (job->every > 1)
-        cmd_note("only every %u. column: they are %g tolerances apart, at most", job->every, HATCH_NEEDS_COLUMN);
+        cmd_note("1 of %u columns is made: they are at most %g tolerances apart", job->every, HATCH_NEEDS_COLUMN);
     job->tones /= job->every;
     hatch_style_targets(&job->style, job->tones, targets);
     const struct cmd_map_part part =
