@@ -4,14 +4,14 @@
 # strokes, 1920x1200, four samples. rptam and both kinds of strokes are timed in turn, three times; each run also times
 # gouraud. Then, for the growth of cost, one scene in three sizes, each with 1,000, 4,000 and 16,000 strokes, in turn,
 # three times. Milliseconds are measured by the driver; of the three turns the fastest counts, because other work on the
-# machine only adds. aggregate_ms is finding and collecting fragments, draw_ms extruding and drawing ribbons, rest_ms
-# clearing the canvas, its paper and the mean of the samples: passes of frames whose passes are timed one by one. ms is
-# a whole frame, low_ms and high_ms its quartiles; over_rptam is its ratio to ms of rptam, nan where that is not timed.
+# machine only adds. aggregate_ms is finding and collecting fragments, draw_ms drawing ribbons, rest_ms clearing the
+# canvas, its paper and the mean of the samples: passes of frames whose passes are timed one by one. ms is a whole frame,
+# low_ms and high_ms its quartiles; over_rptam is its ratio to ms of rptam, nan where that is not timed.
 set -eu
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM HUP
-printf 'method\ttriangles\tsize\tmegapixels\tstrokes\tfragments\taggregate_ms\tfit_ms\tdraw_ms\trest_ms\t'
+printf 'method\ttriangles\tsize\tmegapixels\tstrokes\tfragments\taggregate_ms\tfit_ms\textrude_ms\tdraw_ms\trest_ms\t'
 printf 'ms\tlow_ms\thigh_ms\tgouraud_ms\tover_rptam\tfit_share\tpeak_kib\n'
 meshgen teapot --faces 27000 -o "$work/27000.glb"
 meshgen torus --faces 90000 -o "$work/90000.glb"
@@ -42,11 +42,11 @@ row() {
     awk -F'\t' -v method="$method" -v triangles="$triangles" -v size="$size" -v counts="$counts" '
         function part(name) {
             if (name == "paper" && !papers++ || name ~ /^(gather|route|sort|blend)$/) return "aggregate"
-            return name == "fit" ? "fit" : name == "strokes" ? "draw" : "rest"
+            return name ~ /^(fit|extrude)$/ ? name : name == "strokes" ? "draw" : "rest"
         }
         FNR == 1 {
             whose = FILENAME ~ /\/rptam[^\/]*$/ ? "rptam" : method
-            papers = passes["aggregate"] = passes["fit"] = passes["draw"] = passes["rest"] = 0
+            papers = passes["aggregate"] = passes["fit"] = passes["extrude"] = passes["draw"] = passes["rest"] = 0
         }
         $1 == "peak" && whose == method && $4 > peak {peak = $4}
         $2 == "frame" && $1 != "gouraud" {ms = $4; low = $5; high = $6}
@@ -58,9 +58,14 @@ row() {
         !(whose in best) || ms < best[whose] { # gouraud is the last row
             best[whose] = ms
             if (whose == method) {
-                times = sprintf("%.1f\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f\t%.1f", passes["aggregate"], passes["fit"],
-                                passes["draw"], passes["rest"], ms, low, high, $4)
-                share = passes["fit"] / (passes["aggregate"] + passes["fit"] + passes["draw"] + passes["rest"])
+                times = sum = ""
+                split("aggregate fit extrude draw rest", names, " ")
+                for (i = 1; i in names; i++) {
+                    times = times sprintf("%.1f\t", passes[names[i]])
+                    sum += passes[names[i]]
+                }
+                times = times sprintf("%.1f\t%.1f\t%.1f\t%.1f", ms, low, high, $4)
+                share = passes["fit"] / sum
             }
         }
         END {

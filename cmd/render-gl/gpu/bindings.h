@@ -33,7 +33,8 @@
 #define STORAGE_SLOTS 5
 #define STORAGE_SORTED 6
 #define STORAGE_MISSED 7
-#define STORAGE_ORDER 2 /* of fitted strokes, which have no STORAGE_POINTS */
+#define STORAGE_DRAWN 1 /* these two of fitted strokes, which have neither STORAGE_PLACED nor STORAGE_POINTS */
+#define STORAGE_ORDER 2
 
 /* Words per row of a texture of lists (assets/strokes.c), as a power of two */
 #define LIST_ROW_BITS 13

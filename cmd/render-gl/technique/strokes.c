@@ -50,6 +50,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     static const struct gpu_stages route = {.compute = "strokes/route.comp"};
     static const struct gpu_stages sort = {.compute = "strokes/sort.comp"};
     static const struct gpu_stages fit = {.compute = "strokes/fit.comp"};
+    static const struct gpu_stages extrude = {.compute = "strokes/extrude.comp"};
     static const struct gpu_stages points = {.vertex = "strokes/blend.vert", .fragment = "strokes/blend.frag"};
     static const struct gpu_stages waiting = {.compute = "strokes/waiting.comp"};
     static const struct gpu_stages fit_blend = {.compute = "strokes/fit_blend.comp"};
@@ -66,7 +67,8 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &waiting, "", &state->blend.waiting, err));
     strokes_take_brush(state);
     snprintf(defines, sizeof defines, "#define FITTED 1\n%s%s", state->has_brush ? "#define BRUSH 1\n" : "", crossing);
-    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, crossing, &state->fit, err));
+    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, "", &state->fit, err));
+    HATCH_TRY(gpu_program_get(programs, &extrude, crossing, &state->extrude, err));
     HATCH_TRY(gpu_program_get(programs, &ribbon, defines, &state->ribbon, err));
     HATCH_TRY(gpu_program_get(programs, &over, "", &state->over, err));
     HATCH_TRY(frame_shader_prepare(context->frame, &strokes_paper, "", &state->paper, err));
@@ -222,8 +224,8 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
         return HATCH_OK;
     set_style(context->frame, pen_px, instance);
     double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
-    glProgramUniform1f(state->fit->name, UNIFORM_OVERDRAW, (float)overdraw_px);
-    glProgramUniform1f(state->fit->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
+    glProgramUniform1f(state->extrude->name, UNIFORM_OVERDRAW, (float)overdraw_px);
+    glProgramUniform1f(state->extrude->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
     state->counts.strokes += list->count;
     HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
     state->counts.fragments += list->fragments;
@@ -284,9 +286,9 @@ static uint32_t reach_px(const struct technique_instance *instance)
 static void free_state(struct technique_instance *instance)
 {
     struct strokes_state *state = instance->state;
-    const GLuint buffers[] = {state->fragments.name, state->table.name,  state->sorted.name,  state->found.name,
-                              state->missed.name,    state->order.name,  state->divided.name, state->points.name,
-                              state->indices.name,   state->block_buffer};
+    const GLuint buffers[] = {state->fragments.name, state->table.name,   state->sorted.name,  state->found.name,
+                              state->missed.name,    state->order.name,   state->divided.name, state->drawn.name,
+                              state->points.name,    state->indices.name, state->block_buffer};
     glDeleteBuffers(sizeof buffers / sizeof *buffers, buffers);
     glDeleteTextures(1, &state->points_view);
     glDeleteTextures(2, state->brush);

@@ -7,7 +7,7 @@ set key top left Left reverse
 set fit quiet logfile "/dev/null"
 set xrange [0:17500]
 set yrange [0:*]
-rows(size) = sprintf("< awk -F'\\t' '$15 == \"nan\" && $3 ~ /%s/ {print $4, $5, $11}' %s | sort -n -k2", size, data)
+rows(size) = sprintf("< awk -F'\\t' '$16 == \"nan\" && $3 ~ /%s/ {print $4, $5, $12}' %s | sort -n -k2", size, data)
 whole(p, s) = base + per_megapixel * p + per_thousand * s / 1000
 base = 100
 per_megapixel = 500

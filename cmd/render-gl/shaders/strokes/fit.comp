@@ -1,6 +1,6 @@
-// Fits a cubic to the fragments of each stroke, and extrudes it to a ribbon. A stroke is as wide as its fragments say:
-// the area that they cover, divided by its length.
-#include "strokes/extrude.glsl"
+// Fits a cubic to the fragments of each stroke. A stroke is as wide as its fragments say: the area that they cover,
+// divided by its length.
+#include "strokes/drawn.glsl"
 #include "strokes/fragments.glsl"
 #include "strokes/cubic.glsl"
 #include "strokes/patches.glsl"
@@ -82,6 +82,6 @@ void main()
     uint whole = (cubic.range.x < CUT ? JOINED_START : 0u) | (cubic.range.y > 1.0 - CUT ? JOINED_END : 0u);
     if (is_dot)
         whole = JOINED_START | JOINED_END;
-    extrude(i, Drawn(cubic, slot.high, stroke_number(slot.low), slot.joined, whole, ends, path.lengths[LAST], widths,
-                     mean));
+    drawn_strokes[i] = Drawn(cubic, slot.high, stroke_number(slot.low), slot.joined, whole, ends, path.lengths[LAST],
+                             widths, mean);
 }

@@ -1,6 +1,6 @@
 // Fits a cubic to the sums of each stroke by conjugate gradients (Szecsi et al., Tonal Art Maps with Image Space
-// Strokes, 2.2), and extrudes it to a ribbon of one width: the area of its fragments, divided by its length.
-#include "strokes/extrude.glsl"
+// Strokes, 2.2). A stroke has one width: the area of its fragments, divided by its length.
+#include "strokes/drawn.glsl"
 
 layout(local_size_x = 32) in;
 struct Slot {
@@ -70,5 +70,6 @@ void main()
     float length_px = path.lengths[LAST], width_px = cubic.weight / max(length_px, SHORTEST_PX);
     for (int k = 0; k <= LAST; k++)
         widths[k] = length_px < SPARSEST * cubic.weight ? width_px : 0.0;
-    extrude(i, Drawn(cubic, slot.high, stroke_number(slot.low), 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px));
+    drawn_strokes[i] =
+        Drawn(cubic, slot.high, stroke_number(slot.low), 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px);
 }

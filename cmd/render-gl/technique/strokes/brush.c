@@ -57,7 +57,7 @@ double strokes_use_brush(const struct strokes_state *state, bool even)
         profile[k] = even ? 1 : (float)(pressure * grain);
     if (state->has_brush && !even)
         find_profile(&state->seeds.source.stroke, pressure, profile);
-    glProgramUniform1fv(state->fit->name, UNIFORM_PROFILE, BRUSH_PROFILE, profile);
+    glProgramUniform1fv(state->extrude->name, UNIFORM_PROFILE, BRUSH_PROFILE, profile);
     for (uint32_t k = 0; k < BRUSH_PROFILE; k++)
         mean += (double)profile[k] / BRUSH_PROFILE;
     if (state->has_brush)

@@ -1,5 +1,5 @@
 /* From fragments to ribbons: a compute pass fits a cubic to each stroke; the few strokes that no cubic follows are
- * divided on the processor and fitted again. */
+ * divided on the processor and fitted again; a last pass extrudes the cubics. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,18 +14,28 @@
 #define REACH 1.5f        /* as in shaders/strokes/fit.comp */
 #define PLACES 8u         /* places along a stroke whose parts have different ids */
 #define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
+#define DRAWN_BYTES 176u /* of struct Drawn in shaders/strokes/drawn.glsl, std430 */
 
-/* Makes room for the ribbons of so many strokes, and keeps those that are there. */
+/* Makes room for so many fitted strokes, and keeps those that are there. */
+static void reserve_drawn(struct strokes_state *state, uint32_t count)
+{
+    const size_t bytes = (size_t)DRAWN_BYTES * count;
+    struct strokes_buffer before = state->drawn;
+    if (bytes <= before.size_bytes)
+        return;
+    state->drawn = (struct strokes_buffer){.name = 0};
+    strokes_reserve(&state->drawn, bytes + bytes / 2); /* room for the parts of divided strokes */
+    gpu_buffer_copy(before.name, 0, state->drawn.name, 0, before.size_bytes);
+    glDeleteBuffers(1, &before.name);
+}
+
+/* Makes room for so many ribbons. */
 static void reserve_ribbons(struct strokes_state *state, uint32_t count)
 {
     const size_t bytes = RIBBON_BYTES * count;
-    struct strokes_buffer before = state->points;
-    if (bytes <= before.size_bytes)
+    if (bytes <= state->points.size_bytes)
         return;
-    state->points = (struct strokes_buffer){.name = 0};
-    strokes_reserve(&state->points, bytes + bytes / 2); /* room for the parts of divided strokes */
-    gpu_buffer_copy(before.name, 0, state->points.name, 0, before.size_bytes);
-    glDeleteBuffers(1, &before.name);
+    strokes_reserve(&state->points, bytes);
     glDeleteTextures(1, &state->points_view);
     state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
 }
@@ -65,18 +75,35 @@ static enum hatch_status bind_order(struct strokes_state *state, const struct st
 static enum hatch_status fit(const struct frame *frame, struct strokes_state *state, const struct strokes_list *list,
                              uint32_t count, struct hatch_err *err)
 {
-    reserve_ribbons(state, list->count);
+    reserve_drawn(state, list->count);
     strokes_reserve(&state->found, sizeof *list->strokes * list->count);
     strokes_reserve(&state->missed, sizeof(float) * list->count);
     HATCH_TRY(gpu_check_memory(err, "%u strokes", list->count));
     gpu_buffer_update(state->found.name, list->strokes, sizeof *list->strokes * list->count);
     gpu_storage_bind(STORAGE_SLOTS, state->found.name);
-    gpu_storage_bind(STORAGE_RIBBON, state->points.name);
+    gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
     glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, count);
     state->found_count = list->count;
     frame_dispatch(&(struct frame_dispatch){.name = "fit",
                                             .program = state->fit,
+                                            .groups = {(count + 31) / 32, 1, 1},
+                                            .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
+                   frame->timer);
+    return HATCH_OK;
+}
+
+/* Makes the ribbons of fitted strokes. */
+static enum hatch_status extrude(const struct frame *frame, struct strokes_state *state, uint32_t count,
+                                 struct hatch_err *err)
+{
+    reserve_ribbons(state, count);
+    HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
+    gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
+    gpu_storage_bind(STORAGE_RIBBON, state->points.name);
+    glProgramUniform1ui(state->extrude->name, UNIFORM_COUNT, count);
+    frame_dispatch(&(struct frame_dispatch){.name = "extrude",
+                                            .program = state->extrude,
                                             .groups = {(count + 31) / 32, 1, 1},
                                             .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
                    frame->timer);
@@ -218,14 +245,11 @@ static enum hatch_status find_poor(const struct strokes_state *state, const stru
     return HATCH_OK;
 }
 
-enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
-                              struct hatch_arena *scratch, struct hatch_err *err)
+/* Fits the strokes to their sorted fragments, and divides those that no cubic follows. */
+static enum hatch_status fit_and_divide(const struct frame *frame, struct strokes_state *state,
+                                        struct strokes_list *list, struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t *poor, count;
-    if (state->blends) {
-        strokes_blend_bind(state);
-        return fit(frame, state, list, list->count, err);
-    }
     gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
     HATCH_TRY(bind_order(state, list->strokes, NULL, list->count, scratch, err));
     HATCH_TRY(fit(frame, state, list, list->count, err));
@@ -236,4 +260,16 @@ enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *s
     gpu_storage_bind(STORAGE_SORTED, state->divided.name);
     HATCH_TRY(bind_order(state, list->strokes, poor, count, scratch, err));
     return fit(frame, state, list, count, err);
+}
+
+enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
+                              struct hatch_arena *scratch, struct hatch_err *err)
+{
+    if (state->blends) {
+        strokes_blend_bind(state);
+        HATCH_TRY(fit(frame, state, list, list->count, err));
+    } else {
+        HATCH_TRY(fit_and_divide(frame, state, list, scratch, err));
+    }
+    return extrude(frame, state, list->count, err);
 }

@@ -72,8 +72,8 @@ struct strokes_state {
     struct frame_shader paper;  /* programs that draw bare paper */
     struct frame_shader map;    /* programs that gather the strokes of a map */
     struct frame_shader owners; /* programs that draw which patch lies on top */
-    const struct gpu_program *route, *sort, *fit, *ribbon, *over;
-    struct strokes_buffer fragments, table, sorted, found, missed, order, divided, points, indices;
+    const struct gpu_program *route, *sort, *fit, *extrude, *ribbon, *over;
+    struct strokes_buffer fragments, table, sorted, found, missed, order, divided, drawn, points, indices;
     uint32_t found_count; /* strokes of the last frame, in the buffer `found` */
     uint32_t waited;      /* strokes that shared a slot with others when the frame's fragments were first routed */
     bool blends;          /* sums over fragments are computed by blending; else fragments are sorted by stroke */

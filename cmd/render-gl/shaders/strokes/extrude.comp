@@ -1,11 +1,10 @@
-// A fitted cubic becomes a ribbon: RIBBON_POINTS points for traced/ribbon.vert. Included by the stages that fit.
-#include "frame/frame.glsl"
-#include "traced/style.glsl"
+// Makes a ribbon of each fitted stroke: RIBBON_POINTS points for traced/ribbon.vert.
+#include "strokes/drawn.glsl"
 #include "traced/noise.glsl"
-#include "strokes/curve.glsl"
-#include "strokes/hash.glsl"
 
+layout(local_size_x = 32) in;
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
+layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
 layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width of strokes that are drawn whole
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
@@ -13,62 +12,7 @@ layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which s
 const float SHORTER = 0.75; // exponent of the length of a thin stroke; 1: only the length changes with the ink
 const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
 const float SHORT_WIDTHS = 3.0; // a stroke of so many widths of the pen keeps its length
-const float WIDEST = 1.5;   // greatest width, in widths of the pen
 const float TURNS = 4.0;    // waves of the noise along a whole stroke
-const float SHORTEST_PX = 1.0;
-const uint JOINED_START = 4u, JOINED_END = 8u; // a stroke goes on before its start, after its end
-const int LAST = RIBBON_POINTS - 1;
-
-struct Path {
-    vec2 places[RIBBON_POINTS];
-    float lengths[RIBBON_POINTS]; // from the first
-};
-
-// A stroke to draw. u runs from -1 to 1 over the part in sight.
-struct Drawn {
-    Cubic cubic;
-    uint high;   // upper word of its id
-    uint number; // that of the stroke of which it is a part; 20 bits
-    uint joined; // bits JOINED_...
-    uint own;    // the same bits: the end is the stroke's own, and tapers as that of the texture does
-    vec2 ends;   // u of both ends, without overdraw
-    float length_px; // from u -1 to 1
-    float widths[RIBBON_POINTS]; // at evenly spaced u from -1 to 1
-    float mean;                  // of the widths
-};
-
-void measure(Cubic cubic, float from, float to, out Path path)
-{
-    for (int k = 0; k <= LAST; k++) {
-        path.places[k] = place_on(cubic, mix(from, to, float(k) / float(LAST)));
-        path.lengths[k] = k == 0 ? 0.0 : path.lengths[k - 1] + distance(path.places[k], path.places[k - 1]);
-    }
-}
-
-float mean_of(float widths[RIBBON_POINTS])
-{
-    float mean = 0.0;
-    for (int k = 0; k <= LAST; k++)
-        mean += widths[k] / float(LAST + 1);
-    return mean;
-}
-
-float width_at(float widths[RIBBON_POINTS], float u)
-{
-    float at = clamp(0.5 + 0.5 * u, 0.0, 1.0) * float(LAST), width = 0.0, sum = 0.0;
-    for (int k = 0; k <= LAST; k++) {
-        float share = max(1.0 - 0.5 * abs(at - float(k)), 0.0);
-        width += share * widths[k];
-        sum += share;
-    }
-    return width / sum;
-}
-
-// Returns the widths at both ends, in mean widths.
-vec2 thickness_of(float widths[RIBBON_POINTS], float mean)
-{
-    return vec2(width_at(widths, -1.0), width_at(widths, 1.0)) / max(mean, 1e-6);
-}
 
 float profile_at(float t)
 {
@@ -136,9 +80,12 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
     ribbon[to + 2u] = vec4(1.0, t, wave_level(drawn), 0.0);
 }
 
-// Writes the ribbon of stroke i.
-void extrude(uint i, Drawn drawn)
+void main()
 {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count)
+        return;
+    Drawn drawn = drawn_strokes[i];
     float kept = share_kept(drawn.mean, drawn.length_px);
     float seen = kept * 0.5 * (drawn.ends.y - drawn.ends.x) * drawn.length_px;
     vec2 ends = with_overdraw(drawn);
