@@ -114,9 +114,9 @@ static double change_by(const struct hatch_image *image, uint32_t channels, floa
 static float find_step(const struct hatch_image *image, uint32_t channels, double tolerance)
 {
     float step = STEP_MAX;
-    while ((double)step > 8 * tolerance)
+    while ((double)step > 16 * tolerance)
         step /= 2;
-    while (step >= STEP_MIN && change_by(image, channels, step) > tolerance / 4)
+    while (step >= STEP_MIN && change_by(image, channels, step) > tolerance / 2)
         step /= 2;
     return step < STEP_MIN ? 0 : step;
 }
