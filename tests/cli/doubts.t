@@ -63,6 +63,13 @@ is "a missing material library" "$status $(cat .err)" \
 : >none.mtl
 try hatchstat mesh mesh.obj
 is "a material library that exists" "$status $(cat .err)" "0 "
+perl make.pl mesh
+sed 's/"indices":0}/"indices":0,"mode":0}/' mesh.gltf >points.gltf
+try hatchstat mesh points.gltf
+is "points alone" "$status $(cat .err)" "3 hatchstat: points.gltf: no faces, only 1 set of points or lines"
+sed 's/"primitives":\[\(.*\)\]}\],"accessors"/"primitives":[\1,\1]}],"accessors"/' points.gltf >twice.gltf
+try hatchstat mesh twice.gltf
+is "points twice" "$status $(cat .err)" "3 hatchstat: twice.gltf: no faces, only 2 sets of points or lines"
 perl make.pl mesh scale 1,0,1
 try render-gl mesh.gltf --technique gouraud --size 16x16 -o picture.png
 is "a node with a scale of 0" "$status $(grep -c 'warning: 1 node has a scale of 0: its meshes are flat' .err)" "0 1"

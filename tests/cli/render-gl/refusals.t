@@ -33,6 +33,11 @@ refuses "the greatest number of a camera" 3 1 "camera 65535 is not in the scene"
 refuses "a greater number of a camera" 2 2 "--camera 65536" $draw torus.glb --tam map.exr --camera 65536
 refuses "highlights that are too strong" 2 2 "--specular 10.1:1: want a strength from 0 to 10" \
     $draw torus.glb -t gouraud --specular 10.1:1
+try render-gl --size 32x24 torus.glb -t gouraud --ink white -o tone.png
+is "ink of the paper's colour" "$status $(grep -c "warning: ink and paper have the same colour: strokes are invisible" .err)" \
+    "0 1"
+try render-gl --size 32x24 torus.glb -t gouraud --ink white,black -o tone.png
+is "beside a second ink" "$status $(cat .err)" "0 "
 ok "the strongest highlights" render-gl --size 32x24 torus.glb -t gouraud --specular 10:1 -o tone.png
 refuses "too many repeats" 2 2 "--uv-scale 65536.1: want auto or a number over 0 and up to 65536" \
     $draw torus.glb --tam map.exr --uv-scale 65536.1

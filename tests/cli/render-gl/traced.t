@@ -40,6 +40,9 @@ draw ball.glb --size 320x240
 by_vertex=$(ink)
 draw ball.glb --size 320x240 --pixel-light
 near "the ink of a sphere with --pixel-light" "$(ink)" "$by_vertex" .005
+# A sphere throws no shadow on its lit side: its faces, not their corners, say which side that is.
+draw ball.glb --size 320x240 --pixel-light --shadows .3
+near "with shadows, too" "$(ink)" "$by_vertex" .001
 
 # The plane fills the picture: its ink is its tone, near, far, slanted, and with any pen.
 for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
