@@ -45,6 +45,19 @@ sub read_file {
     }
 }
 
+# Returns a copy of all that was noted.
+sub reach_all {
+    return {known => {%known}, executed => {%executed}, functions => {%functions}};
+}
+
+# Takes what reach_all has returned.
+sub reach_take {
+    my ($all) = @_;
+    %known = %{$all->{known}};
+    %executed = %{$all->{executed}};
+    %functions = %{$all->{functions}};
+}
+
 # Whether a test may see a change of a line: it executes the line, or, where gcov does not count the line, its function;
 # outside functions, where it runs a program that has the file. Files without counts are seen by all tests.
 sub reaches {

@@ -13,6 +13,7 @@ use Cwd qw(abs_path);
 use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
 use POSIX qw(setsid :sys_wait_h);
+use Storable qw(retrieve store);
 use Time::HiRes qw(time sleep);
 $| = 1;
 
@@ -33,6 +34,10 @@ sub prepare_tree {
     $folder = abs_path($folder);
     chdir $top or die;
     system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
+    # A repository, of which make dist makes its archive.
+    system("git init -q '$folder' && git ls-files -z | git -C '$folder' add --pathspec-from-file=- --pathspec-file-nul && " .
+        "git -C '$folder' -c user.name=hatch -c user.email=hatch commit -q --allow-empty -m copy") == 0
+        or die "run.pl: git cannot take the copy\n";
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
     make_path("$folder/tmp");
@@ -171,6 +176,21 @@ sub measure_tests {
     return %odd;
 }
 
+# As measure_tests, but keeps the result, and takes it from the folder if it has that of the same tree.
+sub know_tests {
+    my ($took, @tests) = @_;
+    my ($tree) = split /\n/, `git rev-parse 'HEAD^{tree}'`;
+    my $kept = -e 'tests.coverage' ? retrieve('tests.coverage') : {tree => ''};
+    if ($kept->{tree} ne $tree) {
+        my %odd = measure_tests($took, @tests);
+        $kept = {tree => $tree, took => $took, odd => \%odd, reach => reach_all()};
+        store($kept, 'tests.coverage');
+    }
+    %$took = %{$kept->{took}};
+    reach_take($kept->{reach});
+    return %{$kept->{odd}};
+}
+
 # Returns the tests of a kind, nearest first, among equals the fastest first.
 sub in_order {
     my ($file, $took, @tests) = @_;
@@ -205,7 +225,7 @@ my @drawn = map { chomp; [split /\t/] } do {
 } or die "run.pl: no mutation was drawn\n";
 my ($programs, $scripts) = build_tests();
 my $took = {};
-my %odd = measure_tests($took, @$programs, @$scripts);
+my %odd = know_tests($took, @$programs, @$scripts);
 my %reason = map { chomp; my ($file, $line, $after, $why) = split /\t/; ("$file\t$line\t$after" => $why) }
     split /^/, contents("$here/equivalent.tsv");
 my ($counted, @survivors) = (0);
