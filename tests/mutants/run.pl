@@ -34,9 +34,10 @@ sub prepare_tree {
     $folder = abs_path($folder);
     chdir $top or die;
     system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
-    # A repository, of which make dist makes its archive.
-    system("git init -q '$folder' && git ls-files -z | git -C '$folder' add --pathspec-from-file=- --pathspec-file-nul && " .
-        "git -C '$folder' -c user.name=hatch -c user.email=hatch commit -q --allow-empty -m copy") == 0
+    # A repository, of which make dist makes its archive; files of an earlier tree go.
+    my $git = "git -C '$folder' -c user.name=hatch -c user.email=hatch";
+    system("git init -q '$folder' && git ls-files -z | $git add --pathspec-from-file=- --pathspec-file-nul && " .
+        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /tests.coverage") == 0
         or die "run.pl: git cannot take the copy\n";
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
