@@ -77,7 +77,8 @@ static void put_row(struct cmd_report *report, const char *name, const struct fi
 /* Adds the last row: means over the frames that have a value, but maxima for drift and pop_box8. */
 static void put_summary(struct cmd_report *report, const struct figures *figures, int count)
 {
-    struct figures all = {0, 0, 0, 0};
+    const double none = count > 2 ? 0 : NAN; /* two pictures have no second difference */
+    struct figures all = {.pop = none, .pop_low = none};
     double drift = 0;
     for (int i = 0; i < count; i++) {
         all.mean += figures[i].mean / count;

@@ -7,6 +7,8 @@
 #include "shared/scene.h"
 #include "meshfit.h"
 
+#define COMMENT_MAX 256
+
 static struct cmd_view_options chosen = CMD_VIEW_OPTIONS;
 static double error_px = 0.5;
 static int64_t faces, level_count = 1;
@@ -78,6 +80,20 @@ static void drop_flat_normals(struct hatch_scene *scene)
     }
 }
 
+/* Writes the command, as the file tells it. */
+static void describe(char text[COMMENT_MAX])
+{
+    char goal[64], from[64] = "";
+    if (faces > 0)
+        snprintf(goal, sizeof goal, "--faces %lld", (long long)faces);
+    else
+        snprintf(goal, sizeof goal, "--error %g --levels %d", error_px, (int)level_count);
+    if (chosen.alone)
+        snprintf(from, sizeof from, " --from %g:%g", chosen.from_deg[0], chosen.from_deg[1]);
+    snprintf(text, COMMENT_MAX, "meshfit %s --size %gx%g%s --fov %g --zoom %g", goal, chosen.size_px[0],
+             chosen.size_px[1], from, chosen.fov_deg, chosen.zoom);
+}
+
 int main(int argc, char **argv)
 {
     struct cmd_args args;
@@ -106,9 +122,8 @@ int main(int argc, char **argv)
     }
     meshfit_join_levels(&fit, levels, (uint32_t)level_count, &out);
 
-    char comment[128];
-    snprintf(comment, sizeof comment, "meshfit --error %g --levels %d --size %gx%g --fov %g --zoom %g", error_px,
-             (int)level_count, chosen.size_px[0], chosen.size_px[1], chosen.fov_deg, chosen.zoom);
+    char comment[COMMENT_MAX];
+    describe(comment);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write_scene(&out, comment, &args.scratch, &file, &err), fit.name, &err);
     cmd_write(output, file.data, file.size);

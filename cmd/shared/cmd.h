@@ -113,6 +113,9 @@ struct hatch_pool *cmd_pool(struct cmd_args *args);
  *   path  NULL or "-": standard input, at most once */
 struct hatch_bytes cmd_read(struct cmd_args *args, const char *path);
 
+/* Does the same into an arena. */
+struct hatch_bytes cmd_read_into(struct hatch_arena *arena, const char *path);
+
 /* Reads a whole file like cmd_read, but returns the status instead of dying. For companion files, such as the .bin file
  * of a glTF. */
 enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path, struct hatch_bytes *bytes,

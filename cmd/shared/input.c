@@ -34,16 +34,17 @@ static bool is_text(const uint8_t *data)
 }
 
 /* Returns whether the bytes could begin a binary STL file, which has no signature: its first triangles have coordinates
- * that a mesh may have. */
+ * that a mesh may have. Their normals may be anything. */
 static bool is_stl(const uint8_t *data)
 {
-    const size_t header = 80, triangle = 50, triangles = 100;
+    const size_t header = 80, normal = 12, triangle = 50, triangles = 100;
     struct hatch_reader reader = hatch_reader_of((struct hatch_bytes){data, FIRST_CAPACITY});
     hatch_read_bytes(&reader, header);
     uint32_t count = hatch_read_u32(&reader);
     for (size_t t = 0; t < triangles && t < count; t++) {
         struct hatch_reader numbers = reader;
-        for (int k = 0; k < 12; k++)
+        hatch_read_bytes(&numbers, normal);
+        for (int k = 0; k < 9; k++)
             if (!(fabsf(hatch_read_f32(&numbers)) < 1e15f))
                 return false;
         hatch_read_bytes(&reader, triangle);
@@ -136,7 +137,7 @@ enum hatch_status cmd_try_read(struct hatch_arena *arena, const char *path, stru
     return status;
 }
 
-struct hatch_bytes cmd_read(struct cmd_args *args, const char *path)
+struct hatch_bytes cmd_read_into(struct hatch_arena *arena, const char *path)
 {
     static bool stdin_taken;
     if (is_standard_input(path) && stdin_taken)
@@ -144,8 +145,13 @@ struct hatch_bytes cmd_read(struct cmd_args *args, const char *path)
     stdin_taken = stdin_taken || is_standard_input(path);
     struct hatch_bytes bytes = {0};
     struct hatch_err err;
-    cmd_check(cmd_try_read(&args->keep, path, &bytes, &err), cmd_input_name(path), &err);
+    cmd_check(cmd_try_read(arena, path, &bytes, &err), cmd_input_name(path), &err);
     return bytes;
+}
+
+struct hatch_bytes cmd_read(struct cmd_args *args, const char *path)
+{
+    return cmd_read_into(&args->keep, path);
 }
 
 const char *cmd_installed_path(struct cmd_args *args, const char *relative)

@@ -406,11 +406,11 @@ static const struct cmd_option *option_of_code(const struct table *table, int co
 
 static noreturn void refuse_unknown(const struct table *table, char **argv)
 {
-    const char *word = argv[optind - 1];
+    const char *word = argv[optind - 1]; /* of a letter among others, the word before */
     const struct cmd_option *option = option_of_code(table, optopt);
     if (option && option->type == CMD_FLAG)
         cmd_usage("--%s takes no value", option->name);
-    if (optopt && strncmp(word, "--", 2) != 0)
+    if (optopt > 0 && optopt < CODE_OF(0))
         cmd_usage("unknown option -%c", optopt);
     const struct hatch_text name = {word + 2, strcspn(word + 2, "=")};
     for (size_t i = 0; i < table->count; i++)

@@ -207,17 +207,17 @@ static char *hidden_path(const char *target, const char *ending)
     return path;
 }
 
-/* Returns whether a path still names the open file, and this is a plain file of this user with no second name. */
-static bool is_ours(int descriptor, const char *path)
+/* Returns whether a path still names the open file, and this is a plain file with no second name. */
+static bool is_named(int descriptor, const char *path, struct stat *opened)
 {
-    struct stat opened, named;
-    return fstat(descriptor, &opened) == 0 && lstat(path, &named) == 0 && opened.st_dev == named.st_dev &&
-           opened.st_ino == named.st_ino && S_ISREG(opened.st_mode) && opened.st_nlink == 1 &&
-           opened.st_uid == geteuid();
+    struct stat named;
+    return fstat(descriptor, opened) == 0 && lstat(path, &named) == 0 && opened->st_dev == named.st_dev &&
+           opened->st_ino == named.st_ino && S_ISREG(opened->st_mode) && opened->st_nlink == 1;
 }
 
 /* Opens and locks a hidden file, unless it has a living writer or is not ours; returns its descriptor, or -1. Another
- * process may open, lock, rename or remove it at any moment, so that its name is compared again under the lock. */
+ * process may open, lock, rename or remove it at any moment, so that its name is compared again under the lock. A file
+ * that was just created is ours, whoever a file system says owns it. */
 static int lock_hidden(const char *path, bool create)
 {
     const int flags = O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
@@ -227,9 +227,12 @@ static int lock_hidden(const char *path, bool create)
         descriptor = open(path, flags);
     if (descriptor < 0)
         return -1;
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_ours(descriptor, path))
+    struct stat opened;
+    bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0, others = !locked && errno == EWOULDBLOCK;
+    bool named = is_named(descriptor, path, &opened);
+    if (locked && named && (created || opened.st_uid == geteuid()))
         return descriptor;
-    if (created && errno != EWOULDBLOCK && is_ours(descriptor, path)) /* a file system without locks */
+    if (created && named && !others) /* a file system without locks */
         unlink(path);
     close(descriptor);
     return -1;

@@ -23,9 +23,8 @@ void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, s
                       struct hatch_image *image)
 {
     struct hatch_err err;
-    struct hatch_bytes file = {0};
+    struct hatch_bytes file = cmd_read_into(arena, path);
     const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
-    cmd_check(cmd_try_read(arena, path, &file, &err), name, &err);
     cmd_check(hatch_image_read_any(file, path, plugin, arena, &args->scratch, image, &err), name, &err);
     size_t replaced = replace_non_finite(image, fallback);
     if (replaced)

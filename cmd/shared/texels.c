@@ -1,6 +1,7 @@
 #include "shared/texels.h"
 
 #include <stdio.h>
+#include <strings.h>
 
 #include "io/texture/container.h"
 #include "io/exr/exr.h"
@@ -20,7 +21,7 @@ struct parts {
 bool cmd_is_exr_path(const char *path)
 {
     size_t length = path ? strlen(path) : 0;
-    return length >= 4 && strcmp(path + length - 4, ".exr") == 0;
+    return length >= 4 && strcasecmp(path + length - 4, ".exr") == 0;
 }
 
 static void unpack_slice(const struct hatch_texels *texels, uint32_t level, uint32_t slice, struct hatch_image *image)

@@ -132,7 +132,7 @@ static uint32_t count_files(const struct pack_job *job, const struct pack_layout
 {
     uint32_t count = how->count(&job->tam);
     assert(count <= CMD_OUTPUTS_MAX); /* a map has at most 256 columns of 13 levels */
-    if (count > 1 && !job->args->output)
+    if (count > 1 && (!job->args->output || strcmp(job->args->output, "-") == 0))
         cmd_usage("--layout %s makes %u files: give a name or a folder with -o", how->name, count);
     return count;
 }

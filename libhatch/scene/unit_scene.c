@@ -98,6 +98,32 @@ static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *i
     box_item(unit, item);
 }
 
+/* Returns the determinant of the upper left 3x3 part. */
+static double determinant(const double matrix[16])
+{
+    double cofactors[9];
+    bool mirrors = hatch_pose_normal_matrix(matrix, cofactors);
+    double volume = matrix[0] * cofactors[0] + matrix[1] * cofactors[1] + matrix[2] * cofactors[2];
+    return mirrors ? -fabs(volume) : volume;
+}
+
+/* Returns the factor, less than 0 if it mirrors, by which a posed item's matrix, or that of its first joint, scales
+ * volumes. */
+static double volume_factor(const struct hatch_unit_scene *unit, const struct hatch_item *item)
+{
+    double world[16], factor = 1;
+    uint32_t skin = unit->scene->nodes[item->node].skin, node = item->node;
+    if (skin != HATCH_NONE && unit->scene->skins[skin].joint_count > 0) {
+        const float *bind = unit->scene->skins[skin].inverse_bind;
+        for (int i = 0; i < 16; i++)
+            world[i] = (double)bind[i];
+        factor = determinant(world);
+        node = unit->scene->skins[skin].joints[0];
+    }
+    hatch_pose_matrix(&unit->pose, node, world);
+    return factor * determinant(world);
+}
+
 /* Sets the matrices of a deformed item, whose vertices are computed directly in the unit scene. */
 static void place_deformed(const struct hatch_unit_scene *unit, struct hatch_item *item)
 {
@@ -105,11 +131,7 @@ static void place_deformed(const struct hatch_unit_scene *unit, struct hatch_ite
     static const float normal_identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     memcpy(item->to_unit, identity, sizeof identity);
     memcpy(item->normal, normal_identity, sizeof normal_identity);
-    if (unit->scene->nodes[item->node].skin == HATCH_NONE) {
-        double world[16], cofactors[9];
-        hatch_pose_matrix(&unit->pose, item->node, world);
-        item->mirrored = hatch_pose_normal_matrix(world, cofactors);
-    }
+    item->mirrored = volume_factor(unit, item) < 0;
 }
 
 void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, double time_s)
@@ -152,24 +174,6 @@ void hatch_item_surface(const struct hatch_unit_scene *unit, const struct hatch_
         hatch_bounds_to_unit(&unit->bounds, positions + 3 * v, positions + 3 * v);
 }
 
-/* Returns the factor by which a posed item's matrix, or that of its first joint, scales volumes. */
-static double volume_factor(const struct hatch_unit_scene *unit, const struct hatch_item *item)
-{
-    double world[16], cofactors[9], factor = 1;
-    uint32_t skin = unit->scene->nodes[item->node].skin, node = item->node;
-    if (skin != HATCH_NONE && unit->scene->skins[skin].joint_count > 0) {
-        const float *bind = unit->scene->skins[skin].inverse_bind;
-        for (int i = 0; i < 16; i++)
-            world[i] = (double)bind[i];
-        hatch_pose_normal_matrix(world, cofactors);
-        factor = world[0] * cofactors[0] + world[1] * cofactors[1] + world[2] * cofactors[2];
-        node = unit->scene->skins[skin].joints[0];
-    }
-    hatch_pose_matrix(&unit->pose, node, world);
-    hatch_pose_normal_matrix(world, cofactors);
-    return fabs(factor * (world[0] * cofactors[0] + world[1] * cofactors[1] + world[2] * cofactors[2]));
-}
-
 void hatch_unit_scene_turn_rest(struct hatch_unit_scene *unit, const double turn_rad[3])
 {
     for (int axis = 0; axis < 3; axis++)
@@ -190,7 +194,7 @@ struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint
     static const double away[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703}; /* on no grid */
     const struct hatch_item *item = &unit->items[index];
     const struct hatch_node *node = &unit->scene->nodes[item->node];
-    double half = 0, factor = cbrt(volume_factor(unit, item));
+    double half = 0, factor = cbrt(fabs(volume_factor(unit, item)));
     for (uint32_t i = 0; i < node->mesh_count; i++)
         for (int k = 0; k < 3; k++)
             half = fmax(half, unit->meshes[node->first_mesh + i].half[k]);

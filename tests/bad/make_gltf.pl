@@ -114,7 +114,7 @@ sub containers {
     };
     $patched->('magic-wrong', 'magic word glTG', '-', 3, 'G');
     $patched->("version-$_", "version $_", "glTF version $_, want 2", 4, pack 'V', $_) for 0, 1, 3, 4294967295;
-    $patched->("length-$_", "the header says $_ bytes", "$_ bytes.* $size", 8, pack 'V', $_) for 0, 13, 4294967295;
+    $patched->("length-$_", "the header says $_ bytes", "$_ bytes.* $size", 8, pack 'V', $_) for 0, 10, 13, 4294967295;
     $patched->('json-length-ffffffff', 'a JSON chunk of 2^32 - 1 bytes', 'chunk of 4294967295 bytes', 12, "\xff" x 4);
     $patched->('json-length-fffffffc', 'a JSON chunk of 2^32 - 4 bytes: with its place it wraps around',
         'chunk of 4294967292 bytes', 12, "\xfc\xff\xff\xff");

@@ -234,6 +234,8 @@ sub offs {
     $off->('zero-faces', 'no faces', 'no faces.* 4 ', '4 0 0', undef, '');
     $off->('zero', 'nothing at all', 'no faces', '0 0 0', '', '');
     $off->('index-oob', 'vertex 4 of four', 'line 7: .* 4 ', '4 4 0', undef, "3 0 1 4\n$lists");
+    $off->('index-missing', 'a face of three corners with two', 'line 7: a face of 3 corners ends after 2', '4 4 0', undef,
+        "3 0 1\n$lists");
     $off->('index-negative', 'vertex -1', 'line 7: .* -1', '4 4 0', undef, "3 0 1 -1\n$lists");
     $off->('list-length-2e9', 'a face of 2147483647 corners', 'line 7: ', '4 4 0', undef,
         "2147483647 0 1 2\n$lists");

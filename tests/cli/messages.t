@@ -75,6 +75,7 @@ says "a layout with a typing error" 2 2 "--layout: 'rbg' is not one of" tampack 
 says "a camera on its target" 3 1 "the camera stands on its target" \
     render-gl mesh.glb --technique gouraud --camera 1,2,3:1,2,3 -o a.png
 says "an option with a typing error" 2 2 "unknown option --stlye (is it --style?)" tamgen --stlye ink
+says "an unknown letter after an option" 2 2 "unknown option -Z" tamgen --seed=1 -Zq
 says "a parameter with a typing error" 2 2 "; perhaps stroke" \
     render-gl mesh.glb -t rptam --frames 2 -o f%d.png --animate storke=1..2
 says "--check with a subject that has no checks" 2 2 "mesh: --check is for" hatchstat mesh mesh.glb --check

@@ -25,6 +25,8 @@ ok "two outputs go to a device" tamgen --size 64 -o /dev/null --strokes /dev/nul
 try sh -c 'meshgen plane --faces 2 | hatchstat mesh - -'
 refused "two inputs come from standard input" 2 2
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
+try sh -c 'hatchstat diff - - <sheet.png'
+refused "two pictures come from standard input" 2 2
 
 # Either all files of a set are replaced or none.
 echo old >tiles.000.00.png
@@ -123,4 +125,15 @@ mkdir other.obj
 for name in plane plane.GLB plane.v2 other.obj/plane; do
     ok "meshgen plane -o $name" meshgen plane --faces 2 -o $name
 done
+# A file system may say that files which a process has just made are another user's.
+if [ -z "$SANITIZE" ]; then
+    printf '#include <unistd.h>\nuid_t geteuid(void) {return getuid() + 1;}\n' >other.c
+    ${CC:-cc} -shared -fPIC -o other.so other.c
+    mkdir other
+    LD_PRELOAD=$WORK/other.so meshgen plane --faces 2 -o other/plane.glb
+    is "an output in a folder of another user" "$(ls -A other)" plane.glb
+fi
+# The ending of a name tells the format, in capitals, too.
+tamgen -q --size 64 --tones 2 --levels 1 | tamvol -q -o CAPITALS.EXR
+is "an EXR file with a name in capitals" "$(head -c 4 CAPITALS.EXR | od -An -tx1)" " 76 2f 31 01"
 finish

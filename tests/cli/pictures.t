@@ -43,6 +43,9 @@ try hatchstat nonesuch grey.ppm
 refused "an unknown subject" 2 2
 
 # Black, grey, white: 0, 0.2159 and 1 in linear light.
+hatchstat frames black.ppm white.ppm >two.tsv
+is "frames: two pictures have no pop" "$(field pop <two.tsv | paste -sd' ') $(field pop_box8 <two.tsv | paste -sd' ')" \
+    "nan nan nan nan nan nan"
 hatchstat frames black.ppm grey.ppm white.ppm >frames.tsv
 is "a row for each frame and one for all" "$(wc -l <frames.tsv)" 5
 is "frames: the mean of each frame" "$(field mean <frames.tsv | cut -c 1-5 | paste -sd' ')" "0 0.215 1 0.405"

@@ -106,6 +106,10 @@ for line in "mesh mesh.stl" "ink picture.ppm" "ink picture.tga"; do
     hatchstat "$1" "fifo.${2##*.}" >by_pipe
     is "$2 through a FIFO" "$(wc -c <by_pipe | awk '{print ($1 > 0)}') $(cmp by_name by_pipe)" "1 "
 done
+# Normals of STL files may be anything.
+perl -0777 -pe 'substr $_, 0, 5, "solid"; substr $_, 84, 12, pack "f<3", ("nan") x 3' mesh.stl >normals.stl
+is "an STL file whose first normal is NaN, through a pipe" "$(hatchstat -q mesh - <normals.stl | cksum)" \
+    "$(hatchstat -q mesh normals.stl | cksum)"
 
 # on_terminal COMMAND: prints a command's status and the first line that a terminal shows of it
 on_terminal() {

@@ -76,4 +76,15 @@ echo 'width 3' >no.palette
 try tamgen --palette ./no.palette -o x.exr
 refused "a palette without colours" 3 1
 ok "refused commands leave no file" test ! -e x.exr
+
+# The last value of display counts, unless a group around an element has none; visibility is that of the element.
+cat >hidden.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" stroke="black" stroke-width="2" fill="none">
+<g visibility="hidden"><path d="M5 10h9"/><path visibility="visible" d="M5 20h9"/></g>
+<path display="none" style="display:inline" d="M5 30h9"/><path style="display:inline;display:none" d="M5 40h9"/>
+<path visibility="collapse" d="M5 50h9"/><g display="none"><path display="inline" d="M5 60h9"/></g><path d="M5 70h9"/>
+</svg>
+END
+tamgen -q --replay hidden.svg --size 64 --tones 1 --levels 1 --strokes shown.tsv -o /dev/null
+is "hidden elements of a drawing" "$(awk -F'\t' '/^[0-9]/ {print int(100 * $2 + .5)}' shown.tsv | sort -n | paste -sd' ')" "20 30 70"
 finish

@@ -11,6 +11,9 @@ files() {
 mkdir rgb png exr folder
 try tampack map.exr -o rgb/map.ktx2
 is "five tones make two textures" "$status $(files rgb) $(wc -c <.err)" "0 map.0.ktx2 map.1.ktx2 0"
+try tampack map.exr -o -
+refused "two textures do not go to standard output" 2 2
+is "nor to files of that name" "$(ls -A | grep -c '^-')" 0
 try tampack map.exr -o rgb/bare
 is "a name without an extension gets one" "$(ls rgb/bare*)" "rgb/bare.0.ktx2
 rgb/bare.1.ktx2"

@@ -218,10 +218,11 @@ static void make_table(void)
     ((struct cmd_option *)options_find("show"))->choices = shown;
 }
 
-static void read_view(struct hatch_view_choice *view)
+void options_read_view(struct options *options)
 {
+    struct hatch_view_choice *view = &options->view;
     bool frame = camera && strcmp(camera, "frame") == 0;
-    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turntable = chosen.turntable};
+    *view = (struct hatch_view_choice){.kind = HATCH_VIEW_FIRST_CAMERA, .turntable = options->turntable};
     if (camera && !frame && !parse_whole(camera, 65535, &view->index) && !parse_camera_place(camera, view))
         cmd_usage("--camera %s: want a number, frame, or X,Y,Z[:X,Y,Z]", camera);
     if (camera && !frame && from_given)
@@ -389,6 +390,5 @@ struct options *options_read(int argc, char **argv, struct cmd_args *args)
     read_colors();
     chosen.textures = (chosen.base_tone && !chosen.modulate_path) || look_options.colors;
     chosen.base_tone = chosen.base_tone || chosen.modulate_path;
-    read_view(&chosen.view);
     return &chosen;
 }

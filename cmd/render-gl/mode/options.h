@@ -100,6 +100,9 @@ struct options {
  * Returns the options, which are static. */
 struct options *options_read(int argc, char **argv, struct cmd_args *args);
 
+/* Chooses the view; called by params_read, which may give --from and --fov. */
+void options_read_view(struct options *options);
+
 /* Returns the row of an option in the command's table.
  *   name  without dashes; the option must exist */
 const struct cmd_option *options_find(const char *name);

@@ -169,6 +169,7 @@ void params_read(struct options *options)
             cmd_usage("--animate %s: a drawing, which has lines alone, does not use it", param->option->name);
         options->change_count++;
     }
+    options_read_view(options);
 }
 
 uint32_t params_move(const struct options *options, double share)

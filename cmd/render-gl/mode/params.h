@@ -20,8 +20,8 @@ bool params_are_used(const struct param *param, const struct technique *techniqu
 void params_get(const struct param *param, double values[2]);
 bool params_set(const struct param *param, const double values[2]);
 
-/* Parses the PARAM=FROM..TO texts of --animate into options->changes, and sets those options to FROM. Exits with a
- * message on wrong usage. */
+/* Parses the PARAM=FROM..TO texts of --animate into options->changes, sets those options to FROM, and chooses the view
+ * (options_read_view). Exits with a message on wrong usage. */
 void params_read(struct options *options);
 
 /* Sets the parameters of --animate to their values at a time.

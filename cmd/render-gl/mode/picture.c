@@ -1,6 +1,8 @@
 #include "render-gl/mode/picture.h"
 
-#include <assert.h>
+#define TILES_SEEN                                                                                                     \
+    8u /* at least one part in so many of a canvas is seen; the rest is the margin that strokes reach                  \
+        */
 
 static uint32_t least(uint32_t a, uint32_t b)
 {
@@ -59,8 +61,13 @@ static enum hatch_status go_over(const struct picture *picture, const struct hat
 {
     uint32_t reach = reach_px(picture);
     uint32_t left = full_width > canvas->width ? reach : 0, below = full_height > canvas->height ? reach : 0;
+    if (canvas->width < 2 * left + canvas->width / TILES_SEEN ||
+        canvas->height < 2 * below + canvas->height / TILES_SEEN)
+        return hatch_fail(err, HATCH_LIMIT,
+                          "the picture is drawn in tiles of %u x %u pixels, and strokes reach %u pixels beyond one: "
+                          "use a smaller picture, fewer samples or shorter strokes",
+                          canvas->width, canvas->height, reach);
     uint32_t width = canvas->width - 2 * left, height = canvas->height - 2 * below;
-    assert(canvas->width > 2 * left && canvas->height > 2 * below);
     for (uint32_t y = 0; y < full_height; y += height)
         for (uint32_t x = 0; x < full_width; x += width) {
             const struct hatch_tile tile = {(double)x - left, (double)y - below, canvas->width,

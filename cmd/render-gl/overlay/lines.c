@@ -137,6 +137,8 @@ static enum hatch_status draw_segments(struct line_overlay *overlay, struct fram
     bool brushed = hatch_line_brush_is_used(&overlay->lines.style.brush);
     glProgramUniform2f(overlay->over->name, UNIFORM_B, brushed ? overlay->lines.style.brush.ink : 1,
                        brushed ? overlay->lines.style.brush.grain : 0);
+    glProgramUniform2f(overlay->over->name, UNIFORM_C, (GLfloat)frame->request.tile->x,
+                       (GLfloat)frame->request.tile->y);
     frame_pass_screen(overlay->over);
     return HATCH_OK;
 }

@@ -109,6 +109,7 @@ enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const 
         hatch_vec_sub(&moved[3 * v], &positions[3 * v], along);
         hatch_vec_normalize(along);
         hatch_vec_round(along, tangents[v].along);
+        tangents[v].along[3] *= unit->mirrored ? -1.0f : 1.0f; /* the vertex stage knows no matrix of posed points */
     }
     gpu_buffer_update(item->tangents, tangents, sizeof *tangents * count);
     return HATCH_OK;

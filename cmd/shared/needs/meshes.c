@@ -223,6 +223,15 @@ static uint32_t split(struct cmd_args *args, const char *name, const struct hatc
     for (uint32_t f = 0; f < all; f++)
         shown += seen[f];
     to[0] = to[1] = *from;
+    if (from->unseen_tolerance > 0) { /* as other views left it: coarser than a part that is seen */
+        if (shown > all / 2)
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT,
+                                 "%u faces that these views show are as coarse as those that no view shows: "
+                                 "begin with the full scene",
+                                 shown),
+                      name, &err);
+        return 1;
+    }
     for (uint32_t i = 0; i < 2 && shown > 0 && shown < all; i++) {
         cmd_check(take_faces(&from->mesh, seen, i == 0, i == 0 ? shown : all - shown, &args->keep, &args->scratch,
                              &to[i].mesh, &err),

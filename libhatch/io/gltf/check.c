@@ -46,7 +46,7 @@ enum hatch_status hatch_gltf_split(struct hatch_bytes file, struct hatch_gltf_pa
         return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the header: %zu bytes", file.size);
     if (version != 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "glTF version %u, want 2", version);
-    if (length > file.size || !is_padding(file, length))
+    if (length < reader.at || length > file.size || !is_padding(file, length))
         return hatch_fail(err, HATCH_BAD_INPUT, "the header claims %u bytes, the file has %zu", length, file.size);
     parts->file.size = reader.size = length;
     HATCH_TRY(read_chunk(&reader, &type, &parts->json, err));

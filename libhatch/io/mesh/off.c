@@ -71,6 +71,9 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     corners->size = 0;
     for (int64_t i = 0; i < count; i++) {
         word = hatch_mesh_text_word(text);
+        if (word.length == 0)
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: a face of %lld corners ends after %lld", text->line,
+                              (long long)count, (long long)i);
         if (!hatch_mesh_text_integer(word, &index) || index < 0 || index >= vertex_count)
             return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.*s does not exist, there are %lld", text->line,
                               hatch_mesh_text_shown(word), word.at, (long long)vertex_count);

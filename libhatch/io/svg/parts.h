@@ -57,7 +57,8 @@ struct hatch_svg_style {
     struct hatch_text dashes;          /* stroke-dasharray; empty: none */
     double dash_offset;                /* user units */
     bool capped;                       /* round or square caps: lines of length 0 are visible */
-    bool hidden;                       /* display is none, or visibility is hidden */
+    bool invisible;                    /* visibility is hidden */
+    bool undisplayed, own_undisplayed; /* display is none: of the element or of a group around it; of itself */
     bool masked;                       /* has a filter, a mask or a clipping path */
     struct hatch_svg_matrix matrix;    /* from user units to tiles */
 };

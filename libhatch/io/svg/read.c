@@ -103,12 +103,14 @@ static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg
     struct hatch_svg_matrix own;
     *style = d->styles[d->depth - 1];
     style->own_opacity = 1;
+    style->own_undisplayed = false;
     for (const char *const *a = attributes; *a; a += 2)
         HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])}, (struct hatch_text){a[1], strlen(a[1])},
                                      d->page, style, err));
     HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, style, err));
     HATCH_TRY(hatch_svg_declarations(hatch_svg_attribute(attributes, "style"), d->page, style, err));
     style->opacity *= style->own_opacity;
+    style->undisplayed = style->undisplayed || style->own_undisplayed;
     struct hatch_text transform = hatch_svg_attribute(attributes, "transform");
     if (transform.length == 0)
         return HATCH_OK;
@@ -172,7 +174,7 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
         count_ignored(d, node->name);
         return HATCH_OK;
     }
-    if (style->hidden)
+    if (style->invisible || style->undisplayed)
         return HATCH_OK;
     d->notes.fills += style->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
     d->notes.gradients += style->stroke == HATCH_SVG_SERVER;

@@ -96,9 +96,9 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
     if (hatch_text_is(name, "stroke-linecap"))
         style->capped = !hatch_text_is(value, "butt");
     if (hatch_text_is(name, "display"))
-        style->hidden |= is_none(value);
+        style->own_undisplayed = is_none(value);
     if (hatch_text_is(name, "visibility"))
-        style->hidden |= hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
+        style->invisible = hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
     if (hatch_text_is(name, "filter") || hatch_text_is(name, "mask") || hatch_text_is(name, "clip-path"))
         style->masked |= !is_none(value);
     return HATCH_OK;

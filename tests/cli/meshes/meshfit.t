@@ -62,6 +62,7 @@ is "a tetrahedron stays, with a note" "$(cat .err)" \
 is "as four faces" "$(faces tetra.glb)" 4
 
 meshfit $small --faces 400 torus.glb -o few.glb
+is "the file tells the command" "$(strings few.glb | grep -o 'meshfit [^"]*')" "meshfit --faces 400 $small --fov 30 --zoom 1"
 ok "--faces is not exceeded" test "$(faces few.glb)" -le 400
 ok "and nearly reached" test "$(faces few.glb)" -ge 380
 meshfit $small --faces 5000 torus.glb -q -o same.glb

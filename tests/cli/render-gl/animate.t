@@ -49,4 +49,25 @@ is "parameters are applied once per frame" "$(render-gl -v teapot.glb -t rptam -
     --animate overlap=0..1 -o five%d.png 2>&1 | grep -o 'applied [0-9]* times')" "applied 4 times"
 try render-gl -v teapot.glb -t rptam --size 32x24 --frames 5 --animate zoom=1..9 -o five%d.png
 is "a zoom does not apply parameters again" "$status $(grep -c 'times' .err)" "0 0"
+
+# A scene's camera gives way to --from and --fov, moved or not.
+perl -MJSON::PP -0777 -ne '
+    my $json = substr $_, 20, unpack "x12V", $_;
+    my $scene = decode_json($json);
+    $scene->{cameras} = [{type => "perspective", perspective => {yfov => .5, znear => .1}}];
+    push @{$scene->{nodes}}, {camera => 0, translation => [0, 0, 9]};
+    push @{$scene->{scenes}[0]{nodes}}, $#{$scene->{nodes}};
+    $json = encode_json($scene);
+    $json .= " " x (-length($json) % 4);
+    my $rest = substr $_, 20 + unpack "x12V", $_;
+    print "glTF", pack("V4", 2, 20 + length($json) + length($rest), length $json, 0x4e4f534a), $json, $rest;
+' teapot.glb >camera.glb
+for option in from=0:20..80:20 fov=20..50; do
+    name=${option%%=*} last=${option##*.}
+    render-gl -q camera.glb -t gouraud --size 32x24 --frames 2 --animate $option -o moved%d.png
+    render-gl -q camera.glb -t gouraud --size 32x24 --$name "$last" -o still.png
+    ok "--animate $name of a scene with a camera" cmp moved1.png still.png
+done
+try render-gl camera.glb -t gouraud --size 32x24 --frames 2 --camera 0 --animate fov=20..50 -o moved%d.png
+refused "--animate fov with the scene's camera" 2 2
 finish

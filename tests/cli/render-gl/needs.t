@@ -311,4 +311,14 @@ try tamgen --needs s.needs --replay drawing.tsv --ids -o x.exr
 refused "tamgen: --ids of a drawing by needs" 2 2
 try tamgen --needs torus.glb
 refused "tamgen: a file that is none of needs" 3 1
+
+# No view showed the back of a ball, which is coarse: it stays so by the same needs, and is refused by needs that show it.
+meshgen sphere --faces 500 -o ball.glb
+render-gl --size 64x64 --from 0:0 --needs -o front.needs ball.glb
+render-gl --size 64x64 --turntable --frames 4 --needs -o around.needs ball.glb
+dirfield -q --needs front.needs ball.glb -o front.glb
+ok "the same needs again" sh -c 'dirfield -q --needs front.needs front.glb | strokegen -q --needs front.needs -o again.glb'
+try dirfield --needs around.needs front.glb -o around.glb
+refused "needs that show what is coarse" 3 1
+is "which says where to begin" "$(grep -c 'faces that these views show are as coarse as .*: begin with the full scene$' .err)" 1
 finish

@@ -31,6 +31,8 @@ refuses "a camera that does not exist" 3 1 "camera 2 is not in the scene; its fi
     $draw torus.glb --tam map.exr --camera 2
 refuses "the greatest number of a camera" 3 1 "camera 65535 is not in the scene" $draw torus.glb --tam map.exr --camera 65535
 refuses "a greater number of a camera" 2 2 "--camera 65536" $draw torus.glb --tam map.exr --camera 65536
+refuses "strokes that reach farther than tiles" 5 1 "strokes reach 1254 pixels beyond one" \
+    render-gl -q torus.glb -t strokes --stroke 500x2 --size 2100x8 -o picture.png
 refuses "highlights that are too strong" 2 2 "--specular 10.1:1: want a strength from 0 to 10" \
     $draw torus.glb -t gouraud --specular 10.1:1
 try render-gl --size 32x24 torus.glb -t gouraud --ink white -o tone.png
@@ -209,6 +211,10 @@ try render-gl torus.glb --tam map.exr --size 64x48 --times /dev/full -o whole.pn
 is "--times on a full disk: no picture" "$status $(ls whole.png 2>/dev/null)" "4 "
 render-gl torus.glb --tam map.exr --size 64x48 --probe --json >probe.json
 is "--probe --json is JSON" "$(json <probe.json)" ARRAY
+for samples in 1 4; do
+    render-gl torus.glb --tam map.exr --size 3000x32 --samples $samples --probe | awk -F'\t' '$1 == "drawn" {printf "%.4f\n", $3}'
+done >probes
+is "--probe of a picture in tiles" "$(awk '{at[NR] = $1} END {print (at[1] > 0 && (at[1] - at[2]) ^ 2 < (at[1] / 50) ^ 2)}' probes)" 1
 render-gl torus.glb --tam map.exr --size 64x48 --probe >probe.tsv
 is "--probe: the share of drawn pixels is plausible" \
     "$(awk -F'\t' '$1 == "drawn" {print ($3 > 0.1 && $3 < 0.9)}' probe.tsv)" 1

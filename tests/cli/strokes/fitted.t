@@ -117,4 +117,11 @@ is "no point lies beyond the page" "$(perl -ne '($w, $h) = ($1, $2) if /viewBox=
     ' torus1.svg)" ""
 render-gl -q -t strokes --size 320x240 -o torus.tsv torus.glb
 ok "a stroke script has the strokes" test "$(wc -l <torus.tsv)" -gt 100
+# Draws that are timed do not count.
+meshgen teapot -o teapot.glb
+for times in "" "--times times.tsv"; do
+    # shellcheck disable=SC2086 # an option and its file
+    render-gl -v teapot.glb -t strokes --size 64x64 --frames 3 --turntable $times -o f%d.png 2>&1 | grep -o '[0-9]* strokes' | paste -sd' '
+done >counts
+is "--times changes no counts" "$(head -n 1 counts)" "$(tail -n 1 counts)"
 finish

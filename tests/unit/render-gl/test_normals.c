@@ -113,6 +113,26 @@ START_TEST(joints_rotate_mapped_normals)
 }
 END_TEST
 
+/* Joints that mirror x turn faces over, and u, but not v. */
+START_TEST(joints_mirror_mapped_normals)
+{
+    static const double tilts[2][3] = {{0, 0.6, 0.8}, {0.6, 0, 0.8}};
+    for (int i = 0; i < 2; i++) {
+        is_skinned = true;
+        begin(0, false, false);
+        set_normal(tilts[i][0], tilts[i][1], tilts[i][2], 1);
+        ck_assert(!frame.on_gpu.unit.items[0].mirrored);
+        for (int joint = 1; joint <= 2; joint++)
+            frame.scene.nodes[joint].scale[0] = -1;
+        HATCH_TEST_OK(scene_set_pose(&frame.on_gpu, HATCH_NONE, 0, &frame.args.scratch, &frame.err), &frame.err);
+        ck_assert(frame.on_gpu.unit.items[0].mirrored);
+        double want = -tilts[i][0] * to_light[0] + tilts[i][1] * to_light[1] + tilts[i][2] * to_light[2];
+        ck_assert_double_eq_tol(light(), want, 1.0 / 255);
+        frame_finish(&frame);
+    }
+}
+END_TEST
+
 /* Seen from behind, the mapped normal is reversed. */
 START_TEST(back_faces_reverse_mapped_normals)
 {
@@ -137,6 +157,7 @@ static Suite *suite(void)
     tcase_add_test(tests, normal_maps_tilt_the_normal_as_gltf_defines);
     tcase_add_test(tests, a_flat_normal_map_changes_nothing);
     tcase_add_test(tests, joints_rotate_mapped_normals);
+    tcase_add_test(tests, joints_mirror_mapped_normals);
     tcase_add_test(tests, back_faces_reverse_mapped_normals);
     suite_add_tcase(made, tests);
     return made;

@@ -48,6 +48,17 @@ static void count_pixel(const struct hatch_tam *map, const float rgba[4], struct
     probe->magnified += rgba[2] < -0.5f;
 }
 
+/* Counts all samples of the pixels of a rectangle, which begins at the lower left corner of the canvas. */
+static void count_tile(const struct job *job, const struct canvas *canvas, const float *rgba, uint32_t width,
+                       uint32_t height, struct probe *probe)
+{
+    const uint32_t side = canvas->side;
+    for (uint32_t y = 0; y < side * height; y++)
+        for (uint32_t x = 0; x < side * width; x++)
+            count_pixel(&job->asset.map, rgba + 4 * ((size_t)side * canvas->width * y + x), probe);
+    probe->pixels += (uint64_t)side * side * width * height;
+}
+
 /* A technique that writes tones and mip levels instead of colours. */
 static const struct technique probe_technique = {
     .name = "probe",
@@ -66,18 +77,23 @@ static void measure(struct job *job, struct probe *probe)
     struct hatch_view view;
     struct technique_instance *instance = job_use(job, &probe_technique);
     job_make_canvas(job, &canvas);
+    const struct options *options = job->options;
     size_t count = (size_t)canvas.side * canvas.side * canvas.width * canvas.height;
     float *rgba = HATCH_NEW(&job->args.scratch, float, 4 * count, &err);
     cmd_check(rgba ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t frame = 0; frame < job->options->frames; frame++) {
-        const struct hatch_tile tile = {0, 0, canvas.width, canvas.height, job->options->width, job->options->height};
-        const struct frame_request request = {.view = &view, .tile = &tile, .canvas = &canvas, .background = nothing};
+    for (uint32_t frame = 0; frame < options->frames; frame++) {
         job_set_frame(job, frame, &view);
-        cmd_check(technique_draw(&job->context, instance, &request, &err), NULL, &err);
-        canvas_read_samples(&canvas, rgba);
-        for (size_t i = 0; i < count; i++)
-            count_pixel(&job->asset.map, rgba + 4 * i, probe);
-        probe->pixels += count;
+        for (uint32_t y = 0; y < options->height; y += canvas.height)
+            for (uint32_t x = 0; x < options->width; x += canvas.width) {
+                const struct hatch_tile tile = {x, y, canvas.width, canvas.height, options->width, options->height};
+                const struct frame_request request = {
+                    .view = &view, .tile = &tile, .canvas = &canvas, .background = nothing};
+                cmd_check(technique_draw(&job->context, instance, &request, &err), NULL, &err);
+                canvas_read_samples(&canvas, rgba);
+                uint32_t right = options->width - x, above = options->height - y;
+                count_tile(job, &canvas, rgba, right < canvas.width ? right : canvas.width,
+                           above < canvas.height ? above : canvas.height, probe);
+            }
     }
     canvas_free(&canvas);
 }

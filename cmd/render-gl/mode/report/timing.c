@@ -204,6 +204,8 @@ void times_add(struct job *job, const struct picture *picture, const struct hatc
         ms[2] = fmin(ms[2], timer->sum_cpu_ms);
     }
     job->frame.timer = NULL;
+    if (picture->instance->technique->count)
+        picture->instance->technique->count(picture->instance); /* of repeated draws, which are not reported */
 }
 
 struct cmd_file times_end(struct job *job, struct picture_times *times)

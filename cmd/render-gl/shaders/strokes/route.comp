@@ -4,7 +4,7 @@
 #include "strokes/hash.glsl"
 
 layout(local_size_x = 64) in;
-#include "strokes/index.glsl"
+#include "frame/index.glsl"
 struct Slot { // struct strokes_slot of technique/strokes/strokes.h
     uint low, high; // id; 0: free
     uint count, first;

@@ -2,7 +2,7 @@
 #include "strokes/fragments.glsl"
 
 layout(local_size_x = 64) in;
-#include "strokes/index.glsl"
+#include "frame/index.glsl"
 struct Slot {
     uint low, high, count, first, joined;
 };

@@ -3,7 +3,7 @@
 #include "strokes/slots.glsl"
 
 layout(local_size_x = 64) in;
-#include "strokes/index.glsl"
+#include "frame/index.glsl"
 layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D extremes; // output of blend.frag
 layout(std430, binding = STORAGE_SORTED) buffer Waiting {
     uint waiting_count, unused_word;
