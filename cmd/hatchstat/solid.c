@@ -35,6 +35,8 @@ enum hatch_status stat_solid(struct cmd_args *args, const struct stat_options *o
     struct hatch_err err;
     cmd_check(hatch_ktx2_read(cmd_read(args, path), &args->keep, &texture, &err), name, &err);
     cmd_check(hatch_solid_take(&texture, &args->keep, &solid, &err), name, &err);
+    if (solid.depth == 1)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "a flat texture, want a cube"), name, &err);
     if (options->reference)
         stat_read_picture(args, options->reference, false, NULL, &exemplar);
     cmd_check(hatch_measure_solid(&solid, options->reference ? &exemplar : NULL, SAMPLES, cmd_pool(args),

@@ -34,7 +34,11 @@ static void measure_face(const struct hatch_surface *surface, uint32_t face, str
         double angle = c < 2 ? atan2(doubled, dot) : fmax(angles, 0);
         angles -= angle;
         measured->angle[(size_t)face * 3 + (size_t)c] = angle;
-        measured->cot[(size_t)face * 3 + (size_t)c] = fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
+        double *cot = &measured->cot[(size_t)face * 3 + (size_t)c];
+        if (doubled > 0)
+            *cot = fmin(fmax(dot, COT_MIN * doubled), COT_MAX * doubled) / doubled;
+        else /* a needle that has lost its area to rounding */
+            *cot = dot > 0 ? COT_MAX : COT_MIN;
         area[corner[c]] += doubled / 6;
     }
 }

@@ -232,4 +232,21 @@ grep -q 'one-sided surface' .err
 is "a one-sided surface refuses a rotation by 45 degrees" "$status $? $(wc -l <.err)" "3 0 1"
 try dirfield moebius.obj --direction min -o out.glb
 is "a one-sided surface accepts a rotation by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"
+
+# A bent sheet, of which one edge has a third vertex beside it: the needle between them has an area in the file, but none
+# where coordinates are seen from the middle of the sheet.
+awk 'BEGIN {
+    for (j = 0; j < 13; j++) for (i = 0; i < 13; i++) print "v", i - 2, j - 2, .05 * (i - 4) ^ 2
+    print "v 1e-17 2.5 .2"
+    for (j = 0; j < 12; j++) for (i = 0; i < 12; i++) {
+        a = 13 * j + i + 1; b = a + 1; d = a + 13; c = d + 1
+        if (i == 2 && j == 4) printf "f %d 170 %d\nf %d %d 170\nf 170 %d %d\nf 170 %d %d\n", a, d, a, b, b, c, c, d
+        else printf "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d
+    }
+}' >needle.obj
+for solver in multigrid cholesky; do
+    try dirfield -q needle.obj --solver $solver -o needle.glb
+    is "a needle that rounding leaves no area, $solver" "$status $(hatchstat field -q needle.glb | column smoothness |
+        awk '{print ($1 >= 0 && $1 < .001)}')" "0 1"
+done
 finish

@@ -100,6 +100,7 @@ struct keeping {
     struct hatch_store_batch *batch;
     struct hatch_store_piece run[RUN_MAX]; /* pieces on a face that one may replace */
     uint32_t run_count;
+    double run_threshold, last_threshold; /* logarithms: before the run, and at the end of the last piece */
 };
 
 /* Returns whether the run and one more piece can be replaced by a line. */
@@ -108,12 +109,11 @@ static bool is_straight(const struct keeping *keeping, const struct hatch_store_
     const struct hatch_store_piece *first = &keeping->run[0];
     double way[2] = {next->to[0] - first->from[0], next->to[1] - first->from[1]}, length = hypot(way[0], way[1]);
     double start = first->arc - hypot(first->to[0] - first->from[0], first->to[1] - first->from[1]);
-    for (uint32_t i = 0; i + 1 < keeping->run_count; i++) {
+    for (uint32_t i = 0; i < keeping->run_count; i++) {
         const struct hatch_store_piece *piece = &keeping->run[i];
         double off[2] = {piece->to[0] - first->from[0], piece->to[1] - first->from[1]};
-        double share = (piece->arc - first->arc) / fmax(next->arc - first->arc, 1e-300);
-        double wanted =
-            (double)first->log_threshold + share * ((double)next->log_threshold - (double)first->log_threshold);
+        double share = (piece->arc - start) / fmax(next->arc - start, 1e-300);
+        double wanted = keeping->run_threshold + share * ((double)next->log_threshold - keeping->run_threshold);
         if (fabs(way[0] * off[1] - way[1] * off[0]) > TOLERANCE * keeping->tracer->gap * length ||
             fabs((double)piece->log_threshold - wanted) > THRESHOLD_RATIO)
             return false;
@@ -137,7 +137,10 @@ static enum hatch_status keep_piece(struct keeping *keeping, const struct hatch_
     if (keeping->run_count > 0 &&
         (keeping->run_count == RUN_MAX || keeping->run[0].face != piece->face || !is_straight(keeping, piece)))
         HATCH_TRY(end_run(keeping, err));
+    if (keeping->run_count == 0)
+        keeping->run_threshold = keeping->last_threshold;
     keeping->run[keeping->run_count++] = *piece;
+    keeping->last_threshold = (double)piece->log_threshold;
     return HATCH_OK;
 }
 
@@ -192,6 +195,7 @@ static enum hatch_status keep_stroke(struct keeping *keeping, struct hatch_err *
     hatch_trace_position(&tracer->ground.poses[seed->face], seed->x, seed->y, middle);
     for (int k = 0; k < 3; k++)
         line.middle[k] = (float)(middle[k] * tracer->component->scale + tracer->component->center[k]);
+    keeping->last_threshold = (double)line.log_threshold;
     HATCH_TRY(hatch_store_add_line(keeping->batch, &keeping->batch->arena, &line, err));
     HATCH_TRY(keep_half(keeping, 1, err));
     HATCH_TRY(keep_half(keeping, 0, err));

@@ -121,4 +121,8 @@ for shell in bash zsh fish; do
     esac
     ok "$shell completes installed styles" grep -q '\[\.\]solid' "$BUILD/$completions"
 done
+# A solid is measured in a cube.
+tamgen -q --size 64 --tones 4 --levels 1 | tampack -q --layout rgb -o flat.ktx2
+set -- flat*.ktx2
+says "a flat texture is no solid" 3 1 "hatchstat: $1: a flat texture, want a cube" hatchstat solid "$1"
 finish

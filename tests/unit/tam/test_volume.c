@@ -70,6 +70,22 @@ START_TEST(tones_are_those_of_the_paper)
 }
 END_TEST
 
+/* The only slice of a level has the tone in the middle. */
+START_TEST(few_slices_have_their_tones_on_all_levels)
+{
+    struct hatch_tam tam = made_map(256, 128, 1, "Y", by_level);
+    for (uint32_t tones = 2; tones <= 8; tones *= 2) {
+        make(&tam, tones, HATCH_VOLUME_3D, false);
+        for (uint32_t level = 0; level < 4; level++) {
+            const uint32_t depth = hatch_mip_size(tones, level);
+            for (uint32_t k = 0; k < depth; k++)
+                ck_assert_uint_eq(slice(level, k),
+                                  hatch_unorm8(by_level(0, 0, level, ((float)k + 0.5f) / (float)depth, 0)));
+        }
+    }
+}
+END_TEST
+
 START_TEST(a_ramp_is_reproduced_at_every_position_tone_and_level)
 {
     struct hatch_tam tam = made_map(64, 255, 1, "Y", made_ramp);
@@ -284,6 +300,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("volume");
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, tones_are_those_of_the_paper);
+    tcase_add_test(tests, few_slices_have_their_tones_on_all_levels);
     tcase_add_loop_test(tests, a_ramp_is_reproduced_at_every_position_tone_and_level, 0, 2);
     tcase_add_test(tests, the_first_and_the_last_tone_are_corrected);
     tcase_add_test(tests, a_constant_map_is_constant);
