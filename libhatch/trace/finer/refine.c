@@ -70,11 +70,16 @@ static enum hatch_status lay_piece(struct laying *laying, const struct hatch_sto
     return HATCH_OK;
 }
 
+/* Lays the strokes of the tracer's component. */
 static enum hatch_status lay_batch(const struct hatch_store_batch *batch, struct hatch_tracer *tracer,
                                    struct hatch_err *err)
 {
+    const struct hatch_component *component = tracer->component;
     for (uint32_t l = 0; l < batch->line_count; l++) {
         struct laying laying = {tracer, &batch->lines[l], 0, false};
+        const uint32_t face = laying.line->count > 0 ? batch->pieces[laying.line->first].face : 0;
+        if (face < component->first_face || face - component->first_face >= component->face_count)
+            continue;
         for (uint32_t i = 0; i < laying.line->count; i++)
             HATCH_TRY(lay_piece(&laying, &batch->pieces[laying.line->first + i], err));
     }
@@ -216,7 +221,7 @@ static enum hatch_status trace(struct hatch_store *store, struct hatch_store_bat
     HATCH_TRY(hatch_trace_sort(tracer, err));
     HATCH_TRY(lay_batch(&store->given, tracer, err));
     for (const struct hatch_store_batch *from = store->batches; from; from = from->next)
-        if (from->level < batch->level)
+        if (from->level < batch->level && from->component == tracer->component)
             HATCH_TRY(lay_batch(from, tracer, err));
     HATCH_TRY(hatch_trace_add_level(tracer, batch->level, err));
     for (uint32_t s = 0; s < tracer->stroke_count; s++) {

@@ -38,8 +38,9 @@ struct hatch_store_batch {
     struct hatch_store_batch *next;
     struct hatch_arena arena; /* holds the batch, too */
     uint32_t level;
-    uint64_t used;                  /* number of the last view that needed it */
-    struct hatch_store_tile *tiles; /* in order */
+    const struct hatch_component *component; /* whose strokes they are; NULL: given ones, of all components */
+    uint64_t used;                           /* number of the last view that needed it */
+    struct hatch_store_tile *tiles;          /* in order */
     struct hatch_store_line *lines;
     struct hatch_store_piece *pieces;
     uint32_t tile_count, line_count, line_capacity, piece_count, piece_capacity;

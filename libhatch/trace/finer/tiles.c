@@ -62,19 +62,21 @@ bool hatch_store_has_tile(const struct hatch_store_batch *batch, const struct ha
 }
 
 /* Returns whether a tile of a level is traced, and notes that its batch is in use. */
-static bool is_traced(struct hatch_store *store, uint32_t level, const struct hatch_store_tile *tile)
+static bool is_traced(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
+                      const struct hatch_store_tile *tile)
 {
     for (struct hatch_store_batch *batch = store->batches; batch; batch = batch->next)
-        if (batch->level == level && hatch_store_has_tile(batch, tile)) {
+        if (batch->level == level && batch->component == component && hatch_store_has_tile(batch, tile)) {
             batch->used = store->view;
             return true;
         }
     return false;
 }
 
-/* Lists the tiles of a region that are not traced, in order.
+/* Lists the tiles of a region of a component that are not traced, in order.
  *   tiles  out: in scratch */
-static enum hatch_status list_missing(struct hatch_store *store, uint32_t level, double side,
+static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
+                                      const struct hatch_component *component, double side,
                                       const struct hatch_trace_region *region, struct hatch_store_tile **tiles,
                                       uint32_t *count, struct hatch_err *err)
 {
@@ -88,7 +90,7 @@ static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
         for (int64_t y = first.y; y <= last.y; y++)
             for (int64_t x = first.x; x <= last.x; x++) {
                 const struct hatch_store_tile tile = {window->face, x, y};
-                if (is_traced(store, level, &tile))
+                if (is_traced(store, level, component, &tile))
                     continue;
                 HATCH_TRY(hatch_trace_reserve(&store->scratch, tiles, sizeof **tiles, *count, &capacity, err));
                 (*tiles)[(*count)++] = tile;
@@ -99,8 +101,8 @@ static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
 
 /* Makes a batch with a list of tiles. */
 static enum hatch_status make_batch(const struct hatch_store *store, uint32_t level,
-                                    const struct hatch_store_tile *tiles, uint32_t count,
-                                    struct hatch_store_batch **batch, struct hatch_err *err)
+                                    const struct hatch_component *component, const struct hatch_store_tile *tiles,
+                                    uint32_t count, struct hatch_store_batch **batch, struct hatch_err *err)
 {
     struct hatch_arena arena;
     struct hatch_store_batch *made;
@@ -113,7 +115,8 @@ static enum hatch_status make_batch(const struct hatch_store *store, uint32_t le
         return HATCH_LIMIT;
     }
     memcpy(kept, tiles, sizeof *kept * count);
-    *made = (struct hatch_store_batch){.level = level, .used = store->view, .tiles = kept, .tile_count = count};
+    *made = (struct hatch_store_batch){
+        .level = level, .component = component, .used = store->view, .tiles = kept, .tile_count = count};
     made->arena = arena;
     *batch = made;
     return HATCH_OK;
@@ -157,7 +160,7 @@ static enum hatch_status make_plan(struct hatch_store *store, uint32_t level, co
     HATCH_TRY(hatch_trace_region_around(&store->ground, windows, count,
                                         HATCH_TRACE_DETOUR * store->options.length / 2 * gap, plans, &store->scratch,
                                         &around, err));
-    HATCH_TRY(list_missing(store, level, side, &around, &plan->tiles, &plan->count, err));
+    HATCH_TRY(list_missing(store, level, component, side, &around, &plan->tiles, &plan->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(&store->scratch, &windows, plan->count, err));
     for (uint32_t i = 0; i < plan->count; i++)
         windows[i] = window_of(&store->ground, &plan->tiles[i], side);
@@ -172,7 +175,7 @@ static enum hatch_status carry_out(struct hatch_store *store, uint32_t level, co
     struct hatch_store_batch *batch;
     if (plan->count == 0)
         return HATCH_OK;
-    HATCH_TRY(make_batch(store, level, plan->tiles, plan->count, &batch, err));
+    HATCH_TRY(make_batch(store, level, component, plan->tiles, plan->count, &batch, err));
     enum hatch_status status = hatch_store_trace_region(store, component, &plan->region, batch, err);
     if (status != HATCH_OK) {
         hatch_store_free_batch(batch);
