@@ -23,6 +23,7 @@ struct targets {
     struct dirfield_job *jobs;
     uint32_t job_count;
     uint32_t **vertex_points; /* per job, the point of each vertex; NULL when rows name positions */
+    bool renumbered;          /* vertices have other numbers than in the file */
 };
 
 static enum hatch_status parse_header(struct hatch_text line, struct header *header, struct hatch_err *err)
@@ -185,6 +186,10 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
             continue;
         if (header.columns == 0) {
             HATCH_TRY(parse_header(line, &header, err));
+            if (header.column_of[VERTEX] >= 0 && targets->renumbered)
+                return hatch_fail(
+                    err, HATCH_BAD_INPUT,
+                    "line %u: --needs gives vertices other numbers: use x y z instead of the column vertex", row);
             if (header.column_of[VERTEX] >= 0)
                 HATCH_TRY(map_vertices(args, targets, err));
             continue;
@@ -195,9 +200,10 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
     return header.columns ? HATCH_OK : hatch_fail(err, HATCH_BAD_INPUT, "no header line; " WANTED_COLUMNS);
 }
 
-void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_job *jobs, uint32_t count)
+void dirfield_read_constraints(struct cmd_args *args, const char *path, bool renumbered, struct dirfield_job *jobs,
+                               uint32_t count)
 {
     struct hatch_err err;
-    struct targets targets = {.jobs = jobs, .job_count = count};
+    struct targets targets = {.jobs = jobs, .job_count = count, .renumbered = renumbered};
     cmd_check(parse(args, cmd_read(args, path), &targets, &err), cmd_input_name(path), &err);
 }

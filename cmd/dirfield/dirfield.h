@@ -69,8 +69,10 @@ void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], d
  * when the matrix is singular. */
 bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3]);
 
-/* Reads a table of constraints and adds each to its job. Dies on failure. */
-void dirfield_read_constraints(struct cmd_args *args, const char *path, struct dirfield_job *jobs, uint32_t count);
+/* Reads a table of constraints and adds each to its job. Dies on failure.
+ *   renumbered  vertices have other numbers than in the file: rows that name some are refused */
+void dirfield_read_constraints(struct cmd_args *args, const char *path, bool renumbered, struct dirfield_job *jobs,
+                               uint32_t count);
 
 /* Computes the field and the singularities of a mesh. Dies on failure. */
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_job *job);

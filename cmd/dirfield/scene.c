@@ -123,7 +123,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     make_jobs(&run);
     double surfaces_ms = cmd_elapsed_ms() - begun_ms;
     if (options->constraints)
-        dirfield_read_constraints(args, options->constraints, run.jobs, run.scene.mesh_count);
+        dirfield_read_constraints(args, options->constraints, options->needs, run.jobs, run.scene.mesh_count);
     begin_reports(&run);
     for (uint32_t i = 0; i < run.scene.mesh_count; i++)
         process(&run, &run.jobs[i]);

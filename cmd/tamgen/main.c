@@ -124,8 +124,8 @@ static void read_needs(struct job *job)
         cmd_note("1 of %u columns is made: they are at most %g tolerances apart", job->every, HATCH_NEEDS_COLUMN);
     job->tones /= job->every;
     hatch_style_targets(&job->style, job->tones, targets);
-    const struct cmd_map_part part =
-        cmd_find_map_part(&needs, targets, job->tones, job->size_px, levels_given ? 1 : job->levels);
+    const struct cmd_map_part part = cmd_find_map_part(&needs, targets, job->tones, targets[job->tones - 1],
+                                                       job->size_px, levels_given ? 1 : job->levels);
     job->tones = part.tones;
     job->tolerance = (float)part.tolerance;
     job->whole_size_px = job->size_px;

@@ -1,4 +1,6 @@
 /* tamgen --replay: makes a map of the strokes of a drawing. */
+#include <stdlib.h>
+
 #include "io/svg/svg.h"
 #include "job.h"
 #include "kept.h"
@@ -30,6 +32,31 @@ static bool is_colored(const struct hatch_stroke_list *strokes)
     return false;
 }
 
+static int compare_ids(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Numbers strokes in drawing order if the script gave them no numbers of their own. */
+static void number_strokes(struct job *job)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&job->args.scratch);
+    struct hatch_stroke *items = job->strokes.items;
+    uint32_t *ids, count = job->strokes.count;
+    struct hatch_err err;
+    cmd_check(HATCH_ALLOC_UNSET(&job->args.scratch, &ids, count, &err), NULL, &err);
+    for (uint32_t i = 0; i < count; i++)
+        ids[i] = items[i].id;
+    qsort(ids, count, sizeof *ids, compare_ids);
+    bool own = count == 0 || ids[0] > 0;
+    for (uint32_t i = 1; i < count; i++)
+        own = own && ids[i] != ids[i - 1];
+    for (uint32_t i = 0; i < count && !own; i++)
+        items[i].id = i + 1;
+    hatch_arena_rewind(&job->args.scratch, mark);
+}
+
 void read_drawing(struct job *job, const struct replay_job *replay)
 {
     struct hatch_err err;
@@ -40,6 +67,7 @@ void read_drawing(struct job *job, const struct replay_job *replay)
                              : hatch_script_parse(replay->file, job->size_px, &job->args.keep, &job->strokes, &err),
               name, &err);
     warn_of_skipped(job, name, &notes);
+    number_strokes(job);
     job->color = job->style.color_count > 0 || is_colored(&job->strokes);
 }
 

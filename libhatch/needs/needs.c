@@ -102,9 +102,9 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
     return HATCH_OK;
 }
 
-uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones)
+uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones, float darkest)
 {
-    double tone = needs->darkest * (needs->relative ? (double)targets[tones - 1] : 1);
+    double tone = needs->darkest * (needs->relative ? (double)darkest : 1);
     uint32_t count = 1;
     while (count < tones && (double)targets[count - 1] < tone)
         count++;

@@ -38,8 +38,9 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
 
 /* Returns how many columns of a map are needed: up to the first that is dark enough.
  *   targets  tones of the columns, ascending
- *   tones    number of columns, at least 1 */
-uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones);
+ *   tones    number of columns, at least 1
+ *   darkest  tone of the last column of the whole map, of which needs may be shares */
+uint32_t hatch_needs_columns(const struct hatch_needs *needs, const float *targets, uint32_t tones, float darkest);
 
 /* Returns n such that each n-th column of a map is enough: columns are at most HATCH_NEEDS_COLUMN tolerances apart
  * then. It is a power of two that divides their number.

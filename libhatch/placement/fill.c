@@ -215,6 +215,13 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     return HATCH_OK;
 }
 
+/* Counts the columns of strokes in those that are delivered: each n-th one. */
+static void renumber(struct hatch_stroke_list *strokes, uint32_t every)
+{
+    for (uint32_t i = 0; i < strokes->count; i++)
+        strokes->items[i].column /= every;
+}
+
 /* Collects the metadata of the map.
  *   columns, every  as in struct hatch_fill_options, over 0 */
 static enum hatch_status make_metadata(const struct filler *f, uint32_t columns, uint32_t every,
@@ -257,10 +264,12 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     for (uint32_t tone = 0; status == HATCH_OK && tone < columns; tone++) {
         for (uint32_t level = options->levels; status == HATCH_OK && level-- > 0;)
             status = fill_image(&f, tone, level, err);
+        if (status == HATCH_OK && tone + 1 == columns)
+            renumber(&f.strokes, every);
         if (status == HATCH_OK && (tone + 1) % every == 0)
             status = hatch_column_deliver(&f.canvas, &metadata, tone / every, f.targets[tone],
-                                          options->ids && tone + 1 == options->tones ? &f.strokes : NULL, arena,
-                                          scratch, sink, err);
+                                          options->ids && tone + 1 == columns ? &f.strokes : NULL, arena, scratch, sink,
+                                          err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && strokes)

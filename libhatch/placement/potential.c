@@ -1,6 +1,9 @@
 #include "placement/potential.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "stroke/path.h"
 
 static float *ink_shares(float *share, uint32_t parts)
 {
@@ -253,7 +256,7 @@ float hatch_potential_score(const struct hatch_potential *field, const struct ha
                             uint32_t samples_max)
 {
     float size = (float)field->size;
-    float cells = stroke->length * size;
+    float cells = fminf(stroke->length, (float)HATCH_LINE_LENGTH_MAX) * size; /* paths may be longer */
     uint32_t samples = cells < 1 ? 1 : cells > (float)samples_max ? samples_max : (uint32_t)cells;
     struct walk walk = begin_walk(stroke, size, cells, samples);
     uint32_t mask = field->size - 1, parts = samples < HATCH_POTENTIAL_PARTS ? samples : HATCH_POTENTIAL_PARTS;

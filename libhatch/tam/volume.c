@@ -145,7 +145,8 @@ static enum hatch_status fill_slices(const struct hatch_tam *tam, const struct h
     for (uint32_t level = 0; level < levels; level++) {
         uint32_t depth = layers ? layers : hatch_mip_size(texels->depth, level);
         for (uint32_t index = 0; index < depth; index++)
-            slices[count++] = choose_slice(tam, level, index, 1.0 / (layers ? tones : hatch_mip_size(tones, level)), figures);
+            slices[count++] =
+                choose_slice(tam, level, index, 1.0 / (layers ? tones : hatch_mip_size(tones, level)), figures);
     }
     if (figures->distance > HATCH_VOLUME_DISTANCE_MAX)
         return hatch_fail(err, HATCH_BAD_INPUT,

@@ -75,50 +75,73 @@ static inline float round_to(float value, float step, float per)
     return (float)(int)(value * per + 0.5f) * step;
 }
 
-/* Returns how much rounding changes the mean of a block of pixels in a channel. */
-static double block_change(const struct hatch_image *image, uint32_t channel, const uint32_t at[2], float step)
+/* What rounding does to blocks of pixels that have ink. */
+struct change {
+    double squares; /* sum of the squares of what it changes in the mean of a block and a channel */
+    uint64_t count; /* of these */
+};
+
+/* Adds a block of a channel.
+ *   before  pixels of the column before, as they were rounded: none gets lighter */
+static void add_block(const struct hatch_image *image, const float *before, uint32_t channel, const uint32_t at[2],
+                      float step, struct change *change)
 {
     const uint32_t width = image->width - at[0] < BLOCK ? image->width - at[0] : BLOCK;
     const uint32_t height = image->height - at[1] < BLOCK ? image->height - at[1] : BLOCK;
+    const uint32_t stride = image->channel_count;
     const float per = 1 / step;
-    float sums[BLOCK] = {0}, sum = 0; /* of columns of pixels */
+    float sums[BLOCK] = {0}, inks[BLOCK] = {0}, sum = 0, ink = 0; /* of columns of pixels */
     for (uint32_t y = at[1]; y < at[1] + height; y++) {
-        const float *row = &image->pixels[((size_t)y * image->width + at[0]) * image->channel_count + channel];
-        if (width == BLOCK && image->channel_count == 1)
-            for (uint32_t x = 0; x < BLOCK; x++) /* at once on vector units */
-                sums[x] += round_to(row[x], step, per) - row[x];
-        else
-            for (uint32_t x = 0; x < width; x++)
-                sums[x] += round_to(row[x * image->channel_count], step, per) - row[x * image->channel_count];
+        const size_t first = ((size_t)y * image->width + at[0]) * stride + channel;
+        const float *row = &image->pixels[first], *old = &before[first];
+        for (uint32_t x = 0; x < width; x++) {
+            const float value = round_to(row[x * stride], step, per), least = old[x * stride];
+            sums[x] += (value < least ? value : least) - row[x * stride];
+            inks[x] += 1 - row[x * stride];
+        }
     }
-    for (uint32_t x = 0; x < width; x++)
+    for (uint32_t x = 0; x < width; x++) {
         sum += sums[x];
-    return (double)sum / (width * height);
+        ink += inks[x];
+    }
+    if (ink > 0) {
+        const double mean = (double)sum / (width * height);
+        change->squares += mean * mean;
+        change->count++;
+    }
 }
 
-/* Returns the root of the mean of the squares of what rounding changes in blocks. */
-static double change_by(const struct hatch_image *image, uint32_t channels, float step)
+/* Returns the root of the mean of the squares of what rounding changes in blocks that have ink. */
+static double change_by(const struct hatch_image *image, const float *before, uint32_t channels, float step)
 {
-    double sum = 0;
-    uint32_t count = 0, at[2];
+    struct change change = {0};
+    uint32_t at[2];
     for (at[1] = 0; at[1] < image->height; at[1] += BLOCK)
         for (at[0] = 0; at[0] < image->width; at[0] += BLOCK)
-            for (uint32_t c = 0; c < channels; c++, count++) {
-                double change = block_change(image, c, at, step);
-                sum += change * change;
-            }
-    return sqrt(sum / count);
+            for (uint32_t c = 0; c < channels; c++)
+                add_block(image, before, c, at, step, &change);
+    return change.count > 0 ? sqrt(change.squares / (double)change.count) : 0;
 }
 
-/* Returns the step for a level; 0: it is not rounded. */
-static float find_step(const struct hatch_image *image, uint32_t channels, double tolerance)
+/* Returns the step for a level: the largest that changes little, or else that which changes least; 0: it is not
+ * rounded. A finer step may change more than that of the column before, since what was rounded down there stays as
+ * dark, while what was rounded up does not. */
+static float find_step(const struct hatch_image *image, const float *before, uint32_t channels, double tolerance)
 {
-    float step = STEP_MAX;
+    float step = STEP_MAX, best = 0;
+    double least = INFINITY;
     while ((double)step > 16 * tolerance)
         step /= 2;
-    while (step >= STEP_MIN && change_by(image, channels, step) > tolerance / 2)
-        step /= 2;
-    return step < STEP_MIN ? 0 : step;
+    for (; step >= STEP_MIN; step /= 2) {
+        double change = change_by(image, before, channels, step);
+        if (change <= tolerance / 2)
+            return step;
+        if (change < least) {
+            least = change;
+            best = step;
+        }
+    }
+    return best;
 }
 
 /* Rounds the numbers of a grey image where they are not darker already; the loop is at once on vector units. */
@@ -152,9 +175,9 @@ void hatch_tam_round(const struct hatch_mipmap *column, uint32_t levels, double 
     for (uint32_t level = 0; level < column->level_count; level++) {
         const struct hatch_image *image = &column->levels[level];
         const uint32_t channels = image->channels[0].name[0] == 'Y' ? 1 : 3, stride = image->channel_count;
-        const float step = level < levels ? find_step(image, channels, tolerance) : 0;
-        const size_t pixels = (size_t)image->width * image->height;
         float *to = rounded->levels[level].pixels;
+        const float step = level < levels ? find_step(image, to, channels, tolerance) : 0;
+        const size_t pixels = (size_t)image->width * image->height;
         for (uint32_t c = 0; c < channels; c++)
             round_channel(image->pixels + c, pixels, stride, step, to + c);
         for (size_t i = 0; channels < stride && i < pixels; i++) /* ids */

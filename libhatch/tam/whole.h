@@ -34,8 +34,9 @@ enum hatch_status hatch_tam_whole_read(const char *const *key_values, uint32_t s
 void hatch_tam_cut(struct hatch_tam *tam, uint32_t tones, uint32_t finer, double tolerance);
 
 /* Rounds the reflectance of the drawn levels of a column, which then takes fewer bytes in a file. The step of a level
- * is a power of 1/2, at most 1/8 and 16 times the tolerance, by which means over blocks of 8 × 8 pixels change by half
- * of the tolerance at most (root mean square). Under 2^-11, the precision of a file, nothing is rounded.
+ * is a power of 1/2, at most 1/8 and 16 times the tolerance, by which means over blocks of 8 × 8 pixels that have ink
+ * change by half of the tolerance at most (root mean square), unless a finer step would change more: pixels that the
+ * column before has rounded down stay so. Under 2^-11, the precision of a file, nothing is rounded.
  *   levels     number of drawn levels
  *   tolerance  mean difference of tone, over 0
  *   rounded    in: the column before as it was rounded, or paper; out: no pixel is lighter. The size and the channels

@@ -87,4 +87,13 @@ cat >hidden.svg <<'END'
 END
 tamgen -q --replay hidden.svg --size 64 --tones 1 --levels 1 --strokes shown.tsv -o /dev/null
 is "hidden elements of a drawing" "$(awk -F'\t' '/^[0-9]/ {print int(100 * $2 + .5)}' shown.tsv | sort -n | paste -sd' ')" "20 30 70"
+# Strokes without numbers are numbered in drawing order.
+tamgen -q --size 64 --tones 4 --strokes with.tsv -o /dev/null
+cut -f1-9 with.tsv >without.tsv
+{ cat with.tsv; tail -n +2 with.tsv; } >twice.tsv
+for script in without twice; do
+    tamgen -q --replay $script.tsv --size 64 --tones 4 --ids --strokes numbered.tsv -o numbered.exr
+    is "a script $script numbers" "$(awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "id") id = i; next}
+        {n[$id]++; zero += $id == 0} END {for (i in n) if (n[i] > 1) twice++; print zero + 0, twice + 0}' numbered.tsv)" "0 0"
+done
 finish

@@ -8,7 +8,7 @@ static void check(const struct hatch_needs *needs)
     static const float targets[] = {0.25f, 0.5f, 0.75f};
     const struct hatch_stroke_pen pen = {
         .width_px = 2, .thin = 0.5f, .join = 0.4f, .response = {1, 1, 1, 1, 1, 1, 1, 1}};
-    uint32_t columns = hatch_needs_columns(needs, targets, 3), size_px = hatch_needs_size(needs, 256, 64);
+    uint32_t columns = hatch_needs_columns(needs, targets, 3, targets[2]), size_px = hatch_needs_size(needs, 256, 64);
     bool tones = needs->tolerance > 0 && needs->tolerance <= 1 && needs->darkest >= 0 && needs->darkest <= 1;
     if (!tones || columns < 1 || columns > 3 || size_px < 64 || size_px > 256 ||
         !(hatch_needs_strokes(needs, 1e30, &pen, 2) >= 0))

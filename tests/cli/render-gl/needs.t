@@ -321,4 +321,24 @@ ok "the same needs again" sh -c 'dirfield -q --needs front.needs front.glb | str
 try dirfield --needs around.needs front.glb -o around.glb
 refused "needs that show what is coarse" 3 1
 is "which says where to begin" "$(grep -c 'faces that these views show are as coarse as .*: begin with the full scene$' .err)" 1
+
+# A map that is cut already is not cut again by the same needs, which may be shares of its darkest tone.
+meshgen torus --faces 400 -o ring.glb
+render-gl ring.glb --size 64x48 --light 60:0 --needs -o lit.needs
+tamgen -q -t 24 --size 64 --needs lit.needs -o once.exr
+tamvol -q --needs lit.needs once.exr -o twice.ktx2
+ok "needs of a cut map" render-gl -q ring.glb --size 64x48 --light 60:0 -t volume -T twice.ktx2 -o twice.png
+# Strokes are listed by the columns and levels of the map that is written.
+render-gl ring.glb --size 64x48 --light 0:60 --needs -o dim.needs
+tamgen -q --size 64 --tones 256 --needs dim.needs --strokes few.tsv -o few.exr
+ok "the strokes of each second column" hatchstat tam few.exr --strokes few.tsv
+tamgen -q --size 256 --tones 12 --strokes whole.tsv -o /dev/null
+tamgen -q --replay whole.tsv --size 256 --tones 12 --needs dim.needs --strokes cut.tsv -o cut.exr
+ok "the strokes of a drawing whose columns and levels are cut" hatchstat tam cut.exr --strokes cut.tsv
+is "which are fewer" "$(awk 'END {print NR < whole}' whole="$(wc -l <whole.tsv)" cut.tsv)" 1
+tamgen -q --size 64 --tones 24 --ids --needs dim.needs -o ids.exr
+is "a map with ids has its strokes" "$(strings ids.exr | grep -c hatch:strokes)" 1
+printf 'vertex\tdx\tdy\tdz\n1\t1\t0\t0\n' >vertex.tsv
+try dirfield --needs dim.needs --constraints vertex.tsv ring.glb -o constrained.glb
+refused "constraints by vertices, which --needs renumbers" 3 1
 finish

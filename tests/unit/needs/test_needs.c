@@ -127,17 +127,17 @@ START_TEST(columns_reach_the_darkest_tone)
 {
     static const float targets[] = {0.2f, 0.4f, 0.6f, 0.8f};
     struct hatch_needs needs = {.darkest = 0};
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 1);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 1);
     needs.darkest = 0.39;
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 2);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 2);
     needs.darkest = 0.41;
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 3);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 3);
     needs.relative = true; /* .41 of .8 */
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 2);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 2);
     needs.darkest = 1;
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 4);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 4);
     needs.relative = false;
-    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4), 4);
+    ck_assert_uint_eq(hatch_needs_columns(&needs, targets, 4, targets[3]), 4);
 }
 END_TEST
 
