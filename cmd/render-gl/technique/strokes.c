@@ -227,7 +227,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     glProgramUniform1f(state->extrude->name, UNIFORM_OVERDRAW, (float)overdraw_px);
     glProgramUniform1f(state->extrude->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
     state->counts.strokes += list->count;
-    HATCH_TRY(strokes_fit(context->frame, state, list, scratch, err));
+    HATCH_TRY(strokes_fit(context->frame, state, list, cmd_pool(context->args), scratch, err));
     state->counts.fragments += list->fragments;
     state->counts.waited += state->waited;
     return HATCH_OK;

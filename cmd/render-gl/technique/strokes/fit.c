@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "fit/split.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
@@ -12,7 +13,8 @@
 
 #define MISSED_MOST 0.05f /* share of a stroke's weight that its curve may miss */
 #define REACH 1.5f        /* as in shaders/strokes/fit.comp */
-#define PLACES 8u         /* places along a stroke whose parts have different ids */
+#define DIVISION_TASKS 16u
+#define PLACES 8u /* places along a stroke whose parts have different ids */
 #define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
 #define DRAWN_BYTES 176u /* of struct Drawn in shaders/strokes/drawn.glsl, std430 */
 
@@ -192,15 +194,61 @@ static enum hatch_status read_fragments(struct strokes_state *state, const struc
     return HATCH_OK;
 }
 
+/* Strokes that are divided side by side. */
+struct division {
+    const struct strokes_slot *strokes;
+    const uint32_t *poor; /* count indices of those to divide */
+    uint32_t count;
+    double reach_px;
+    uint32_t (*words)[2];                              /* fragments; those of a stroke begin at its `first` */
+    struct strokes_slot (*parts)[HATCH_FIT_PARTS_MAX]; /* per stroke to divide */
+    uint32_t *part_counts;                             /* the same */
+    size_t limit_bytes;                                /* of the memory of a task */
+    enum hatch_status statuses[DIVISION_TASKS];
+    struct hatch_err errs[DIVISION_TASKS];
+};
+
+static void divide_some(void *context, uint32_t task)
+{
+    struct division *division = context;
+    enum hatch_status status = HATCH_OK;
+    struct hatch_arena arena;
+    hatch_arena_init(&arena, division->limit_bytes);
+    for (uint32_t i = task; i < division->count && status == HATCH_OK; i += DIVISION_TASKS) {
+        const struct strokes_slot *stroke = &division->strokes[division->poor[i]];
+        status = divide(stroke, division->reach_px, division->words + stroke->first, &arena, division->parts[i],
+                        &division->part_counts[i], &division->errs[task]);
+    }
+    division->statuses[task] = status;
+    hatch_arena_free(&arena);
+}
+
+/* Divides strokes on all threads. */
+static enum hatch_status divide_each(struct division *division, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                     struct hatch_err *err)
+{
+    division->limit_bytes = scratch->limit_bytes / DIVISION_TASKS;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &division->parts, division->count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &division->part_counts, division->count, err));
+    hatch_parallel_for(pool, DIVISION_TASKS, divide_some, division);
+    for (uint32_t task = 0; task < DIVISION_TASKS; task++)
+        if (division->statuses[task] != HATCH_OK) {
+            *err = division->errs[task];
+            return division->statuses[task];
+        }
+    return HATCH_OK;
+}
+
 /* Divides strokes of a list. The first part takes the place of the stroke; the others come after all strokes, ordered
  * by ink as these are. The fragments of the parts are in the buffer `divided`.
  *   poor        in: poor_count indices of the strokes; out: of their parts, with room for all that there may be */
 static enum hatch_status divide_all(struct strokes_state *state, struct strokes_list *list, uint32_t *poor,
-                                    uint32_t *poor_count, struct hatch_arena *scratch, struct hatch_err *err)
+                                    uint32_t *poor_count, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                    struct hatch_err *err)
 {
-    const double reach_px = (double)REACH * state->width_px + 1;
-    struct strokes_slot *strokes, parts[HATCH_FIT_PARTS_MAX];
-    uint32_t(*words)[2], size, first = 0, count = list->count, part_count;
+    struct division division = {.poor = poor, .count = *poor_count, .reach_px = (double)REACH * state->width_px + 1};
+    struct strokes_slot *strokes;
+    uint32_t size, first = 0, count = list->count;
     uint64_t *wholes;
     const size_t most = count + (size_t)HATCH_FIT_PARTS_MAX * *poor_count;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &strokes, most, err));
@@ -208,20 +256,23 @@ static enum hatch_status divide_all(struct strokes_state *state, struct strokes_
     memcpy(strokes, list->strokes, sizeof *strokes * count);
     for (uint32_t i = 0; i < count; i++)
         wholes[i] = strokes_id(&strokes[i]);
-    HATCH_TRY(read_fragments(state, strokes, poor, *poor_count, &words, &size, scratch, err));
+    HATCH_TRY(read_fragments(state, strokes, poor, *poor_count, &division.words, &size, scratch, err));
     for (uint32_t i = 0; i < *poor_count; i++) {
-        struct strokes_slot *stroke = &strokes[poor[i]];
-        stroke->first = first;
-        first += stroke->count;
-        HATCH_TRY(divide(stroke, reach_px, words + stroke->first, scratch, parts, &part_count, err));
-        *stroke = parts[0];
-        memcpy(&strokes[count], &parts[1], sizeof *parts * (part_count - 1));
-        while (--part_count)
+        strokes[poor[i]].first = first;
+        first += strokes[poor[i]].count;
+    }
+    division.strokes = strokes;
+    HATCH_TRY(divide_each(&division, pool, scratch, err));
+    for (uint32_t i = 0; i < division.count; i++) {
+        uint32_t others = division.part_counts[i] - 1;
+        strokes[poor[i]] = division.parts[i][0];
+        memcpy(&strokes[count], &division.parts[i][1], sizeof *strokes * others);
+        while (others--)
             wholes[count++] = wholes[poor[i]];
     }
     for (uint32_t i = list->count; i < count; i++)
         poor[(*poor_count)++] = i;
-    gpu_buffer_update(state->divided.name, words, STROKES_SORTED_BYTES * size);
+    gpu_buffer_update(state->divided.name, division.words, STROKES_SORTED_BYTES * size);
     *list = (struct strokes_list){.strokes = strokes, .count = count, .fragments = list->fragments, .wholes = wholes};
     return HATCH_OK;
 }
@@ -247,7 +298,8 @@ static enum hatch_status find_poor(const struct strokes_state *state, const stru
 
 /* Fits the strokes to their sorted fragments, and divides those that no cubic follows. */
 static enum hatch_status fit_and_divide(const struct frame *frame, struct strokes_state *state,
-                                        struct strokes_list *list, struct hatch_arena *scratch, struct hatch_err *err)
+                                        struct strokes_list *list, struct hatch_pool *pool, struct hatch_arena *scratch,
+                                        struct hatch_err *err)
 {
     uint32_t *poor, count;
     gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
@@ -256,20 +308,20 @@ static enum hatch_status fit_and_divide(const struct frame *frame, struct stroke
     HATCH_TRY(find_poor(state, list, &poor, &count, scratch, err));
     if (!count)
         return HATCH_OK;
-    HATCH_TRY(divide_all(state, list, poor, &count, scratch, err));
+    HATCH_TRY(divide_all(state, list, poor, &count, pool, scratch, err));
     gpu_storage_bind(STORAGE_SORTED, state->divided.name);
     HATCH_TRY(bind_order(state, list->strokes, poor, count, scratch, err));
     return fit(frame, state, list, count, err);
 }
 
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
-                              struct hatch_arena *scratch, struct hatch_err *err)
+                              struct hatch_pool *pool, struct hatch_arena *scratch, struct hatch_err *err)
 {
     if (state->blends) {
         strokes_blend_bind(state);
         HATCH_TRY(fit(frame, state, list, list->count, err));
     } else {
-        HATCH_TRY(fit_and_divide(frame, state, list, scratch, err));
+        HATCH_TRY(fit_and_divide(frame, state, list, pool, scratch, err));
     }
     return extrude(frame, state, list->count, err);
 }

@@ -144,9 +144,11 @@ void strokes_blend_free(struct strokes_blend *blend);
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count);
 
 /* Fits the strokes and computes the points of their ribbons. Strokes that no cubic follows are divided.
- *   list  in, out: with the parts of divided strokes */
+ *   list  in, out: with the parts of divided strokes
+ *   pool  may be NULL */
 enum hatch_status strokes_fit(const struct frame *frame, struct strokes_state *state, struct strokes_list *list,
-                              struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
+                              struct hatch_pool *pool, struct hatch_arena *scratch,
+                              struct hatch_err *err) HATCH_MUST_USE;
 
 /* A pen draws a stroke where it is this wide, in its mean widths. */
 #define STROKES_THIN 0.3
