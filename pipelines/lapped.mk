@@ -71,8 +71,11 @@ endif
 lapped := $(foreach m,$(MESHES),$(OUT)/$(basename $(notdir $(m))).lapped.glb)
 row: $(map) $(lapped)
 	$(draw) -o "$(OUT)/row.png" $(lapped)
+$(if $(filter-out $(words $(lapped)),$(words $(sort $(lapped)))),$(error MESHES=$(MESHES): two have one name))
+# They are made anew, since the options may be others than the last time.
+.PHONY: again
 define lapped_rule
-$(OUT)/$(basename $(notdir $(1))).lapped.glb: $(1)
+$(OUT)/$(basename $(notdir $(1))).lapped.glb: $(1) again
 	mkdir -p $(OUT)
 	$$(call cover,$(1)) -o $$@
 endef

@@ -5,7 +5,7 @@
 #     make -f solid.mk MESH=teapot.glb EXEMPLAR=bricks.jpg LOOK=plain    a texture made from a picture
 #     make -f solid.mk MESH=teapot.glb TURN=90                     also once around it: teapot-000.png ... teapot-089.png
 #     make -f solid.mk MESH=walk.glb FRAMES=48                     the scene's animation: walk-000.png ...
-#     make -f solid.mk MESH=model.glb OPTIONS='--inks #8a2a10,#184a7a --ground 4'
+#     make -f solid.mk MESH=model.glb OPTIONS='--inks "#8a2a10,#184a7a" --ground 4'
 #
 # The commands are found on PATH. Copy this file and change it.
 MESH     ?= $(error MESH=FILE names the mesh or scene to draw)

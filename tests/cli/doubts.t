@@ -63,7 +63,19 @@ is "a missing material library" "$status $(cat .err)" \
 : >none.mtl
 try hatchstat mesh mesh.obj
 is "a material library that exists" "$status $(cat .err)" "0 "
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\nf 2 4 3\n' >mesh.obj
+try hatchstat mesh mesh.obj
+is "texture coordinates of some faces" "$status $(cat .err)" \
+    "0 hatchstat: mesh.obj: warning: 3 vertices have no texture coordinates: those of the others are not used
+hatchstat: mesh.obj: warning: 2 vertices have the position of others and count as the same"
 perl make.pl mesh
+sed 's/data:application.octet-stream;/data:;/' mesh.gltf >untyped.gltf
+try hatchstat mesh untyped.gltf
+is "data without a media type" "$status $(cat .err)" "0 "
+sed 's/"indices":0}\]/"indices":0,"targets":[{"NORMAL":2}]}],"weights":[0.5]/' mesh.gltf >moved.gltf
+try hatchstat mesh moved.gltf
+is "normals that a target at rest makes longer" "$status $(cat .err)" \
+    "0 hatchstat: moved.gltf: warning: 1 mesh has morph targets that nothing moves: it stays as at rest"
 sed 's/"indices":0}/"indices":0,"mode":0}/' mesh.gltf >points.gltf
 try hatchstat mesh points.gltf
 is "points alone" "$status $(cat .err)" "3 hatchstat: points.gltf: no faces, only 1 set of points or lines"

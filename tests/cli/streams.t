@@ -107,9 +107,19 @@ for line in "mesh mesh.stl" "ink picture.ppm" "ink picture.tga"; do
     is "$2 through a FIFO" "$(wc -c <by_pipe | awk '{print ($1 > 0)}') $(cmp by_name by_pipe)" "1 "
 done
 # Normals of STL files may be anything.
-perl -0777 -pe 'substr $_, 0, 5, "solid"; substr $_, 84, 12, pack "f<3", ("nan") x 3' mesh.stl >normals.stl
+perl -0777 -pe 'substr $_, 84, 12, pack "f<3", ("nan") x 3' mesh.stl >normals.stl
 is "an STL file whose first normal is NaN, through a pipe" "$(hatchstat -q mesh - <normals.stl | cksum)" \
     "$(hatchstat -q mesh normals.stl | cksum)"
+# The header of a binary STL file may be blank, and the number of faces look like the beginning of a JSON text.
+for header in '\0' ' '; do
+    perl -e 'print eval("\"$ARGV[0]\"") x 80, pack "L<", 123;
+        print pack "f<12 S<", 0, 0, 1, $_, 0, 0, $_ + 1, 0, 0, $_, 1, 0, 0 for 1 .. 123' "$header" >blank.stl
+    is "123 faces after a header of '$header'" "$(hatchstat -q mesh blank.stl | tail -n 1 | cut -f 2)" 123
+    is "and through a pipe" "$(hatchstat -q mesh - <blank.stl | tail -n 1 | cut -f 2)" 123
+done
+{ echo '# a comment'; cat mesh.off; } >comment.off
+is "an OFF file that begins with a comment, through a pipe" "$(hatchstat -q mesh - <comment.off | cksum)" \
+    "$(hatchstat -q mesh mesh.off | cksum)"
 
 # on_terminal COMMAND: prints a command's status and the first line that a terminal shows of it
 on_terminal() {

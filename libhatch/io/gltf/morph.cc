@@ -1,6 +1,7 @@
 /* Morph targets are applied with their weights at rest, and kept if a node or an animation changes the weights. */
 #include "io/gltf/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -78,6 +79,19 @@ enum hatch_status apply_at_rest(Reader &r, const tinygltf::Primitive &primitive,
                        });
 }
 
+/* Makes normals unit vectors that a target has moved; those without length stay. */
+void normalize_moved(const std::vector<double> &weights, struct hatch_mesh *mesh)
+{
+    float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    if (!normals || std::none_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }))
+        return;
+    for (size_t v = 0; v < mesh->vertex_count; v++) {
+        float *normal = normals + 3 * v, length = std::hypot(normal[0], normal[1], normal[2]);
+        for (int k = 0; k < 3 && length > 0; k++)
+            normal[k] /= length;
+    }
+}
+
 enum hatch_status keep_targets(Reader &r, const tinygltf::Primitive &primitive, const char *name, const char *attribute,
                                const std::string &where, struct hatch_mesh *mesh)
 {
@@ -119,6 +133,7 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
     HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "POSITION", where, mesh));
     HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "NORMAL", where, mesh));
     if (!has_other_weights(r, index, most)) {
+        normalize_moved(rest_weights(r, index), mesh);
         r.notes->morphs_ignored += targets > 0 && primitive.mode >= TINYGLTF_MODE_TRIANGLES;
         return HATCH_OK;
     }

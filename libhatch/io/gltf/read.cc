@@ -1,5 +1,6 @@
 #include "io/gltf/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -95,13 +96,35 @@ enum hatch_status copy_bytes(struct hatch_bytes bytes, const std::string &uri, s
     return HATCH_OK;
 }
 
+/* Decodes a URI that holds a file, of a media type that tinygltf does not know. It has decoded the URI's escapes, and
+ * taken each + for a space.
+ * Returns false if it is not in base 64. */
+bool decode(const std::string &uri, std::vector<unsigned char> *out)
+{
+    const std::string mark = ";base64,";
+    const size_t comma = uri.find(',');
+    if (comma == std::string::npos || comma + 1 < mark.size() ||
+        uri.compare(comma + 1 - mark.size(), mark.size(), mark) != 0)
+        return false;
+    std::string text = uri.substr(comma + 1);
+    std::replace(text.begin(), text.end(), ' ', '+');
+    std::string type;
+    return tinygltf::DecodeDataURI(out, type, "data:application/octet-stream;base64," + text, 0, false);
+}
+
 bool read_file(std::vector<unsigned char> *out, std::string *, const std::string &uri, void *data)
 {
     Files &files = *static_cast<Files *>(data);
     struct hatch_bytes bytes = {nullptr, 0};
     struct hatch_err err = {};
     if (uri.compare(0, 5, "data:") == 0) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: unknown media type", uri.c_str());
+        try {
+            if (decode(uri, out))
+                return true;
+            hatch_fail(&err, HATCH_BAD_INPUT, "uri %.40s: unknown media type", uri.c_str());
+        } catch (const std::bad_alloc &) {
+            hatch_fail(&err, HATCH_LIMIT, "out of memory for uri %.40s", uri.c_str());
+        }
     } else if (!hatch_gltf_uri_is_local(uri.c_str())) {
         hatch_fail(&err, HATCH_BAD_INPUT, "uri %.100s is outside the file's folder", uri.c_str());
         files.left_folder = true;

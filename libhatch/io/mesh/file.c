@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/bytes.h"
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
@@ -40,18 +41,24 @@ static uint8_t first_visible(struct hatch_bytes file)
     return 0;
 }
 
-/* Returns whether a file looks like OBJ. The format has no magic word, so the first line that is not a comment must
- * begin with a common keyword. */
-static bool looks_like_obj(struct hatch_bytes file)
+/* Returns what follows lines of comments and empty ones. */
+static struct hatch_bytes after_comments(struct hatch_bytes file)
 {
     size_t i = 0;
     while (i < file.size && (file.data[i] == '#' || file.data[i] <= ' ')) {
         const uint8_t *newline = memchr(file.data + i, '\n', file.size - i);
         if (!newline)
-            return false;
+            return (struct hatch_bytes){file.data, 0};
         i = (size_t)(newline - file.data) + 1;
     }
-    struct hatch_bytes rest = {file.data + i, file.size - i};
+    return (struct hatch_bytes){file.data + i, file.size - i};
+}
+
+/* Returns whether a file looks like OBJ. The format has no magic word, so the first line that is not a comment must
+ * begin with a common keyword. */
+static bool looks_like_obj(struct hatch_bytes file)
+{
+    const struct hatch_bytes rest = after_comments(file);
     static const char *const words[] = {"v ", "vt ", "vn ", "o ", "g ", "mtllib ", "usemtl ", NULL};
     for (const char *const *w = words; *w; w++)
         if (starts_with(rest, *w))
@@ -59,13 +66,28 @@ static bool looks_like_obj(struct hatch_bytes file)
     return false;
 }
 
+/* Returns whether a file has the size that its bytes would claim as a binary STL file; the header may be anything. */
+static bool has_stl_size(struct hatch_bytes file)
+{
+    const size_t header = 80, triangle = 50;
+    struct hatch_reader reader = hatch_reader_of(file);
+    hatch_read_bytes(&reader, header);
+    uint64_t count = hatch_read_u32(&reader);
+    return !reader.cut && count > 0 && file.size == header + 4 + count * triangle;
+}
+
 static enum hatch_mesh_format by_content(struct hatch_bytes file)
 {
-    if (starts_with(file, "glTF") || first_visible(file) == '{')
+    const struct hatch_bytes rest = after_comments(file);
+    if (starts_with(file, "glTF"))
+        return HATCH_MESH_GLTF;
+    if (has_stl_size(file))
+        return HATCH_MESH_STL;
+    if (first_visible(file) == '{')
         return HATCH_MESH_GLTF;
     if (starts_with(file, "ply"))
         return HATCH_MESH_PLY;
-    if (hatch_off_keyword((const char *)file.data, file.size))
+    if (hatch_off_keyword((const char *)rest.data, rest.size))
         return HATCH_MESH_OFF;
     return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
 }

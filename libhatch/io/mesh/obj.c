@@ -214,6 +214,16 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
                       word.at);
 }
 
+/* Counts the vertices that lack a value of a kind which others have. */
+static uint32_t count_missing(const struct obj *o, int kind)
+{
+    const struct corner *corners = vertex_corners(o);
+    uint32_t missing = 0;
+    for (uint32_t v = 0; v < o->vertex_count; v++)
+        missing += corners[v].index[kind] == ABSENT;
+    return missing < o->vertex_count ? missing : 0;
+}
+
 /* Lists the values of a kind in the order of the vertices; *out is NULL when a vertex lacks one. */
 static enum hatch_status gather(struct obj *o, int kind, float **out, struct hatch_err *err)
 {
@@ -252,6 +262,7 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
     float *positions, *texcoords, *normals, *data;
     struct hatch_mesh made;
     HATCH_TRY(count_unused(o, notes, err));
+    notes->texcoords_missing += count_missing(o, VT);
     HATCH_TRY(gather(o, V, &positions, err));
     HATCH_TRY(gather(o, VT, &texcoords, err));
     HATCH_TRY(gather(o, VN, &normals, err));
