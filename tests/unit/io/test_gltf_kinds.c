@@ -194,7 +194,7 @@ END_TEST
 
 #define MATERIALS(material)                                                                                            \
     "{\"asset\":{\"version\":\"2.0\"},\"extensionsRequired\":[\"KHR_texture_basisu\",\"EXT_texture_webp\"],"           \
-    "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp;base64,AAAA\",\"name\":"          \
+    "\"images\":[{\"uri\":\"data:image/png;base64,AAAA\"},{\"uri\":\"data:image/webp,AAAA\",\"name\":"                 \
     "\"bark\"},{\"uri\":\"gone.png\"},{\"uri\":\"no%20one.png\"}],\"textures\":[{\"extensions\":{"                     \
     "\"EXT_texture_webp\":{\"source\":0}}},{\"source\":0,\"extensions\":{\"KHR_texture_basisu\":{\"source\":"          \
     "2}}},{\"extensions\":{\"KHR_texture_basisu\":{\"source\":2}}},{\"source\":1},{\"source\":3}],"                    \
@@ -205,6 +205,11 @@ START_TEST(images_of_extensions_are_found)
 {
     reads(MATERIALS(COLOUR("0") "," COLOUR("1")));
     ck_assert(scene.materials[0].base.texture == 0 && scene.materials[1].base.texture == 0);
+    ck_assert_uint_eq(scene.textures[0].size, 3);
+    reads("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"data:image/avif;base64,++++\"}],"
+          "\"textures\":[{\"source\":0}],\"materials\":[" COLOUR("0") "]}");
+    ck_assert(scene.textures[0].size == 3 && memcmp(scene.textures[0].data, "\xfb\xef\xbe", 3) == 0);
+    reads(MATERIALS(COLOUR("0") "," COLOUR("1")));
     ck_assert_uint_eq(notes.images_missing, 0); /* no material refers to one */
     reads(MATERIALS(COLOUR("2") "," COLOUR("2") ",{\"normalTexture\":{\"index\":3}}"));
     ck_assert(scene.materials[0].base.texture == HATCH_NONE && !scene.materials[2].normals.used);
