@@ -75,9 +75,9 @@ static inline float round_to(float value, float step, float per)
     return (float)(int)(value * per + 0.5f) * step;
 }
 
-/* What rounding does to blocks of pixels that have ink. */
+/* The change by rounding, of blocks of pixels that have ink. */
 struct change {
-    double squares; /* sum of the squares of what it changes in the mean of a block and a channel */
+    double squares; /* sum of the squares of the changes of their means, per channel */
     uint64_t count; /* of these */
 };
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/bytes.h"
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
@@ -66,22 +65,12 @@ static bool looks_like_obj(struct hatch_bytes file)
     return false;
 }
 
-/* Returns whether a file has the size that its bytes would claim as a binary STL file; the header may be anything. */
-static bool has_stl_size(struct hatch_bytes file)
-{
-    const size_t header = 80, triangle = 50;
-    struct hatch_reader reader = hatch_reader_of(file);
-    hatch_read_bytes(&reader, header);
-    uint64_t count = hatch_read_u32(&reader);
-    return !reader.cut && count > 0 && file.size == header + 4 + count * triangle;
-}
-
 static enum hatch_mesh_format by_content(struct hatch_bytes file)
 {
     const struct hatch_bytes rest = after_comments(file);
     if (starts_with(file, "glTF"))
         return HATCH_MESH_GLTF;
-    if (has_stl_size(file))
+    if (hatch_stl_has_size(file))
         return HATCH_MESH_STL;
     if (first_visible(file) == '{')
         return HATCH_MESH_GLTF;

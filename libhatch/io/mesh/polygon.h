@@ -43,6 +43,9 @@ enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_are
  * none. */
 size_t hatch_off_keyword(const char *at, size_t size);
 
+/* Returns whether a file has the size that a binary STL file with its number of triangles has. */
+bool hatch_stl_has_size(struct hatch_bytes file);
+
 /* The readers of the formats. Arguments are those of hatch_mesh_read, except that origin is an input, subtracted from
  * all positions. */
 typedef enum hatch_status (*hatch_mesh_reader)(struct hatch_bytes file, const double origin[3],

@@ -34,14 +34,17 @@ static bool looks_like_text(struct hatch_bytes file)
     return true;
 }
 
-static bool is_binary(struct hatch_bytes file)
+bool hatch_stl_has_size(struct hatch_bytes file)
 {
-    if (file.size < HEADER + 4)
-        return false;
     struct hatch_reader reader = hatch_reader_of(file);
     hatch_read_bytes(&reader, HEADER);
     uint64_t count = hatch_read_u32(&reader);
-    return file.size == HEADER + 4 + count * TRIANGLE || !looks_like_text(file);
+    return !reader.cut && file.size == HEADER + 4 + count * TRIANGLE;
+}
+
+static bool is_binary(struct hatch_bytes file)
+{
+    return file.size >= HEADER + 4 && (hatch_stl_has_size(file) || !looks_like_text(file));
 }
 
 static enum hatch_status make(size_t faces, struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_err *err)
