@@ -21,7 +21,7 @@ void begin_columns(struct job *job)
                                     .tolerance = (double)job->tolerance,
                                     .sheet = job->sheet_path ? &job->sheet : NULL};
     if (job->tolerance > 0)
-        cmd_note("reflectance is rounded: means over 8 x 8 pixels change by about %.2g at most, root mean square",
+        cmd_note("reflectance is rounded: means over 8 x 8 pixels change by about %.2g, root mean square",
                  (double)job->tolerance / 2);
     uint32_t shown = job->tones < SHEET_COLUMNS_MAX ? job->tones : SHEET_COLUMNS_MAX;
     const struct hatch_tam_sheet_options sheet = {job->size_px, job->levels, job->tones, shown, job->color};
