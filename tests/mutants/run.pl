@@ -4,7 +4,7 @@
 # same machine code, is replaced by another. A first run of all tests, built with --coverage, finds which of them execute
 # the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
 # eight times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
-# of arrays, as by make check SANITIZE=1.
+# of arrays; those that all tests pass go through the unit programs once more, built as by make check SANITIZE=1.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
 # equivalent.tsv explains are not counted: they cannot change a result.
 use strict;
@@ -23,9 +23,10 @@ my $folder = shift or die "usage: run.pl FOLDER\n";
 my ($wanted, $seed, $jobs) = ($ENV{N} || 80, $ENV{SEED} || 1, $ENV{JOBS} || 2);
 my $processors = () = contents('/proc/cpuinfo') =~ /^processor\b/mg;
 my @make = ('make', '-s', "-j$jobs");
-my %flags = ( # by the folders of the two builds
-    build => '-O1 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error',
-    cover => '-O1 -g0 --coverage',
+my %flags = ( # by the folders of the builds
+    build => ['CFLAGS=-O1 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error'],
+    cover => ['CFLAGS=-O1 -g0 --coverage'],
+    sane => ['CFLAGS=-O1 -g0', 'SANITIZE=1'],
 );
 require "$here/reach.pl";
 
@@ -33,22 +34,25 @@ sub prepare_tree {
     make_path($folder);
     $folder = abs_path($folder);
     chdir $top or die;
-    system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
-    # A repository, of which make dist makes its archive; files of an earlier tree go.
+    # A repository, of which make dist makes its archive; files of an earlier tree, and mutations of a run that was
+    # stopped, go.
     my $git = "git -C '$folder' -c user.name=hatch -c user.email=hatch";
+    system("git -C '$folder' reset -q --hard") if -d "$folder/.git";
+    system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
     system("git init -q '$folder' && git ls-files -z | $git add --pathspec-from-file=- --pathspec-file-nul && " .
-        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /tests.coverage") == 0
+        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /sane -e /tests.coverage") == 0
         or die "run.pl: git cannot take the copy\n";
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
     make_path("$folder/tmp");
     @ENV{qw(TOP TMPDIR CK_DEFAULT_TIMEOUT)} = ($folder, "$folder/tmp", 600);
+    $ENV{ASAN_OPTIONS} ||= 'detect_stack_use_after_return=1:allocator_may_return_null=1';
 }
 
 # Builds targets in a folder, and returns whether they can be built.
 sub build {
     my ($to, @targets) = @_;
-    my @words = (@make, "B=$to", "CFLAGS=$flags{$to}", map { /^(?:all|stage)$/ ? $_ : "$to/$_" } @targets);
+    my @words = (@make, "B=$to", @{$flags{$to}}, map { /^(?:all|stage)$/ ? $_ : "$to/$_" } @targets);
     return system(join(' ', map { "'$_'" } @words) . ' >make.log 2>&1') == 0;
 }
 
@@ -101,11 +105,11 @@ sub run_tests {
     }
 }
 
-# Returns the first test that fails, or nothing.
+# Returns the first test of a build that fails, or nothing.
 sub first_failure {
-    my ($tests, $limit) = @_;
+    my ($of, $tests, $limit) = @_;
     my $failed;
-    run_tests('build', $tests, $limit, sub {
+    run_tests($of, $tests, $limit, sub {
         my ($test, $passed) = @_;
         $failed //= $test unless $passed;
         return $failed;
@@ -142,13 +146,13 @@ sub put {
     close $out;
 }
 
-# Builds all that the tests need, in both folders. Returns the tests, unit programs and scripts, without those of the
+# Builds all that the tests need, in all folders. Returns the tests, unit programs and scripts, without those of the
 # code's form.
 sub build_tests {
     my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
     my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory}/*.t';
     for my $of (sort keys %flags) {
-        build($of, 'stage', 'tests/bad/maps', @programs)
+        build($of, $of eq 'sane' ? () : ('stage', 'tests/bad/maps'), @programs)
             or die "run.pl: the unchanged tree does not build\n", contents('make.log');
     }
     return (\@programs, \@scripts);
@@ -172,7 +176,7 @@ sub measure_tests {
         remove_tree("tmp/$pid.counts");
         return 0;
     });
-    my $failed = first_failure(\@failed, {});
+    my $failed = first_failure('build', \@failed, {}) // first_failure('sane', [grep { !/\.t$/ } @tests], {});
     die "run.pl: $failed fails on the unchanged tree\n", contents('tmp/last.out') if $failed;
     return %odd;
 }
@@ -208,12 +212,13 @@ sub verdict {
     my %limit = map { $_ => 60 + 8 * $took->{$_} } keys %$took;
     my @near = grep { nearness($_, $file) == 2 } @$programs;
     my %is_near = map { $_ => 1 } @near;
-    for my $stage ([\@near, []], [[], $scripts], [[grep { !$is_near{$_} } @$programs], []]) {
-        my ($some, $others) = @$stage;
+    my @other = grep { !$is_near{$_} } @$programs;
+    for my $stage (['build', \@near, []], ['build', [], $scripts], ['build', \@other, []], ['sane', $programs, []]) {
+        my ($of, $some, $others) = @$stage;
         next unless @$some || @$others;
-        build('build', @$some, @$others ? 'all' : ()) or return 'does not compile';
-        my $failed = first_failure([in_order($file, $took, @$some, @$others)], \%limit);
-        return $failed if $failed;
+        build($of, @$some, @$others ? 'all' : ()) or return 'does not compile';
+        my $failed = first_failure($of, [in_order($file, $took, @$some, @$others)], $of eq 'sane' ? {} : \%limit);
+        return $failed . ($of eq 'sane' ? ', SANITIZE=1' : '') if $failed;
     }
     return 'survived';
 }
@@ -245,7 +250,7 @@ for my $mutation (@drawn) {
     my $since = time;
     my $said = $reason{"$file\t$old\t$new"} ? 'equivalent' : verdict($file, $before, $some, $others, $took);
     put($file, $text);
-    build('build', object_of($file)) if object_of($file);
+    build($_, object_of($file)) for object_of($file) ? ('build', 'sane') : ();
     $counted++ unless $said =~ /^(?:does not compile|same code|equivalent)$/;
     push @survivors, "$file:$number: $old  ->  $new" if $said eq 'survived';
     printf "%s\t%s:%d\t%s\t%s\t%.0f s\n", $said, $file, $number, $old, $new, time - $since;
