@@ -13,6 +13,7 @@ struct work {
     const struct hatch_vector_pen *pen;
     struct hatch_sight sight;
     struct hatch_vector_runs runs; /* of one curve; visible parts are kept */
+    bool hidden;                   /* hidden parts are wanted */
 };
 
 double hatch_vector_half_width(const struct hatch_vector_pen *pen, double wanted_px)
@@ -20,18 +21,25 @@ double hatch_vector_half_width(const struct hatch_vector_pen *pen, double wanted
     return wanted_px - 0.5 * pen->width_px;
 }
 
-/* Adds the visible and the hidden pieces of a segment inside the picture. */
-static enum hatch_status add_line(struct work *w, const struct hatch_sight_line *line, struct hatch_err *err)
+/* Adds the visible and the hidden pieces of a segment inside the picture.
+ *   unseen  it is hidden
+ *   blank   it is not drawn where it is in sight */
+static enum hatch_status add_line(struct work *w, const struct hatch_sight_line *line, bool unseen, bool blank,
+                                  struct hatch_err *err)
 {
-    HATCH_TRY(hatch_sight_find(&w->sight, line, err));
+    const double *a = line->at[0], *b = line->at[1];
     double at = 0;
+    if (unseen || (blank && !w->hidden))
+        return hatch_vector_runs_add(&w->runs, a, b, 0, 1, false, err);
+    HATCH_TRY(hatch_sight_find(&w->sight, line, err));
     for (uint32_t i = 0; i < w->sight.count; i++) {
         const double *part = w->sight.parts[i];
-        HATCH_TRY(hatch_vector_runs_add(&w->runs, line->at[0], line->at[1], at, part[0], false, err));
-        HATCH_TRY(hatch_vector_runs_add(&w->runs, line->at[0], line->at[1], part[0], part[1], true, err));
+        HATCH_TRY(hatch_vector_runs_add(&w->runs, a, b, at, part[0], false, err));
+        HATCH_TRY(blank ? hatch_vector_runs_add_blank(&w->runs, a, b, part[0], part[1], err)
+                        : hatch_vector_runs_add(&w->runs, a, b, part[0], part[1], true, err));
         at = part[1];
     }
-    return hatch_vector_runs_add(&w->runs, line->at[0], line->at[1], at, 1, false, err);
+    return hatch_vector_runs_add(&w->runs, a, b, at, 1, false, err);
 }
 
 /* Cuts a segment at the planes of the view. Returns false if nothing remains.
@@ -128,8 +136,7 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
     if (drawn) {
         shorten(&line, begin, end);
         give_slack(occluders, slack, &line);
-        HATCH_TRY(slack < 0 ? hatch_vector_runs_add(&w->runs, line.at[0], line.at[1], 0, 1, false, err)
-                            : add_line(w, &line, err));
+        HATCH_TRY(add_line(w, &line, slack < 0, curves->blank && curves->blank[point], err));
     }
     return HATCH_OK;
 }
@@ -158,7 +165,7 @@ enum hatch_status hatch_vector_see(const struct hatch_occluders *occluders, cons
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_vector_builder seen = hatch_vector_builder_of(arena), unseen = hatch_vector_builder_of(NULL);
-    struct work work = {.occluders = occluders, .curves = curves, .pen = pen};
+    struct work work = {.occluders = occluders, .curves = curves, .pen = pen, .hidden = hidden != NULL};
     work.runs = hatch_vector_runs_of(scratch);
     if (hidden)
         unseen = hatch_vector_builder_of(arena);

@@ -23,6 +23,8 @@ struct hatch_vector_curves {
     const float *widths_px; /* per point: the width wanted there; 0: not drawn; NULL: all is drawn */
     const float *slack; /* per point: distance along the view axis by which a surface may be nearer to the segment from
                            it to the next point without hiding it; below 0: the segment is hidden; NULL: 0 */
+    const bool *blank;  /* per point: whether the segment from it to the next point is not drawn where it is in sight;
+                           NULL: none is */
 };
 
 /* The pen that draws curves. A point is drawn where `drawn` returns at least 0; between points the result is taken as

@@ -3,6 +3,7 @@
 struct piece {
     double ends[2][2];
     bool kept, apart; /* apart: it does not begin where the piece before it ends */
+    bool blank;       /* it is never delivered unless it is kept */
 };
 
 /* Successive pieces that are kept, or are not. */
@@ -30,19 +31,31 @@ void hatch_vector_runs_skip(struct hatch_vector_runs *runs)
     runs->whole = false;
 }
 
-enum hatch_status hatch_vector_runs_add(struct hatch_vector_runs *runs, const double a[2], const double b[2],
-                                        double begin, double end, bool kept, struct hatch_err *err)
+static enum hatch_status add(struct hatch_vector_runs *runs, const double a[2], const double b[2], double begin,
+                             double end, struct piece piece, struct hatch_err *err)
 {
-    struct piece piece = {.kept = kept, .apart = runs->apart};
     if (!(begin < end))
         return HATCH_OK;
     for (int k = 0; k < 2; k++) {
         piece.ends[0][k] = begin > 0 ? a[k] + begin * (b[k] - a[k]) : a[k];
         piece.ends[1][k] = end < 1 ? a[k] + end * (b[k] - a[k]) : b[k];
     }
+    piece.apart = runs->apart;
     runs->apart = false;
     runs->piece_count++;
     return hatch_buffer_add(&runs->pieces, &piece, sizeof piece, err);
+}
+
+enum hatch_status hatch_vector_runs_add(struct hatch_vector_runs *runs, const double a[2], const double b[2],
+                                        double begin, double end, bool kept, struct hatch_err *err)
+{
+    return add(runs, a, b, begin, end, (struct piece){.kept = kept}, err);
+}
+
+enum hatch_status hatch_vector_runs_add_blank(struct hatch_vector_runs *runs, const double a[2], const double b[2],
+                                              double begin, double end, struct hatch_err *err)
+{
+    return add(runs, a, b, begin, end, (struct piece){.blank = true}, err);
 }
 
 static struct run *run_at(const struct hatch_vector_runs *runs, uint32_t i)
@@ -109,13 +122,31 @@ void hatch_vector_runs_drop(struct hatch_vector_runs *runs, double speck, bool c
     invert(runs, true, speck, !closed);
 }
 
+/* Adds the points of a run to the path that has begun. Where a run that is not kept has blank pieces, the path ends,
+ * and another begins after them. */
 static enum hatch_status add_points(const struct hatch_vector_runs *runs, const struct run *run,
-                                    struct hatch_vector_builder *builder, struct hatch_err *err)
+                                    const struct hatch_vector_path *like, struct hatch_vector_builder *builder,
+                                    struct hatch_err *err)
 {
-    for (uint32_t i = 0; i < run->count; i++)
+    for (uint32_t i = 0; i < run->count; i++) {
+        const struct piece *piece = piece_at(runs, run->first + i);
+        if (!run->kept && piece->blank) {
+            HATCH_TRY(hatch_vector_end(builder, false, err));
+            hatch_vector_begin(builder, like);
+            continue;
+        }
         for (int end = 0; end < 2; end++)
-            HATCH_TRY(hatch_vector_add(builder, piece_at(runs, run->first + i)->ends[end], err));
+            HATCH_TRY(hatch_vector_add(builder, piece->ends[end], err));
+    }
     return HATCH_OK;
+}
+
+static bool has_blanks(const struct hatch_vector_runs *runs)
+{
+    bool found = false;
+    for (uint32_t i = 0; i < runs->piece_count; i++)
+        found = found || piece_at(runs, i)->blank;
+    return found;
 }
 
 enum hatch_status hatch_vector_runs_deliver(const struct hatch_vector_runs *runs, const struct hatch_vector_path *like,
@@ -130,10 +161,10 @@ enum hatch_status hatch_vector_runs_deliver(const struct hatch_vector_runs *runs
         if (run->kept != kept)
             continue;
         hatch_vector_begin(builder, like);
-        HATCH_TRY(add_points(runs, run, builder, err));
+        HATCH_TRY(add_points(runs, run, like, builder, err));
         if (meets && i + 1 == count)
-            HATCH_TRY(add_points(runs, run_at(runs, 0), builder, err));
-        HATCH_TRY(hatch_vector_end(builder, round && count == 1, err));
+            HATCH_TRY(add_points(runs, run_at(runs, 0), like, builder, err));
+        HATCH_TRY(hatch_vector_end(builder, round && count == 1 && (kept || !has_blanks(runs)), err));
     }
     return HATCH_OK;
 }

@@ -26,6 +26,10 @@ void hatch_vector_runs_skip(struct hatch_vector_runs *runs);
 enum hatch_status hatch_vector_runs_add(struct hatch_vector_runs *runs, const double a[2], const double b[2],
                                         double begin, double end, bool kept, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Appends a piece that is not kept, nor delivered with those that are not. */
+enum hatch_status hatch_vector_runs_add_blank(struct hatch_vector_runs *runs, const double a[2], const double b[2],
+                                              double begin, double end, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Joins successive pieces that are kept, or are not, into runs. */
 enum hatch_status hatch_vector_runs_make(struct hatch_vector_runs *runs, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -20,8 +20,8 @@ is "missing lines are found" "$(far_apart teapot.png bare.png | awk '{print ($1 
 
 # Dots of a plane in the same places: two unlike patterns of this tone differ by .3.
 meshgen plane --faces 200 | strokegen -q --levels 6 --gap 0.04 -o dots.glb
-dots="-q -t traced --stroke-style stipple --stroke-width 2.6 --lines none --size 480x360 --fov 25 --tone-range .2:.2"
-render-gl $dots --camera 0,0,3.7320508:0,0,0 dots.glb -o dots.png
+dots="-q -t traced --stroke-style stipple --lines none --size 480x360 --fov 25 --tone-range .2:.2"
+render-gl $dots --camera 0,0,3.7320508:0,0,0 dots.glb --stroke-width 2.6 -o dots.png
 render-gl $dots --camera 0,0,3.7320508:0,0,0 dots.glb --pen 0.688mm -o dots.svg
 
 draw_with() { # draw_with VIEWER SHAPE

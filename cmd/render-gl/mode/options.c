@@ -289,6 +289,10 @@ static void check_owners(void)
             else if (options_is_given(row->name) && !technique_has_option(chosen.technique, row->name))
                 cmd_usage("--%s goes with --technique %s, not with %s", row->name, techniques[i]->name,
                           chosen.technique->name);
+            else if (options_is_given(row->name) && chosen.vectors &&
+                     technique_has_pen_for(chosen.technique, row->name))
+                cmd_usage("--%s cannot be combined with --output *.%s: a drawing has the width of its --pen", row->name,
+                          chosen.script ? "tsv" : "svg");
 }
 
 /* Writes the names of the techniques that have a feature, as in "a, b and c". */

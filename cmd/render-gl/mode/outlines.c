@@ -19,7 +19,7 @@ struct gathering {
     struct hatch_line_eye eye;
     const struct hatch_occluders *occluders;
     uint32_t count;
-    struct hatch_buffer curves, points, slack, pieces;
+    struct hatch_buffer curves, points, slack, blank, pieces;
 };
 
 /* A part of a silhouette. */
@@ -37,6 +37,7 @@ static uint32_t point_count(const struct gathering *gathering)
 static enum hatch_status add_point(struct gathering *gathering, const double at[3], float slack, struct hatch_err *err)
 {
     HATCH_TRY(hatch_buffer_add(&gathering->points, at, 3 * sizeof *at, err));
+    HATCH_TRY(hatch_buffer_add(&gathering->blank, &(bool){false}, sizeof(bool), err));
     return hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err);
 }
 
@@ -106,19 +107,18 @@ static void change_short(struct piece *pieces, uint32_t count, bool step, double
     }
 }
 
-/* Hides the parts of the last curve that have no step.
+/* Leaves out the parts of the last curve that have no step.
  *   first  its first point */
-static void hide_flat(struct gathering *gathering, uint32_t first)
+static void blank_flat(struct gathering *gathering, uint32_t first)
 {
     struct piece *pieces = (void *)gathering->pieces.data;
-    float *slack = (void *)gathering->slack.data;
+    bool *blank = (void *)gathering->blank.data;
     uint32_t count = (uint32_t)(gathering->pieces.size / sizeof *pieces);
     continue_steps(pieces, count);
     change_short(pieces, count, false, GAP_PX);
     change_short(pieces, count, true, SPECK_PX);
     for (uint32_t i = 0; i < count; i++)
-        if (!pieces[i].step)
-            slack[first + i] = -1;
+        blank[first + i] = !pieces[i].step;
     gathering->pieces.size = 0;
 }
 
@@ -135,7 +135,7 @@ static enum hatch_status add_outline(struct gathering *gathering, const struct h
                                  trace->surface[segment], err));
     }
     HATCH_TRY(add_point(gathering, &trace->nodes[3 * (size_t)nodes[chain->segment_count]], 0, err));
-    hide_flat(gathering, first);
+    blank_flat(gathering, first);
     return HATCH_OK;
 }
 
@@ -180,6 +180,7 @@ enum hatch_status outlines_trace(const struct hatch_lines *lines, const struct h
                                   .curves = {.arena = arena},
                                   .points = {.arena = arena},
                                   .slack = {.arena = arena},
+                                  .blank = {.arena = arena},
                                   .pieces = {.arena = arena}};
     struct hatch_line_curves *sets;
     uint32_t count;
@@ -191,6 +192,7 @@ enum hatch_status outlines_trace(const struct hatch_lines *lines, const struct h
     *curves = (struct hatch_vector_curves){.count = gathering.count,
                                            .curves = (const void *)gathering.curves.data,
                                            .points = (const void *)gathering.points.data,
-                                           .slack = (const void *)gathering.slack.data};
+                                           .slack = (const void *)gathering.slack.data,
+                                           .blank = (const void *)gathering.blank.data};
     return HATCH_OK;
 }

@@ -167,6 +167,9 @@ void params_read(struct options *options)
                       param->subject == PARAM_LINES ? " without --lines" : "");
         if (options->vectors && !technique->curves && param->subject != PARAM_CAMERA && param->subject != PARAM_LINES)
             cmd_usage("--animate %s: a drawing, which has lines alone, does not use it", param->option->name);
+        if (options->vectors && technique_has_pen_for(technique, param->option->name))
+            cmd_usage("--animate %s: a drawing, which has the width of its --pen, does not use it",
+                      param->option->name);
         options->change_count++;
     }
     options_read_view(options);

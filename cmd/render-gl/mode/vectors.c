@@ -1,5 +1,6 @@
 /* Writes drawings for pens: the feature lines of frames, and their strokes, as SVG files or stroke scripts. The
  * visible parts of lines are computed on the processor, so that lines alone need no context. */
+#include <stdio.h>
 #include <string.h>
 
 #include "io/script/write.h"
@@ -10,8 +11,14 @@
 #include "vector/project.h"
 #include "vector/tidy/tidy.h"
 
-/* The pens of a drawing, in the order of its layers. Strokes have one for each direction. */
-enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX };
+/* The pens of a drawing. Strokes have one for each direction and each ink. */
+enum layer {
+    LAYER_OUTLINES,
+    LAYER_HIDDEN,
+    LAYER_STROKES,
+    LAYER_LIGHT = LAYER_STROKES + HATCH_CURVE_FAMILIES_MAX, /* strokes of the second ink */
+    LAYER_COUNT = LAYER_LIGHT + HATCH_CURVE_FAMILIES_MAX
+};
 
 #define DOUBLE_PENS 0.5   /* lines at most this many pen widths apart are one line */
 #define JOIN_PENS 1.0     /* ends at most this many pen widths apart, whose round caps touch, are joined */
@@ -21,6 +28,7 @@ enum layer { LAYER_OUTLINES, LAYER_HIDDEN, LAYER_STROKES, LAYER_COUNT = LAYER_ST
 #define SHORTEST_PX 2.0   /* shorter paths are left out */
 #define DASH_PENS 6.0     /* length of dashes and of the gaps between them, in pen widths */
 #define GAP_PENS 4.0
+#define LAYER_NAME_BYTES 24u
 
 static const struct hatch_vector_care care = {.gap_px = 1, .speck_px = 1};
 
@@ -31,23 +39,26 @@ struct drawing {
     struct hatch_arena *arena;            /* of one frame */
     uint32_t film;                        /* of the frame, as in struct frame_request */
     struct canvas canvas;                 /* zeroed: the technique has no curves */
-    uint32_t stroke_layers;               /* of the frame */
+    uint32_t stroke_layers[2];            /* of the frame, of each ink */
     const struct hatch_stroke_look *look; /* of its strokes */
     struct hatch_page page;
     double pixel_mm, pen_mm;           /* on the page */
     struct hatch_vector_builder paths; /* of one frame, on the page */
 };
 
-/* Places paths on the page and makes them ready for the pen. */
-static enum hatch_status tidy(struct drawing *drawing, struct hatch_vector_paths *paths, struct hatch_err *err)
+/* Places paths on the page and makes them ready for the pen.
+ *   drawn   paths on the page that they must not run along; NULL: none
+ *   single  out: what remains of them before ends are joined */
+static enum hatch_status tidy(struct drawing *drawing, const struct hatch_vector_paths *drawn,
+                              struct hatch_vector_paths *paths, struct hatch_vector_paths *single,
+                              struct hatch_err *err)
 {
     const struct options *options = drawing->job->options;
     struct hatch_arena *arena = drawing->arena, *scratch = &drawing->job->args.scratch;
     double pixel_mm = drawing->pixel_mm, pen_mm = drawing->pen_mm;
-    struct hatch_vector_paths single;
     hatch_page_place(&drawing->page, options->width, options->height, pixel_mm, paths);
-    HATCH_TRY(hatch_vector_drop_doubles(paths, DOUBLE_PENS * pen_mm, arena, scratch, &single, err));
-    HATCH_TRY(hatch_vector_join(&single, JOIN_PENS * pen_mm, arena, scratch, paths, err));
+    HATCH_TRY(hatch_vector_drop_doubles(paths, drawn, DOUBLE_PENS * pen_mm, arena, scratch, single, err));
+    HATCH_TRY(hatch_vector_join(single, JOIN_PENS * pen_mm, arena, scratch, paths, err));
     HATCH_TRY(hatch_vector_drop_specks(paths, SPECK_PX * pixel_mm, MEET_PX * pixel_mm, scratch, err));
     return hatch_vector_simplify(paths, TOLERANCE_MM, SHORTEST_PX * pixel_mm, scratch, err);
 }
@@ -58,13 +69,13 @@ static enum hatch_status add_curves(struct drawing *drawing, const struct hatch_
 {
     struct hatch_arena *arena = drawing->arena, *scratch = &drawing->job->args.scratch;
     bool dashed = drawing->job->options->hidden == OPTION_HIDDEN_DASH;
-    struct hatch_vector_paths visible, hidden, dashes;
+    struct hatch_vector_paths visible, drawn, hidden, rest, dashes;
     HATCH_TRY(hatch_vector_see(occluders, curves, NULL, &care, arena, scratch, &visible, dashed ? &hidden : NULL, err));
-    HATCH_TRY(tidy(drawing, &visible, err));
+    HATCH_TRY(tidy(drawing, NULL, &visible, &drawn, err));
     HATCH_TRY(hatch_vector_append(&drawing->paths, &visible, err));
     if (!dashed)
         return HATCH_OK;
-    HATCH_TRY(tidy(drawing, &hidden, err));
+    HATCH_TRY(tidy(drawing, &drawn, &hidden, &rest, err));
     HATCH_TRY(hatch_vector_dash(&hidden, DASH_PENS * drawing->pen_mm, GAP_PENS * drawing->pen_mm, arena, scratch,
                                 &dashes, err));
     for (uint32_t i = 0; i < dashes.count; i++)
@@ -113,9 +124,9 @@ static enum hatch_status add_strokes(struct drawing *drawing, const struct hatch
             hatch_vector_see(occluders, &strokes.curves, &strokes.pen, &care, arena, scratch, &visible, NULL, err));
     hatch_page_place(&drawing->page, options->width, options->height, drawing->pixel_mm, &visible);
     HATCH_TRY(hatch_vector_simplify(&visible, TOLERANCE_MM, strokes.shortest_px * drawing->pixel_mm, scratch, err));
+    memcpy(drawing->stroke_layers, strokes.layer_counts, sizeof drawing->stroke_layers);
     for (uint32_t i = 0; i < visible.count; i++)
         visible.paths[i].layer += LAYER_STROKES;
-    drawing->stroke_layers = strokes.layer_count;
     drawing->look = strokes.look;
     return hatch_vector_append(&drawing->paths, &visible, err);
 }
@@ -141,6 +152,13 @@ static enum hatch_status foresee(void *data, uint32_t film, const struct hatch_v
                              err);
 }
 
+/* Returns the place of a layer among those of the frame. Strokes of the second ink come first, so that outlines and the
+ * first ink lie over them. */
+static uint32_t place_of(const struct drawing *drawing, uint32_t layer)
+{
+    return layer < LAYER_LIGHT ? drawing->stroke_layers[1] + layer : layer - LAYER_LIGHT;
+}
+
 /* Finds the paths of the posed scene on the page. */
 static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_view *view,
                                     struct hatch_vector_paths *paths, struct hatch_err *err)
@@ -159,6 +177,8 @@ static enum hatch_status find_paths(struct drawing *drawing, const struct hatch_
     if (options->technique->curves)
         HATCH_TRY(add_strokes(drawing, view, &occluders, err));
     *paths = hatch_vector_built(&drawing->paths);
+    for (uint32_t i = 0; i < paths->count; i++)
+        paths->paths[i].layer = place_of(drawing, paths->paths[i].layer);
     return options->sort == OPTION_SORT_NONE ? HATCH_OK : hatch_vector_sort(paths, orders[options->sort], scratch, err);
 }
 
@@ -170,6 +190,31 @@ static void note_ways(const struct hatch_vector_paths *paths)
     cmd_note("%u paths, %.0f mm drawn, %.0f mm lifted", paths->count, drawn_mm, lifted_mm);
 }
 
+/* Names the layers of a frame, in their order, and gives them colours and pens.
+ *   names   out: memory for the names
+ *   layers  out: LAYER_COUNT of them */
+static void set_layers(const struct drawing *drawing, char (*names)[LAYER_NAME_BYTES],
+                       struct hatch_drawing_layer *layers)
+{
+    const struct options *options = drawing->job->options;
+    for (uint32_t i = 0; i < LAYER_COUNT; i++) {
+        struct hatch_drawing_layer *layer = &layers[place_of(drawing, i)];
+        const bool lines = i < LAYER_STROKES, second = i >= LAYER_LIGHT;
+        const uint32_t first = second ? LAYER_LIGHT : LAYER_STROKES;
+        if (!lines && i - first >= drawing->stroke_layers[second])
+            continue;
+        snprintf(names[i], sizeof names[i], "%s-%u", second ? "light" : "strokes", i - first + 1);
+        layer->name = i == LAYER_OUTLINES ? "outlines" : lines ? "hidden" : names[i];
+        layer->look = lines ? NULL : drawing->look;
+        layer->pen_mm = drawing->pen_mm;
+        memcpy(layer->color,
+               lines    ? options->line_color
+               : second ? options->inks.light_ink
+                        : options->inks.ink,
+               sizeof layer->color);
+    }
+}
+
 /* Draws the posed scene as a file.
  *   empty  in, out: number of drawings without paths */
 static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *view, struct hatch_buffer *file,
@@ -178,23 +223,17 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
     const struct options *options = drawing->job->options;
     struct hatch_drawing made = {.layers = NULL};
     const struct hatch_page *page = &drawing->page;
-    struct hatch_drawing_layer layers[LAYER_COUNT] = {
-        {.name = "outlines"},  {.name = "hidden"},    {.name = "strokes-1"}, {.name = "strokes-2"},
-        {.name = "strokes-3"}, {.name = "strokes-4"}, {.name = "strokes-5"}, {.name = "strokes-6"},
-        {.name = "strokes-7"}, {.name = "strokes-8"}};
+    struct hatch_drawing_layer layers[LAYER_COUNT] = {{.name = NULL}};
+    char names[LAYER_COUNT][LAYER_NAME_BYTES];
     set_page(drawing);
-    for (int i = 0; i < LAYER_COUNT; i++) {
-        memcpy(layers[i].color, i < LAYER_STROKES ? options->line_color : options->inks.ink, sizeof layers[i].color);
-        layers[i].pen_mm = drawing->pen_mm;
-    }
     memcpy(made.paper, options->inks.paper, sizeof made.paper);
     made.layers = layers;
     made.width_mm = page->width_mm;
     made.height_mm = page->height_mm;
     HATCH_TRY(find_paths(drawing, view, &made.paths, err));
-    for (int i = LAYER_STROKES; i < LAYER_COUNT; i++)
-        layers[i].look = drawing->look;
-    made.layer_count = options->technique->curves              ? LAYER_STROKES + drawing->stroke_layers
+    set_layers(drawing, names, layers);
+    made.layer_count = options->technique->curves
+                           ? LAYER_STROKES + drawing->stroke_layers[0] + drawing->stroke_layers[1]
                        : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
                                                                : LAYER_HIDDEN;
     note_ways(&made.paths);

@@ -13,6 +13,11 @@ bool technique_has_option(const struct technique *technique, const char *name)
     return false;
 }
 
+bool technique_has_pen_for(const struct technique *technique, const char *name)
+{
+    return technique->pen_option && strcmp(technique->pen_option, name) == 0;
+}
+
 bool technique_is_painted(const struct technique *technique)
 {
     return !(technique->features & (TECHNIQUE_LOOKS | TECHNIQUE_NO_COLOR));

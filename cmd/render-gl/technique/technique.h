@@ -55,7 +55,8 @@ struct technique_instance {
 
 /* The strokes of a frame as curves, for drawings by a pen. */
 struct technique_curves {
-    uint32_t layer_count;                 /* layers of the curves, from 0: one for each direction of strokes */
+    uint32_t layer_counts[2];             /* layers of the curves of each ink, one for each direction of strokes: those
+                                             of the second ink begin at HATCH_CURVE_FAMILIES_MAX */
     double shortest_px;                   /* shorter visible parts are left out */
     struct hatch_vector_curves curves;    /* with widths and faces */
     struct hatch_vector_pen pen;          /* that draws them; its width is in pixels */
@@ -76,6 +77,7 @@ struct technique {
     const struct cmd_option *options;     /* its own options, ended by one without a name; NULL: none */
     const struct cmd_option *shared;      /* options of another technique that it has, too; NULL: none */
     const struct technique_param *params; /* its options that may change from frame to frame; NULL: none */
+    const char *pen_option;               /* its option whose place the pen of a drawing takes; NULL: none */
     const struct asset_kind *asset;       /* kind of asset that it requires; NULL: none */
     const struct asset_kind *extra;       /* kind of asset that it reads if there is one; NULL: none, or `asset` */
     uint32_t features;                    /* bits of enum technique_feature */
@@ -125,6 +127,9 @@ struct technique {
 
 /* Returns whether an option is one of a technique. */
 bool technique_has_option(const struct technique *technique, const char *name);
+
+/* Returns whether the pen of a drawing takes the place of an option of a technique. */
+bool technique_has_pen_for(const struct technique *technique, const char *name);
 
 /* Returns whether a look may paint its pictures: they are ink on paper, and no look draws them. */
 bool technique_is_painted(const struct technique *technique);

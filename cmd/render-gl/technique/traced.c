@@ -176,8 +176,10 @@ double traced_scale(const struct scene *scene, const struct hatch_item *item)
     return cbrt(fabs(hatch_vec_dot(cross, z)));
 }
 
-/* Returns a limit of the thresholds of all strokes that may be visible on an item. */
-static double threshold_limit(const struct frame *frame, const struct hatch_item *item)
+/* Returns a limit of the thresholds of all strokes that may be visible on an item, with the pen of the last
+ * traced_set_style. */
+static double threshold_limit(const struct frame *frame, const struct traced_state *state,
+                              const struct hatch_item *item)
 {
     const struct hatch_view *view = &frame->view;
     double unit = traced_scale(frame->scene, item), depth = HUGE_VAL;
@@ -195,7 +197,7 @@ static double threshold_limit(const struct frame *frame, const struct hatch_item
     else if (depth < NARROWEST)
         return HUGE_VAL;
     return hatch_stroke_grazing(1, 1, HATCH_STROKE_GRAZING) * HATCH_STROKE_FADE * OFF_AXIS * unit * height_px /
-           (2 * view->half_height * depth * width_px);
+           (2 * view->half_height * depth * (double)state->pen.width_px);
 }
 
 static void set_lift(const struct frame *frame, const struct hatch_item *item, double chord, GLuint program)
@@ -236,7 +238,7 @@ uint32_t traced_place(const struct frame *frame, const struct traced_state *stat
     const struct scene *scene = frame->scene;
     const struct hatch_item *item = &scene->unit.items[index];
     const struct traced_strokes *strokes = traced_strokes_of(frame, state, index);
-    uint32_t count = strokes->count ? traced_count_under(strokes, threshold_limit(frame, item)) : 0;
+    uint32_t count = strokes->count ? traced_count_under(strokes, threshold_limit(frame, state, item)) : 0;
     if (!count)
         return 0;
     bool based = frame->style.base_tone && scene->items[index].base_texture;
@@ -263,7 +265,7 @@ static void draw_ribbons(const struct frame *frame, const struct traced_state *s
                                     .blend = FRAME_BLEND_OVER_COLOR,
                                     .depth = FRAME_DEPTH_BEFORE};
     frame_pass_begin(&pass);
-    double limit = threshold_limit(frame, &frame->scene->unit.items[index]) * (double)strokes->finest;
+    double limit = threshold_limit(frame, state, &frame->scene->unit.items[index]) * (double)strokes->finest;
     uint32_t parts = limit < SMOOTH ? 1 : limit < 4 * SMOOTH ? 2 : PARTS_MAX;
     glUseProgram(state->ribbons[parts > 1]->name);
     glUniform1i(UNIFORM_INK, ink);
@@ -338,6 +340,7 @@ const struct technique technique_traced = {
     .summary = "strokes that strokegen has traced on the meshes",
     .options = options,
     .params = params,
+    .pen_option = "stroke-width",
     .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT,
     .state_size = sizeof(struct traced_state),
     .shading = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},

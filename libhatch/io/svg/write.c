@@ -91,7 +91,7 @@ static enum hatch_status put_layer(const struct hatch_drawing *drawing, uint32_t
     char color[8], pen[NUMBER_BYTES];
     put_color(from->color, color);
     HATCH_TRY(hatch_keys_make(scratch, &ids, err));
-    size_t pen_bytes = put_number(pen, from->pen_mm);
+    size_t pen_bytes = put_number(pen, fmax(from->pen_mm, 1 / UNITS)); /* 0 would draw nothing */
     HATCH_TRY(hatch_buffer_print(file, err,
                                  "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\" stroke=\"%s\" "
                                  "stroke-width=\"%.*s\">\n",

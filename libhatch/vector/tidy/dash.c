@@ -3,6 +3,8 @@
 #include "vector/runs.h"
 #include "vector/tidy/tidy.h"
 
+#define SHRINK 0.5 /* least factor of dashes and gaps of an open path */
+
 /* Adds the pieces of a path to the runs; dashes are kept.
  *   period  length of a dash and a gap */
 static enum hatch_status add_path(struct hatch_vector_runs *runs, const struct hatch_vector_paths *paths,
@@ -26,6 +28,19 @@ static enum hatch_status add_path(struct hatch_vector_runs *runs, const struct h
     return hatch_vector_runs_make(runs, err);
 }
 
+/* Finds the dashes of a path: returns their length, INFINITY if it is to stay whole.
+ *   period  out: length of a dash and the gap after it */
+static double fit(double length, bool closed, double dash, double gap, double *period)
+{
+    const double ends = closed ? 0 : dash, least = ends + dash + gap, periods = floor((length - ends) / (dash + gap));
+    *period = (length - ends) / periods;
+    if (periods >= 1)
+        return dash;
+    const double shrink = length / least;
+    *period = shrink * (dash + gap);
+    return closed || shrink >= SHRINK ? shrink * dash : INFINITY;
+}
+
 enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, double dash, double gap,
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_vector_paths *dashes, struct hatch_err *err)
@@ -36,10 +51,8 @@ enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, doub
     enum hatch_status status = HATCH_OK;
     for (uint32_t i = 0; i < paths->count && status == HATCH_OK; i++) {
         const struct hatch_vector_path *path = &paths->paths[i];
-        double length = hatch_vector_length(paths, path), ends = path->closed ? 0 : dash;
-        double periods = fmax(floor((length - ends) / (dash + gap)), path->closed ? 1 : 0);
-        double period = periods > 0 ? (length - ends) / periods : INFINITY;
-        status = add_path(&runs, paths, path, periods > 0 ? dash : INFINITY, period, err);
+        double period, fitted = fit(hatch_vector_length(paths, path), path->closed, dash, gap, &period);
+        status = add_path(&runs, paths, path, fitted, period, err);
         if (status == HATCH_OK)
             status = hatch_vector_runs_deliver(&runs, path, path->closed, true, &built, err);
     }

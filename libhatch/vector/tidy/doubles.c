@@ -20,11 +20,13 @@ struct rank {
 struct work {
     const struct hatch_vector_paths *paths;
     double reach;
-    struct hatch_segments near; /* segments of the paths that remain, numbered by their first points */
+    struct hatch_segments near; /* segments of the paths that remain, and of those drawn before */
+    struct hatch_buffer ends;   /* of these segments, in the order of their numbers: 4 doubles each */
+    uint32_t near_count;
     struct hatch_vector_runs runs;
     struct hatch_buffer covered; /* parts of a segment: 2 doubles each */
     uint32_t covered_count;
-    const double *ends[2]; /* of the segment that is searched for */
+    const double *sought[2]; /* ends of the segment that is searched for */
     struct hatch_vector_builder built;
 };
 
@@ -71,9 +73,9 @@ static int compare_parts(const void *a, const void *b)
 static enum hatch_status note(void *context, uint32_t segment, struct hatch_err *err)
 {
     struct work *w = context;
-    const double *c = (const double *)(const void *)w->built.points.data + 2 * (size_t)segment;
+    const double *ends = (const double *)(const void *)w->ends.data + 4 * (size_t)segment;
     double part[2];
-    if (!runs_along(w, w->ends[0], w->ends[1], c, c + 2, part))
+    if (!runs_along(w, w->sought[0], w->sought[1], ends, ends + 2, part))
         return HATCH_OK;
     w->covered_count++;
     return hatch_buffer_add(&w->covered, part, sizeof part, err);
@@ -82,8 +84,8 @@ static enum hatch_status note(void *context, uint32_t segment, struct hatch_err 
 /* Finds the parts of a segment that run along segments that remain. */
 static enum hatch_status find_covered(struct work *w, const double a[2], const double b[2], struct hatch_err *err)
 {
-    w->ends[0] = a;
-    w->ends[1] = b;
+    w->sought[0] = a;
+    w->sought[1] = b;
     w->covered.size = 0;
     w->covered_count = 0;
     HATCH_TRY(hatch_segments_find(&w->near, a, b, w->reach, note, w, err));
@@ -106,6 +108,19 @@ static enum hatch_status add_segment(struct work *w, const double a[2], const do
     return hatch_vector_runs_add(&w->runs, a, b, at, 1, true, err);
 }
 
+/* Adds the segments of a path to those that others must not run along. */
+static enum hatch_status insert(struct work *w, const struct hatch_vector_paths *paths,
+                                const struct hatch_vector_path *path, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < hatch_vector_segments(path); i++) {
+        const double *a = hatch_vector_point(paths, path, i), *b = hatch_vector_point(paths, path, i + 1);
+        const double ends[4] = {a[0], a[1], b[0], b[1]};
+        HATCH_TRY(hatch_buffer_add(&w->ends, ends, sizeof ends, err));
+        HATCH_TRY(hatch_segments_insert(&w->near, w->near_count++, a, b, err));
+    }
+    return HATCH_OK;
+}
+
 /* Adds what remains of a path. */
 static enum hatch_status add_path(struct work *w, const struct hatch_vector_path *path, struct hatch_err *err)
 {
@@ -120,14 +135,24 @@ static enum hatch_status add_path(struct work *w, const struct hatch_vector_path
     HATCH_TRY(hatch_vector_runs_deliver(&w->runs, path, path->closed, true, &w->built, err));
     const struct hatch_vector_paths made = hatch_vector_built(&w->built);
     for (uint32_t i = before; i < made.count; i++)
-        for (uint32_t k = 0; k + 1 < made.paths[i].count; k++)
-            HATCH_TRY(hatch_segments_insert(&w->near, made.paths[i].first + k,
-                                            hatch_vector_point(&made, &made.paths[i], k),
-                                            hatch_vector_point(&made, &made.paths[i], k + 1), err));
+        HATCH_TRY(insert(w, &made, &made.paths[i], err));
     return HATCH_OK;
 }
 
-static enum hatch_status drop(struct work *w, struct hatch_arena *scratch, struct hatch_err *err)
+/* Begins a layer, of which only what was drawn before remains so far. */
+static enum hatch_status begin_layer(struct work *w, const struct hatch_vector_paths *drawn,
+                                     struct hatch_arena *scratch, struct hatch_err *err)
+{
+    w->ends.size = 0;
+    w->near_count = 0;
+    HATCH_TRY(hatch_segments_make(w->paths, w->reach, scratch, &w->near, err));
+    for (uint32_t i = 0; drawn && i < drawn->count; i++)
+        HATCH_TRY(insert(w, drawn, &drawn->paths[i], err));
+    return HATCH_OK;
+}
+
+static enum hatch_status drop(struct work *w, const struct hatch_vector_paths *drawn, struct hatch_arena *scratch,
+                              struct hatch_err *err)
 {
     const struct hatch_vector_paths *paths = w->paths;
     struct rank *ranks;
@@ -139,23 +164,25 @@ static enum hatch_status drop(struct work *w, struct hatch_arena *scratch, struc
     qsort(ranks, paths->count, sizeof *ranks, compare_ranks);
     for (uint32_t i = 0; i < paths->count; i++) {
         if (i == 0 || ranks[i].layer != ranks[i - 1].layer)
-            HATCH_TRY(hatch_segments_make(paths, w->reach, scratch, &w->near, err));
+            HATCH_TRY(begin_layer(w, drawn, scratch, err));
         HATCH_TRY(add_path(w, &paths->paths[ranks[i].path], err));
     }
     return HATCH_OK;
 }
 
-enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths, double reach,
+enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths,
+                                            const struct hatch_vector_paths *drawn, double reach,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,
                                             struct hatch_vector_paths *single, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct work work = {.paths = paths,
                         .reach = reach,
+                        .ends = {.arena = scratch},
                         .covered = {.arena = scratch},
                         .runs = hatch_vector_runs_of(scratch),
                         .built = hatch_vector_builder_of(arena)};
-    enum hatch_status status = drop(&work, scratch, err);
+    enum hatch_status status = drop(&work, drawn, scratch, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *single = hatch_vector_built(&work.built);

@@ -230,12 +230,18 @@ enum hatch_status hatch_vector_sort(struct hatch_vector_paths *paths, enum hatch
 
 void hatch_vector_ways(const struct hatch_vector_paths *paths, double *drawn, double *lifted)
 {
+    const struct hatch_vector_path *last = NULL;
     *drawn = *lifted = 0;
-    for (uint32_t i = 0; i < paths->count; i++) {
-        const struct hatch_vector_path *path = &paths->paths[i], *last = path - 1;
-        *drawn += hatch_vector_length(paths, path);
-        if (i)
-            *lifted += hatch_vector_distance(hatch_vector_point(paths, last, last->closed ? 0 : last->count - 1),
-                                             hatch_vector_point(paths, path, 0));
-    }
+    for (uint32_t layer = 0, left = paths->count; left; layer++)
+        for (uint32_t i = 0; i < paths->count; i++) {
+            const struct hatch_vector_path *path = &paths->paths[i];
+            if (path->layer != layer)
+                continue;
+            *drawn += hatch_vector_length(paths, path);
+            if (last)
+                *lifted += hatch_vector_distance(hatch_vector_point(paths, last, last->closed ? 0 : last->count - 1),
+                                                 hatch_vector_point(paths, path, 0));
+            last = path;
+            left--;
+        }
 }

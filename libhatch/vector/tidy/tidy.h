@@ -7,8 +7,10 @@
 
 /* Removes the parts of paths that run along a longer path of their layer at a distance of at most `reach`: where both
  * have nearly the same direction. Paths that end at another, or cross it, stay whole.
+ *   drawn  paths of any layer that all others must not run along either, however short they are; NULL: none
  *   arena  for the paths that remain; not the scratch arena */
-enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths, double reach,
+enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths,
+                                            const struct hatch_vector_paths *drawn, double reach,
                                             struct hatch_arena *arena, struct hatch_arena *scratch,
                                             struct hatch_vector_paths *single, struct hatch_err *err) HATCH_MUST_USE;
 
@@ -31,8 +33,9 @@ enum hatch_status hatch_vector_drop_specks(struct hatch_vector_paths *paths, dou
 enum hatch_status hatch_vector_simplify(struct hatch_vector_paths *paths, double tolerance, double shortest,
                                         struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Cuts paths into dashes. A dash stands at both ends of an open path; gaps are stretched to fit.
- *   arena  for the dashes; not the scratch arena */
+/* Cuts paths into dashes. A dash stands at both ends of an open path; gaps are stretched to fit. Dashes and gaps of
+ * paths that are too short for that are shorter; an open path is one dash where they would be shorter than half. arena
+ * for the dashes; not the scratch arena */
 enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, double dash, double gap,
                                     struct hatch_arena *arena, struct hatch_arena *scratch,
                                     struct hatch_vector_paths *dashes, struct hatch_err *err) HATCH_MUST_USE;
@@ -45,7 +48,8 @@ enum hatch_vector_order { HATCH_VECTOR_NEAREST, HATCH_VECTOR_IMPROVED };
 enum hatch_status hatch_vector_sort(struct hatch_vector_paths *paths, enum hatch_vector_order order,
                                     struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the length of the paths, and the way of the lifted pen from each path to the next one. */
+/* Computes the length of the paths, and the way of the lifted pen from each path to the next one, when one layer is
+ * drawn after the other. */
 void hatch_vector_ways(const struct hatch_vector_paths *paths, double *drawn, double *lifted);
 
 #endif

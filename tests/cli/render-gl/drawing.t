@@ -105,6 +105,25 @@ is "a step in depth is drawn until it is shallow" "$(measure fold.svg | awk '{
     px = $3 * 96 / 25.4
     print $2, (px > 86 && px < 94 ? "90" : px)}')" "1 90"
 
+$(echo "$draw" | sed 's/squares/fold/') --lines silhouettes --hidden dash -o folded.svg
+is "a line that is left out is not dashed" "$(measure folded.svg)" "hidden 0 0.00 $(measure fold.svg)"
+
+# A board at z = 1 hides a larger one at z = -1, which has the same outline in the picture: no dash runs along that.
+cat >boards.obj <<'END'
+v -0.45 -0.45 1
+v 0.45 -0.45 1
+v 0.45 0.45 1
+v -0.45 0.45 1
+v -0.55 -0.55 -1
+v 0.55 -0.55 -1
+v 0.55 0.55 -1
+v -0.55 0.55 -1
+f 1 2 3 4
+f 5 6 7 8
+END
+$(echo "$draw" | sed 's/squares/boards/') --hidden dash -o boards.svg
+is "no dash runs along a line" "$(measure boards.svg | cut -d' ' -f 1-5)" "hidden 0 0.00 outlines 1"
+
 # Bars before the fold, at z = 1, hide 1.5 and 2.5 pixels of its line. The pen is 2 pixels wide, and its round caps fill
 # the gap of the first one.
 for width in 0.0135 0.0225; do
@@ -155,6 +174,8 @@ for width in 0.01 100; do
     render-gl -q squares.obj --pen ${width}mm -o pen.svg
     is "a pen of $width mm" "$(grep -o 'stroke-width="[^"]*"' pen.svg)" "stroke-width=\"$width\""
 done
+render-gl -q squares.obj --page 1x1mm --margin 0 --line-width 0.25 -o small.svg
+is "no pen is so narrow that it draws nothing" "$(grep -o 'stroke-width="[^"]*"' small.svg)" 'stroke-width="0.001"'
 ok "margins that leave a little" render-gl -q squares.obj --page a4 --margin 104.9mm -o little.svg
 refuses "a pen without width" "--pen 0: want a length from 0.01 to 100 mm" --pen 0 -o a.svg
 refuses "a page for a picture" "--page needs --output *.svg or *.tsv: it shapes a drawing" -t gouraud --page a4 -o a.png

@@ -38,6 +38,11 @@ for tone in .1 .3 .5; do
     done
 done
 
+echo "width 24" >broad.style
+draw plane.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .3:.3 --page 160x160mm --pen 0.3mm \
+    --stroke-style ./broad.style -o plane.svg
+near "a plane in a style of broad strokes drawn by a thin pen" "$(figures plane.svg | cut -d' ' -f1)" .3 .03
+
 # Each dot of a stippled plane is a path; together they cover its tone. Strokes with breaks have more paths than whole ones.
 marks() {
     draw plane.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .2:.2 --page 100x100mm --pen 0.65mm \
@@ -56,6 +61,26 @@ is "no stroke leaves the ball" "$(figures ball.svg | awk '{print ($2 > 15 && $2 
 is "each direction is a layer" "$(grep -o 'inkscape:label="strokes-[0-9]*"' ball.svg | sort -u | wc -l)" 2
 draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -j 1 -o again.svg
 ok "the same drawing with another number of threads" cmp -s ball.svg again.svg
+# Two inks on a middle tone: each has layers of its own, and lines lie over the lighter ones.
+render-gl -q -t traced ball.glb --size 400x400 --paper '#808080' --ink '#102030,#f0e0d0' -o inks.svg
+is "each ink has its layers" "$(grep -o '<g id="[^"]*"\|stroke="#[^"]*"' inks.svg | tr '\n' ' ')" \
+    '<g id="light-1" stroke="#f0e0d0" <g id="light-2" stroke="#f0e0d0" <g id="outlines" stroke="#102030" '\
+'<g id="hidden" stroke="#102030" <g id="strokes-1" stroke="#102030" <g id="strokes-2" stroke="#102030" '
+is "the lighter ink draws the lit half, the other one the rest" "$(perl -ne '
+    $layer = $1 if /<g id="(\w+)/;
+    next unless / d="([^"]*)"/;
+    my @n = $1 =~ /-?[\d.]+/g;
+    for (my $i = 0; $i < @n; $i += 2) {
+        $count{$layer}++;
+        $sum{$layer} += $n[$i] + $n[$i + 1];
+    }
+    END { printf "%d %d", $sum{light} / $count{light} < 95, $sum{strokes} / $count{strokes} > 115 }' inks.svg)" "1 1"
+for format in svg tsv; do
+    try render-gl -q -t traced ball.glb --stroke-width 2 -o "wide.$format"
+    refused "the width of strokes of a .$format" 2 2
+    try render-gl -q -t traced ball.glb -n 2 --animate stroke-width=1..2 -o "wide%d.$format"
+    refused "a film of widths of strokes of a .$format" 2 2
+done
 ok "strokes with outlines" render-gl -q -t traced ball.glb --size 400x400 --page 100x100mm -o outlined.svg
 ok "outlines have a layer of their own" grep -q 'inkscape:label="outlines"' outlined.svg
 meshgen sphere >bare.glb

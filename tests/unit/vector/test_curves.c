@@ -191,6 +191,30 @@ START_TEST(slack_and_own_faces_keep_a_line_on_its_surface)
 }
 END_TEST
 
+/* The face hides the middle of a line, of which a part on each side is blank: it is not visible, and not hidden either. The
+ * blank part goes on behind the face, where it is hidden as the rest is. */
+START_TEST(a_blank_part_is_neither_visible_nor_hidden)
+{
+    struct hatch_mesh face = square(0.5, 0, 0.1);
+    static const struct hatch_vector_curve curve = {.count = 5};
+    static const bool blank[] = {false, true, false, true, false};
+    struct hatch_vector_curves curves = {
+        .count = 1,
+        .curves = &curve,
+        .points = (const double[]){-0.9, 0, 0, -0.8, 0, 0, -0.3, 0, 0, 0.6, 0, 0, 0.7, 0, 0},
+        .blank = blank};
+    hide_behind(&face, &view_facing);
+    see(&curves, &visible, &hidden);
+    ck_assert_uint_eq(visible.count, 2);
+    ck_assert_double_eq_tol(total(&visible), (0.1 + 0.1) / PIXEL, 1e-6);
+    ck_assert_uint_eq(hidden.count, 1);
+    ck_assert_double_eq_tol(total(&hidden), 1 / PIXEL, 1e-6);
+    const struct hatch_vector_care care = {0, 0};
+    HATCH_TEST_OK(hatch_vector_see(&hiding, &curves, NULL, &care, &keep, &scratch, &visible, NULL, &err), &err);
+    ck_assert_double_eq_tol(total(&visible), (0.1 + 0.1) / PIXEL, 1e-6);
+}
+END_TEST
+
 /* A line just behind the outline of a face is visible if it may move sideways. */
 START_TEST(reach_moves_a_line_past_an_outline)
 {
@@ -286,6 +310,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_pen_draws_where_half_its_width_is_wanted);
     tcase_add_test(tests, short_gaps_are_closed_and_short_specks_dropped);
     tcase_add_test(tests, slack_and_own_faces_keep_a_line_on_its_surface);
+    tcase_add_test(tests, a_blank_part_is_neither_visible_nor_hidden);
     tcase_add_test(tests, reach_moves_a_line_past_an_outline);
     tcase_add_test(tests, culled_and_cut_out_faces_hide_nothing);
     tcase_add_test(tests, the_order_of_faces_does_not_matter);

@@ -46,10 +46,45 @@ START_TEST(a_line_beside_a_longer_one_is_dropped)
     add_line(6, 10, 0.2, 60, 0.2);  /* is in another layer */
     from = hatch_vector_built(&builder);
     from.paths[5].layer = 1;
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, 0.5, &keep, &scratch, &to, &err), &err);
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
     ck_assert_uint_eq(to.count, 5);
     ck_assert_uint_eq(to.paths[0].id, 2);
     ck_assert_double_eq_tol(total(&to), 100 + 99 + 30 + 10 + 50, 1e-9);
+}
+END_TEST
+
+/* The closing side of a square, from its last corner to its first, counts as the other three do. */
+START_TEST(no_line_runs_along_a_side_of_a_closed_path)
+{
+    struct hatch_vector_paths from, to;
+    add(1, (const double[]){0, 0, 50, 0, 50, 50, 0, 50}, 4, true);
+    add_line(2, 0.2, 10, 0.2, 40);
+    add_line(3, 10, 0.2, 40, 0.2);
+    from = hatch_vector_built(&builder);
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
+    ck_assert_uint_eq(to.count, 1);
+    ck_assert_double_eq_tol(total(&to), 200, 1e-9);
+}
+END_TEST
+
+/* Paths that are drawn already are in another layer, and shorter than what runs along them. */
+START_TEST(no_line_runs_along_what_is_drawn)
+{
+    struct hatch_vector_paths from, drawn, to;
+    add_line(1, 10, 0, 40, 0);
+    add(2, (const double[]){60, 0, 90, 0, 75, 30}, 3, true);
+    drawn = hatch_vector_built(&builder);
+    drawn.paths[0].layer = 5;
+    builder = hatch_vector_builder_of(&keep);
+    add_line(3, 0, 0.3, 100, 0.3);
+    add_line(4, 60, 0.4, 75, 30.4); /* along the closing side */
+    from = hatch_vector_built(&builder);
+    from.paths[1].layer = 1;
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, &drawn, 0.5, &keep, &scratch, &to, &err), &err);
+    ck_assert_uint_eq(to.count, 3);
+    ck_assert_double_eq_tol(total(&to), 10 + 20 + 10, 1e-9);
+    for (uint32_t i = 0; i < to.count; i++)
+        ck_assert_uint_eq(to.paths[i].id, 3);
 }
 END_TEST
 
@@ -127,7 +162,7 @@ START_TEST(every_double_is_found)
         add_line(i + 300, x + c - side * s, y + s + side * c, x + 8 * c - side * s, y + 8 * s + side * c);
     }
     from = hatch_vector_built(&builder);
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, 0.5, &keep, &scratch, &to, &err), &err);
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
     ck_assert_uint_eq(to.count, 300);
     for (uint32_t i = 0; i < to.count; i++)
         ck_assert_uint_lt(to.paths[i].id, 300);
@@ -204,6 +239,40 @@ START_TEST(dashes_begin_and_end_a_path)
     HATCH_TEST_OK(hatch_vector_dash(&from, 2, 1, &keep, &scratch, &to, &err), &err);
     ck_assert_uint_eq(to.count, 5);
     ck_assert_double_eq_tol(total(&to), 4 * 2 + 1.5, 1e-9);
+}
+END_TEST
+
+/* Two dashes and a gap shrink to half on a path; on a shorter one there is a single dash. A closed path shrinks one dash
+ * and one gap. */
+START_TEST(dashes_of_short_paths_are_shorter)
+{
+    struct hatch_vector_paths from, to;
+    add_line(1, 0, 0, 2.5, 0);
+    add_line(2, 0, 1, 2.4, 1);
+    add(3, (const double[]){0, 2, 0.5, 2, 0.5, 2.25, 0, 2.25}, 4, true);
+    from = hatch_vector_built(&builder);
+    HATCH_TEST_OK(hatch_vector_dash(&from, 2, 1, &keep, &scratch, &to, &err), &err);
+    ck_assert_uint_eq(to.count, 4);
+    ck_assert_double_eq_tol(hatch_vector_length(&to, &to.paths[0]), 1, 1e-9);
+    ck_assert_double_eq_tol(hatch_vector_point(&to, &to.paths[1], 0)[0], 1.5, 1e-9);
+    ck_assert_double_eq_tol(hatch_vector_length(&to, &to.paths[2]), 2.4, 1e-9);
+    ck_assert_double_eq_tol(hatch_vector_length(&to, &to.paths[3]), 1, 1e-9);
+}
+END_TEST
+
+/* Two pens, whose paths alternate: each pen draws all its own, and the second begins where the first has ended. */
+START_TEST(the_way_is_that_of_one_layer_after_the_other)
+{
+    double drawn, lifted;
+    add_line(1, 0, 0, 1, 0);
+    add_line(2, 0, 5, 1, 5);
+    add_line(3, 3, 0, 4, 0);
+    add_line(4, 3, 5, 4, 5);
+    struct hatch_vector_paths paths = hatch_vector_built(&builder);
+    paths.paths[0].layer = paths.paths[2].layer = 2;
+    hatch_vector_ways(&paths, &drawn, &lifted);
+    ck_assert_double_eq_tol(drawn, 4, 1e-12);
+    ck_assert_double_eq_tol(lifted, 2 + hypot(4, 5) + 2, 1e-12);
 }
 END_TEST
 
@@ -286,7 +355,7 @@ END_TEST
 START_TEST(nothing_stays_nothing)
 {
     struct hatch_vector_paths paths = hatch_vector_built(&builder), to;
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&paths, 0.5, &keep, &scratch, &to, &err), &err);
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&paths, NULL, 0.5, &keep, &scratch, &to, &err), &err);
     HATCH_TEST_OK(hatch_vector_join(&to, 0.5, &keep, &scratch, &paths, &err), &err);
     HATCH_TEST_OK(hatch_vector_drop_specks(&paths, 0.5, 1, &scratch, &err), &err);
     HATCH_TEST_OK(hatch_vector_simplify(&paths, 0.5, 1, &scratch, &err), &err);
@@ -323,7 +392,7 @@ static enum hatch_status tidy_all(void *context, struct hatch_arena *to, struct 
 {
     const struct hatch_vector_paths *from = context;
     struct hatch_vector_paths single, joined, dashes;
-    HATCH_TRY(hatch_vector_drop_doubles(from, 0.5, to, work, &single, why));
+    HATCH_TRY(hatch_vector_drop_doubles(from, NULL, 0.5, to, work, &single, why));
     HATCH_TRY(hatch_vector_join(&single, 0.5, to, work, &joined, why));
     HATCH_TRY(hatch_vector_drop_specks(&joined, 1, 1, work, why));
     HATCH_TRY(hatch_vector_simplify(&joined, 0.05, 1, work, why));
@@ -347,6 +416,8 @@ static Suite *suite(void)
     TCase *tests = tcase_create("tidy");
     tcase_add_checked_fixture(tests, begin_paths, end);
     tcase_add_test(tests, a_line_beside_a_longer_one_is_dropped);
+    tcase_add_test(tests, no_line_runs_along_a_side_of_a_closed_path);
+    tcase_add_test(tests, no_line_runs_along_what_is_drawn);
     tcase_add_test(tests, ends_that_meet_are_joined_the_straightest_first);
     tcase_add_test(tests, ends_that_are_too_far_apart_are_not_joined);
     tcase_add_test(tests, paths_that_meet_no_other_stay_as_they_are);
@@ -355,6 +426,8 @@ static Suite *suite(void)
     tcase_add_test(tests, short_paths_that_meet_no_other_are_dropped);
     tcase_add_test(tests, a_simplified_circle_stays_within_the_tolerance);
     tcase_add_test(tests, dashes_begin_and_end_a_path);
+    tcase_add_test(tests, dashes_of_short_paths_are_shorter);
+    tcase_add_test(tests, the_way_is_that_of_one_layer_after_the_other);
     tcase_add_test(tests, the_sorted_way_is_no_longer_than_the_greedy_one);
     tcase_add_test(tests, a_closed_path_begins_near_the_pen);
     tcase_add_test(tests, layers_stay_apart_in_the_order);

@@ -134,23 +134,23 @@ static double mean_half_width(const struct point *points)
     return area / fmax(length, 1e-12);
 }
 
-/* Adds the paths of all strokes of the first ink.
- *   layer_count  out */
+/* Adds the paths of all strokes.
+ *   layer_counts  in: zeros; out: as in struct technique_curves */
 static enum hatch_status add_strokes(struct drawing *drawing, const struct strokes_list *list,
-                                     const struct point *points, uint32_t *layer_count, struct hatch_err *err)
+                                     const struct point *points, uint32_t layer_counts[2], struct hatch_err *err)
 {
-    *layer_count = 0;
     for (uint32_t i = 0; i < list->count; i++, points += RIBBON_POINTS) {
-        uint32_t layer = list->strokes[i].id[0] >> 1 & 63;
+        uint32_t ink = list->strokes[i].id[0] & 1, layer = list->strokes[i].id[0] >> 1 & 63;
         if (layer >= HATCH_CURVE_FAMILIES_MAX)
             layer = HATCH_CURVE_FAMILIES_MAX - 1;
-        const struct hatch_vector_path like = {.layer = layer, .id = list->strokes[i].id[0] >> STROKES_ID_HASH_SHIFT};
+        const struct hatch_vector_path like = {.layer = ink * HATCH_CURVE_FAMILIES_MAX + layer,
+                                               .id = list->strokes[i].id[0] >> STROKES_ID_HASH_SHIFT};
         const double mean = mean_half_width(points);
         const struct point *line = points;
         uint32_t count;
-        if ((list->strokes[i].id[0] & 1) || (list->lasts && !list->lasts[i]))
+        if (list->lasts && !list->lasts[i])
             continue;
-        *layer_count = layer >= *layer_count ? layer + 1 : *layer_count;
+        layer_counts[ink] = layer >= layer_counts[ink] ? layer + 1 : layer_counts[ink];
         if (2 * mean < drawing->thin_px)
             continue;
         drawing->half_px = STROKES_THIN * mean;
@@ -179,7 +179,7 @@ enum hatch_status strokes_curves(struct technique_context *context, struct techn
     if (list.count) {
         HATCH_TRY(HATCH_ALLOC_UNSET(arena, &points, (size_t)RIBBON_POINTS * list.count, err));
         gpu_buffer_read(state->points.name, points, sizeof *points * RIBBON_POINTS * list.count);
-        HATCH_TRY(add_strokes(&drawing, &list, points, &curves->layer_count, err));
+        HATCH_TRY(add_strokes(&drawing, &list, points, curves->layer_counts, err));
     }
     curves->paths = hatch_vector_built(&drawing.paths);
     return HATCH_OK;

@@ -28,7 +28,7 @@ struct gathering {
     const struct frame *frame;
     const struct hatch_stroke_pen *pen;
     struct hatch_buffer curves, points, faces, widths, slack;
-    uint32_t count, layer_count;
+    uint32_t count, ink, layer_counts[2]; /* ink: that of the strokes that are added */
 };
 
 /* Returns by how much a width exceeds the one that the law of curve/width.h gives where as many strokes are drawn as
@@ -68,10 +68,11 @@ static enum hatch_status add_curve(struct gathering *gathering, const struct tra
 {
     const struct hatch_vector_curve curve = {.first = (uint32_t)(gathering->slack.size / sizeof(float)),
                                              .count = count,
-                                             .layer = stroke->family,
+                                             .layer = gathering->ink * HATCH_CURVE_FAMILIES_MAX + stroke->family,
                                              .id = stroke->curve->id};
+    uint32_t *layers = &gathering->layer_counts[gathering->ink];
     gathering->count++;
-    gathering->layer_count = curve.layer + 1 > gathering->layer_count ? curve.layer + 1 : gathering->layer_count;
+    *layers = stroke->family >= *layers ? stroke->family + 1 : *layers;
     return hatch_buffer_add(&gathering->curves, &curve, sizeof curve, err);
 }
 
@@ -202,7 +203,7 @@ static enum hatch_status add_stroke(struct gathering *gathering, const struct ha
     return HATCH_OK;
 }
 
-/* Adds the strokes of an item.
+/* Adds the strokes of an item in an ink.
  *   first_face  number of its first face among those of all items */
 static enum hatch_status add_item(struct gathering *gathering, struct technique_context *context,
                                   const struct traced_state *state, uint32_t index, uint32_t first_face,
@@ -211,7 +212,7 @@ static enum hatch_status add_item(struct gathering *gathering, struct technique_
     const struct hatch_unit_scene *unit = &context->frame->scene->unit;
     const struct hatch_item *item = &unit->items[index];
     const struct traced_strokes *strokes = traced_strokes_of(context->frame, state, index);
-    uint32_t count = traced_place(context->frame, state, index, 0);
+    uint32_t count = traced_place(context->frame, state, index, (int)gathering->ink);
     if (count == 0)
         return HATCH_OK;
     double *positions, scale;
@@ -252,10 +253,11 @@ enum hatch_status traced_curves(struct technique_context *context, struct techni
     traced_set_style(context->frame, pen_px, state);
     HATCH_TRY(traced_refine(context, state, err));
     for (uint32_t i = 0; i < state->item_count; i++) {
-        HATCH_TRY(add_item(&gathering, context, state, i, first_face, err));
+        for (gathering.ink = 0; gathering.ink < (context->frame->style.inks.two ? 2 : 1); gathering.ink++)
+            HATCH_TRY(add_item(&gathering, context, state, i, first_face, err));
         first_face += unit->meshes[unit->items[i].mesh].surface->face_count;
     }
-    *curves = (struct technique_curves){.layer_count = gathering.layer_count,
+    *curves = (struct technique_curves){.layer_counts = {gathering.layer_counts[0], gathering.layer_counts[1]},
                                         .shortest_px = shortest_px(&state->pen),
                                         .curves = {.count = gathering.count,
                                                    .curves = (const void *)gathering.curves.data,
