@@ -61,6 +61,7 @@
 #define UNIFORM_OVERDRAW 14
 #define UNIFORM_BRUSH 15 /* length of the brush's stroke in pixels; mean of its grain */
 #define UNIFORM_THINNEST 16
+#define UNIFORM_MARGIN 23    /* pixels by which fragments are gathered beyond the frame's tile */
 #define UNIFORM_REST 17      /* place of an item in solid textures: offset, and units of a mesh's length */
 #define UNIFORM_REST_LOG 18  /* binary logarithm of a unit's length in the unit scene */
 #define UNIFORM_REST_AXES 30 /* rows: the axes of solid textures in coordinates of the mesh */

@@ -225,6 +225,7 @@ enum hatch_status strokes_find(struct technique_context *context, struct techniq
     set_style(context->frame, pen_px, instance);
     double least_px = THINNEST * state->width_px * strokes_use_brush(state, pen_px > 0);
     glProgramUniform1f(state->extrude->name, UNIFORM_OVERDRAW, (float)overdraw_px);
+    glProgramUniform1f(state->extrude->name, UNIFORM_MARGIN, (float)state->margin_px);
     glProgramUniform1f(state->extrude->name, UNIFORM_THINNEST, pen_px > 0 ? 0 : (float)least_px);
     state->counts.strokes += list->count;
     HATCH_TRY(strokes_fit(context->frame, state, list, cmd_pool(context->args), scratch, err));

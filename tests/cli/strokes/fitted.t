@@ -17,16 +17,21 @@ rms=$(hatchstat diff texture.exr picture.exr | awk 'NR == 2 {print $4}')
 ok "fitted strokes lie where the texture's strokes do: $rms" awk -v rms="$rms" 'BEGIN {exit !(rms != "" && rms < .12)}'
 
 # Brushes with a grain, and pens with pressure, have the tone of the texture.
-# ink TECHNIQUE STYLE: prints the mean darkness of a plane
+# ink TECHNIQUE STYLE SIZE FOV: prints the mean darkness of a plane
 ink() {
-    render-gl -q -t "$1" --style "$2" --lines none --size 256x256 --camera 0,0,2.4:0,0,0 --tone-range .4:.4 -o ink.exr plane.glb
+    render-gl -q -t "$1" --style "$2" --lines none --size "$3" --fov "$4" --camera 0,0,2.4:0,0,0 --tone-range .4:.4 \
+        -o ink.exr plane.glb
     hatchstat frames ink.exr ink.exr | awk 'NR == 2 {print 1 - $2}'
 }
 for style in pencil charcoal sketch; do
-    want=$(ink rptam $style) got=$(ink strokes $style)
+    want=$(ink rptam $style 256x256 30) got=$(ink strokes $style 256x256 30)
     ok "ink of $style: $got for $want" \
         awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .3 && (a - b) ^ 2 < .012 ^ 2)}'
 done
+
+# A low strip of the same plane is mostly border, which strokes cross as if there were none.
+want=$(ink rptam pencil 256x12 2.2) got=$(ink strokes pencil 256x12 2.2)
+ok "ink along borders: $got for $want" awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .3 && (a - b) ^ 2 < .012 ^ 2)}'
 
 # The random looks of a stroke follow from its number, not from the order of threads.
 draw torus.glb --size 320x240

@@ -8,6 +8,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
 layout(location = UNIFORM_THINNEST) uniform float thinnest; // least mean width of strokes that are drawn whole
 layout(location = UNIFORM_OVERDRAW) uniform float overdraw; // pixels by which strokes go on where they are cut off
+layout(location = UNIFORM_MARGIN) uniform float margin; // of the tile in which fragments are gathered
 
 const float SHORTER = 0.75; // exponent of the length of a thin stroke; 1: only the length changes with the ink
 const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
@@ -75,7 +76,7 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
     float pressure = matter.x * (1.0 - hand.y * (0.5 - 0.5 * wave_noise(drawn.high ^ 0x27d4eb2fu, at)));
     pressure *= look_profile(1, t);
     uint bits = drawn.number * 16u + (k == 0 ? 1u : 0u) + (k == LAST ? 2u : 0u) + blunt;
-    ribbon[to] = vec4(path.places[k] + aside * across, 0.5, 0.5 * thickness);
+    ribbon[to] = vec4(path.places[k] - margin + aside * across, 0.5, 0.5 * thickness);
     ribbon[to + 1u] = vec4(pressure, float(bits), path.lengths[k], whole - path.lengths[k]);
     ribbon[to + 2u] = vec4(1.0, t, wave_level(drawn), 0.0);
 }

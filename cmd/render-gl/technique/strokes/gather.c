@@ -1,4 +1,5 @@
 /* From surfaces to strokes: fragments are gathered in a pass over the items, and sorted by stroke. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,6 +9,7 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #define GROUPS_MOST 65535u /* work groups in a row that OpenGL guarantees */
+#define MARGIN_WIDTHS 12.0 /* widths of a stroke around a tile in which fragments are gathered, too */
 #define SLOTS_LEAST 65536u
 #define SLOTS_MOST (1u << 22)
 #define DROPPED UINT32_MAX /* first fragment of a stroke that is not drawn */
@@ -21,16 +23,16 @@ void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
     buffer->size_bytes = size_bytes;
 }
 
-/* Draws the items into a target with one sample per pixel, as large as the tile: drawings have a smaller canvas.
- *   count  out: number of fragments found, which may exceed the capacity of the buffer */
+/* Draws the items into a target with one sample per pixel, as large as the tile that fragments are gathered in:
+ * drawings have a smaller canvas. tile   that tile count  out: number of fragments found, which may exceed the capacity
+ * of the buffer */
 static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
-                                        uint32_t *count, struct hatch_err *err)
+                                        const struct hatch_tile *tile, uint32_t *count, struct hatch_err *err)
 {
     static const float far = 0;
     static const struct strokes_fragments_head none = {0};
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
-    const struct hatch_tile *tile = frame->request.tile;
     const struct gpu_target_form form = {
         .width = (uint32_t)tile->width, .height = (uint32_t)tile->height, .depth = GL_DEPTH_COMPONENT32F};
     const struct gpu_target *target;
@@ -51,6 +53,21 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     return HATCH_OK;
 }
 
+/* Returns the tile in which fragments are gathered: with a margin around that of the frame, so that strokes which cross
+ * the border of the picture are fitted there as elsewhere, and neither bend nor taper at it.
+ *   most    greatest size of a target
+ *   margin  in: the margin wanted; out: what the target has room for */
+static struct hatch_tile with_margin(const struct hatch_tile *tile, double most, double *margin)
+{
+    struct hatch_tile grown = *tile;
+    *margin = fmax(fmin(*margin, floor((most - fmax(tile->width, tile->height)) / 2)), 0);
+    grown.x -= *margin;
+    grown.y -= *margin;
+    grown.width += 2 * *margin;
+    grown.height += 2 * *margin;
+    return grown;
+}
+
 /* Draws the fragments, again with a larger buffer if they do not all find room. */
 static enum hatch_status find_fragments(struct technique_context *context, struct technique_instance *instance,
                                         uint32_t *count, struct hatch_err *err)
@@ -60,13 +77,15 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
     const struct canvas *canvas = frame->request.canvas;
     if (state->capacity < (size_t)canvas->width * canvas->height)
         state->capacity = (size_t)canvas->width * canvas->height;
-    frame_block_set_view(&frame->block, &frame->view, frame->request.tile, 1);
+    state->margin_px = ceil(fmin(MARGIN_WIDTHS * state->width_px, instance->technique->reach_px(instance)));
+    const struct hatch_tile tile = with_margin(frame->request.tile, frame->size_max_px, &state->margin_px);
+    frame_block_set_view(&frame->block, &frame->view, &tile, 1);
     gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
     for (;;) {
         strokes_reserve(&state->fragments,
                         sizeof(struct strokes_fragments_head) + STROKES_FRAGMENT_BYTES * state->capacity);
         HATCH_TRY(gpu_check_memory(err, "%zu fragments of strokes", state->capacity));
-        HATCH_TRY(draw_fragments(context, instance, count, err));
+        HATCH_TRY(draw_fragments(context, instance, &tile, count, err));
         if (*count <= state->capacity)
             break;
         state->capacity = *count;

@@ -83,6 +83,7 @@ struct strokes_state {
     uint32_t slot_count;            /* of the table, a power of two */
     uint32_t most;                  /* strokes that are drawn */
     double width_px;                /* nominal width of the frame's strokes */
+    double margin_px;               /* around the frame's tile, in which fragments are gathered, too */
     bool warned;                    /* that there are more */
     float zigzag[4];                /* of struct traced_block */
     GLuint points_view;             /* texture through which the points are read */
