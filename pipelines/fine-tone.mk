@@ -26,10 +26,12 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 base  := $(OUT)/fine-$(notdir $(STYLE))
 map   := $(base).tam.exr
-scene := $(if $(SCENE),"$(SCENE)",$(OUT)/fine.glb)
-light := $(if $(MODULATE),--modulate "$(MODULATE)")
+scene := $(if $(SCENE),$(call quoted,$(SCENE)),$(OUT)/fine.glb)
+light := $(if $(MODULATE),--modulate $(call quoted,$(MODULATE)))
 draw   = render-gl $(scene) --technique $(1) --tam "$(2)" --size $(SIZE) $(light) $(OPTIONS) -o $@
 
 # This file holds the variables from which intermediate files are made; it is rewritten when one of them changes.
@@ -56,4 +58,4 @@ $(OUT)/fine.glb: $(words)
 	meshgen $(SHAPE) -o $@
 $(words): always
 	@mkdir -p $(OUT)
-	@printf '%s\n' "$(wanted)" | cmp -s - $@ || printf '%s\n' "$(wanted)" >$@
+	@printf '%s\n' $(call quoted,$(wanted)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(wanted)) >$@

@@ -21,18 +21,20 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 # STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
-map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
+map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 # The shell computes the name, because make would split a file name at spaces.
-name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
+name = name=$$(basename -- $(call quoted,$(SCENE))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: picture
 picture: $(map)
 ifeq ($(FRAMES),0)
-	$(name) && $(draw) -o "$$name.png" "$(SCENE)"
+	$(name) && $(draw) -o "$$name.png" $(call quoted,$(SCENE))
 else
-	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$$name-%03d.png" "$(SCENE)"
+	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$${name//\%/%%}-%03d.png" $(call quoted,$(SCENE))
 endif
 
 $(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))

@@ -34,18 +34,20 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 # STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
-map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
+map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 # What the views need, before the patches are made.
-$(if $(NEEDS),$(if $(MESHES),$(error NEEDS is for one MESH)))
+$(if $(MESHES),$(if $(NEEDS)$(TURN:0=)$(FRAMES:0=)$(SHOW),$(error NEEDS, TURN, FRAMES and SHOW are for one MESH)))
 views = $(if $(filter-out 0,$(TURN)),--turntable --frames $(TURN),$(if $(filter-out 0,$(FRAMES)),--frames $(FRAMES)))
 measure = $(if $(NEEDS),render-gl --size $(SIZE) $(OPTIONS) $(views) --needs --tolerance $(NEEDS) \
-    -o "$$name.needs" "$(1)" &&)
+    -o "$$name.needs" $(call quoted,$(1)) &&)
 fit = $(if $(NEEDS),--needs "$$name.needs")
-cover = $(measure) dirfield $(fit) $(FIELD) "$(1)" | lapped-param $(fit) --seed $(SEED) $(LAPPED)
+cover = $(measure) dirfield $(fit) $(FIELD) $(call quoted,$(1)) | lapped-param $(fit) --seed $(SEED) $(LAPPED)
 # The shell computes the name, because make would split a file name at spaces.
-name = name=$$(basename -- "$(1)") && name="$(OUT)/$${name%.*}"
+name = name=$$(basename -- $(call quoted,$(1))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: all picture row
 all: $(if $(MESHES),row,picture)
@@ -56,10 +58,10 @@ ifeq ($(TURN)$(FRAMES)$(SHOW),00)
 else
 	$(call name,$(MESH)) && $(call cover,$(MESH)) -o "$$name.lapped.glb" && $(draw) -o "$$name.png" "$$name.lapped.glb"
 ifneq ($(TURN),0)
-	$(call name,$(MESH)) && $(draw) --frames $(TURN) --turntable -o "$$name-%03d.png" "$$name.lapped.glb"
+	$(call name,$(MESH)) && $(draw) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png" "$$name.lapped.glb"
 endif
 ifneq ($(FRAMES),0)
-	$(call name,$(MESH)) && $(draw) --frames $(FRAMES) -o "$$name-%03d.png" "$$name.lapped.glb"
+	$(call name,$(MESH)) && $(draw) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png" "$$name.lapped.glb"
 endif
 ifneq ($(SHOW),)
 	$(call name,$(MESH)) && for what in field patches; do \

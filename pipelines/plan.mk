@@ -25,22 +25,24 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 film := $(if $(TURN:0=),--frames $(TURN) --turntable,$(if $(FRAMES:0=),--frames $(FRAMES)))
 # The shell computes the name, because make would split a file name at spaces.
-name = name=$$(basename -- "$(MESH)") && name="$(OUT)/$${name%.*}"
+name = name=$$(basename -- $(call quoted,$(MESH))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: picture always
 picture:
 
 # This file holds what the plan depends on; it is rewritten when that changes.
 words  := $(OUT)/plan.words
-wanted := $(MESH) $(shell stat -L -c %Y.%s -- "$(MESH)"); $(BUDGET); $(TOLERANCE); $(SIZE) $(film); $(OPTIONS)
+wanted := $(MESH) $(shell stat -L -c %Y.%s -- $(call quoted,$(MESH))); $(BUDGET); $(TOLERANCE); $(SIZE) $(film); $(OPTIONS)
 $(words): always
 	@mkdir -p $(OUT)
-	@printf '%s\n' "$(wanted)" | cmp -s - $@ || printf '%s\n' "$(wanted)" >$@
+	@printf '%s\n' $(call quoted,$(wanted)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(wanted)) >$@
 $(OUT)/plan.chosen.mk: $(words)
 	hatchplan $(if $(BUDGET),--budget '$(BUDGET)') $(if $(TOLERANCE),--tolerance $(TOLERANCE)) --size $(SIZE) $(film) \
-	    $(OPTIONS) "$(MESH)" --make -o $@
+	    $(OPTIONS) $(call quoted,$(MESH)) --make -o $@
 include $(OUT)/plan.chosen.mk
 
 # What the technique reads, and the scene that it draws.
@@ -59,11 +61,11 @@ $(file_thresholds): $(file_map)
 $(file_solid): $(OUT)/plan.chosen.mk
 	solidgen $(SOLIDGEN) -o $@
 $(OUT)/plan.patches.glb: $(OUT)/plan.chosen.mk
-	dirfield "$(MESH)" | lapped-param -o $@
+	dirfield $(call quoted,$(MESH)) | lapped-param -o $@
 $(OUT)/plan.strokes.glb: $(OUT)/plan.chosen.mk
-	dirfield "$(MESH)" | strokegen $(STROKEGEN) -o $@
+	dirfield $(call quoted,$(MESH)) | strokegen $(STROKEGEN) -o $@
 
 picture: $(asset) $(scene)
 	$(name) && render-gl $(DRAW) \
 	    $(if $(asset),$(if $(filter solid,$(READS)),--solid,--tam) $(asset)) \
-	    $(if $(scene),$(scene),"$(MESH)") -o "$$name$(if $(film),-%03d).png"
+	    $(if $(scene),$(scene),$(call quoted,$(MESH))) -o "$(if $(film),$${name//\%/%%}-%03d,$$name).png"

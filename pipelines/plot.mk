@@ -22,15 +22,17 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 draw = render-gl --page $(PAGE) --margin $(MARGIN) --pen $(PEN) --hidden $(HIDDEN) --size $(SIZE) $(OPTIONS)
 # The shell computes the name, because make would split a file name at spaces.
-name = name=$$(basename -- "$(SCENE)") && name="$(OUT)/$${name%.*}"
+name = name=$$(basename -- $(call quoted,$(SCENE))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: drawing
 drawing:
 	mkdir -p $(OUT)
 ifeq ($(FRAMES),0)
-	$(name) && $(draw) -o "$$name.svg" "$(SCENE)"
+	$(name) && $(draw) -o "$$name.svg" $(call quoted,$(SCENE))
 else
-	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$$name-%03d.svg" "$(SCENE)"
+	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$${name//\%/%%}-%03d.svg" $(call quoted,$(SCENE))
 endif

@@ -27,9 +27,11 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
 sets := $(OUT)/$(notdir $(STYLE))-$(SEEDS)x$(LAYERS)-$(SEED).seeds
 draw = render-gl --technique rptam --style $(STYLE) --seeds "$(sets)" --size $(SIZE) --camera $(CAMERA) $(OPTIONS) \
-    "$(MODEL)"
+    $(call quoted,$(MODEL))
 
 .PHONY: strip
 strip: $(sets) $(filter $(OUT)/teapot.glb,$(MODEL))

@@ -25,10 +25,12 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-how := $(if $(EXEMPLAR),--exemplar "$(EXEMPLAR)" --method $(METHOD),--style $(STYLE)) --size $(SOLID)
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
+how := $(if $(EXEMPLAR),--exemplar $(call quoted,$(EXEMPLAR)) --method $(METHOD),--style $(STYLE)) --size $(SOLID)
 # The shell computes the names, because make would split a file name at spaces.
-name = name=$$(basename -- "$(MESH)") && name="$(OUT)/$${name%.*}" && solid="$$name.solid.ktx2"
-draw = render-gl "$(MESH)" --technique solid --solid "$$solid" --look $(LOOK) --size $(SIZE) $(OPTIONS)
+name = name=$$(basename -- $(call quoted,$(MESH))) && name="$(OUT)/$${name%.*}" && solid="$$name.solid.ktx2"
+draw = render-gl $(call quoted,$(MESH)) --technique solid --solid "$$solid" --look $(LOOK) --size $(SIZE) $(OPTIONS)
 
 .PHONY: picture
 picture:
@@ -36,8 +38,8 @@ picture:
 	$(name) && solidgen $(how) -o "$$solid"
 	$(name) && $(draw) -o "$$name.png"
 ifneq ($(TURN),0)
-	$(name) && $(draw) --frames $(TURN) --turntable -o "$$name-%03d.png"
+	$(name) && $(draw) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png"
 endif
 ifneq ($(FRAMES),0)
-	$(name) && $(draw) --frames $(FRAMES) -o "$$name-%03d.png"
+	$(name) && $(draw) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png"
 endif

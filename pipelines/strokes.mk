@@ -25,9 +25,11 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-draw = render-gl "$(MESH)" --technique strokes --style $(STYLE) --overdraw $(OVERDRAW) --size $(SIZE) $(OPTIONS)
+# A word for the shell, whatever characters it has.
+quoted = '$(subst ','\'',$(1))'
+draw = render-gl $(call quoted,$(MESH)) --technique strokes --style $(STYLE) --overdraw $(OVERDRAW) --size $(SIZE) $(OPTIONS)
 # The shell computes the name, because make would split a file name at spaces.
-name = name=$$(basename -- "$(MESH)") && name="$(OUT)/$${name%.*}"
+name = name=$$(basename -- $(call quoted,$(MESH))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: picture
 picture:
@@ -37,8 +39,8 @@ ifneq ($(PAGE),)
 	$(name) && $(draw) --page $(PAGE) --margin $(MARGIN) --pen $(PEN) -o "$$name.svg"
 endif
 ifneq ($(TURN),0)
-	$(name) && $(draw) --frames $(TURN) --turntable -o "$$name-%03d.png"
+	$(name) && $(draw) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png"
 endif
 ifneq ($(FRAMES),0)
-	$(name) && $(draw) --frames $(FRAMES) -o "$$name-%03d.png"
+	$(name) && $(draw) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png"
 endif

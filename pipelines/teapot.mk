@@ -16,7 +16,7 @@ SHELL := /bin/bash
 .DELETE_ON_ERROR:
 
 # STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
-map := $(OUT)/$(notdir $(STYLE))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
+map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 
 .PHONY: picture
 picture: $(OUT)/teapot.glb $(map)

@@ -80,26 +80,44 @@ bool parse_has_ending(const char *path, const char *ending)
     return dot && i > 0 && !dot[i + 1] && !ending[i];
 }
 
-static const char *find_place(const char *pattern, int *width)
+/* Returns the end of a field that begins at a percent sign, or NULL if none begins there.
+ *   width  out: digits to write at least */
+static const char *end_of_field(const char *at, int *width)
 {
-    const char *at = pattern ? strchr(pattern, '%') : NULL;
-    if (!at)
-        return NULL;
     const char *end = at + 1 + strspn(at + 1, "0123456789");
     *width = atoi(at + 1);
-    return *end == 'd' && end - at <= 3 && !strchr(end, '%') ? at : NULL;
+    return *end == 'd' && end - at <= 3 ? end + 1 : NULL;
+}
+
+/* Returns the only field of a file name, or NULL if it has none, several, or a single percent sign elsewhere.
+ *   width  out: as in end_of_field */
+static const char *find_field(const char *pattern, int *width)
+{
+    const char *found = NULL;
+    for (const char *at = pattern ? strchr(pattern, '%') : NULL; at; at = strchr(at, '%')) {
+        int digits = 0;
+        const char *end = at[1] == '%' ? at + 2 : end_of_field(at, &digits);
+        if (!end || (at[1] != '%' && found))
+            return NULL;
+        if (at[1] != '%') {
+            found = at;
+            *width = digits;
+        }
+        at = end;
+    }
+    return found;
 }
 
 bool parse_has_frame(const char *pattern)
 {
     int width;
-    return find_place(pattern, &width) != NULL;
+    return find_field(pattern, &width) != NULL;
 }
 
 void parse_frame_name(const char *pattern, uint32_t number, char *name, size_t size_bytes)
 {
     int width = 0;
-    const char *at = find_place(pattern, &width);
+    const char *field = find_field(pattern, &width);
     char digits[32];
     size_t count = 0, used = 0;
     for (uint32_t rest = number; rest || !count; rest /= 10)
@@ -107,8 +125,9 @@ void parse_frame_name(const char *pattern, uint32_t number, char *name, size_t s
     while ((int)count < width && count < sizeof digits)
         digits[count++] = '0';
     for (const char *c = pattern; *c && used + 1 < size_bytes; c++) {
-        if (c != at) {
+        if (c != field) {
             name[used++] = *c;
+            c += field && *c == '%'; /* the second of two */
             continue;
         }
         while (count && used + 1 < size_bytes)

@@ -35,7 +35,8 @@ double parse_length(const char *option, const char *text, double least, double m
  *   ending  small letters, without the dot */
 bool parse_has_ending(const char *path, const char *ending);
 
-/* Returns whether a file name has exactly one field for the frame number, such as %d, %3d or %03d.
+/* Returns whether a file name has exactly one field for the frame number, such as %d, %3d or %03d. Beside a field, two
+ * percent signs stand for one.
  *   pattern  the file name; NULL: the result is false */
 bool parse_has_frame(const char *pattern);
 

@@ -127,6 +127,8 @@ if command -v make >/dev/null; then
         ok "$technique: the picture is there" test -s $technique/torus.png
     done
     ok "plan.mk: patches" $plan MESH=bare.obj OUT=patches BUDGET=mb=9 OPTIONS="--techniques rptam"
+    ok "plan.mk: a colour in quotes" timeout 60 $plan MESH=torus.glb OUT=quoted BUDGET=mb=9 \
+        OPTIONS='--techniques solid --draw "--paper #ffeedd"'
     try $plan MESH=torus.glb OUT=none TOLERANCE=.0001 OPTIONS="--techniques rptam"
     is "plan.mk: nothing is exact enough" "$((status > 0)) $(grep -c '^hatchplan: nothing is within' .err) \
 $(ls none/*.png 2>/dev/null)" "1 1 "

@@ -38,6 +38,25 @@ is "lapped.mk writes all pictures of a turntable" "$(echo ball-*.png)" "ball-000
 printf 'width 3\n' >my.style
 ok "gltf.mk draws with the user's style into another folder" make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=./my.style OUT=away SIZE=48x48
 is "gltf.mk writes its map and picture" "$(echo away/*)" "away/ball.png away/my.style.tam.exr"
+# Two styles of one name, in two folders, both older than the first map.
+mkdir one other
+printf 'width 3\n' >one/my.style
+printf 'width 6\n' >other/my.style
+touch -d '1 hour ago' one/my.style other/my.style
+for folder in one other; do
+    make -s -f "$TOP/pipelines/gltf.mk" SCENE=ball.glb STYLE=$folder/my.style OUT=both SIZE=48x48
+    mv both/ball.png $folder.png
+done
+is "gltf.mk has a map for each style, whatever their names" "$(cmp -s one.png other.png && echo the same)" ""
+cp ball.glb 'a $HOME 100%.glb'
+ok "a file name may have any characters" make -s -f "$TOP/pipelines/gltf.mk" SCENE='a $$HOME 100%.glb' FRAMES=2 TURN=1 \
+    SIZE=48x48 OUT=odd
+is "pictures are named after it" "$(ls odd | grep -c '^a $HOME 100%-00[01].png$')" 2
+try make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' TURN=2
+is "lapped.mk turns one mesh alone" "$((status > 0)) $(grep -c 'TURN, FRAMES and SHOW are for one MESH' .err)" "1 1"
+ok "engrave.mk has widths for pictures and for drawings" make -s -f "$TOP/pipelines/engrave.mk" MESH=ball.glb WIDTH=2 \
+    PAGE=a5 SIZE=48x48 OUT=engraved
+is "engrave.mk writes both" "$(ls engraved | tr '\n' ' ')" "ball.png ball.strokes.glb ball.svg "
 try make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb OUT='a way'
 is "lapped.mk refuses a folder with a space in its name" "$status $(ls -d a way 2>/dev/null)" "2 "
 meshgen torus --faces 2000 -o smooth.glb
