@@ -1,4 +1,6 @@
 /* Attributes that keep points of a flat sheet, up to the difference that may vanish. */
+#include <math.h>
+
 #include "coarse/coarse.h"
 
 #include "meshes.h"
@@ -49,6 +51,28 @@ static bool keeps_middle(const struct hatch_mesh *mesh)
     ck_assert_uint_eq(out[1].face_count, 2);
     return false;
 }
+
+/* Of a fan whose middle is its first point, no other point may go: they are its corners. */
+START_TEST(the_first_point_may_go)
+{
+    enum { CORNERS = 6 };
+    struct hatch_mesh fan, out;
+    double tolerances[CORNERS + 1];
+    HATCH_TEST_OK(hatch_mesh_make(&keep, CORNERS + 1, CORNERS, &fan, &err), &err);
+    for (uint32_t i = 0; i <= CORNERS; i++) {
+        tolerances[i] = tolerance;
+        fan.attributes[0].data[3 * i] = i ? (float)cos(i * 6.2831853 / CORNERS) : 0;
+        fan.attributes[0].data[3 * i + 1] = i ? (float)sin(i * 6.2831853 / CORNERS) : 0;
+    }
+    for (uint32_t f = 0; f < CORNERS; f++) {
+        const uint32_t corners[3] = {0, 1 + f, 1 + (f + 1) % CORNERS};
+        memcpy(&fan.indices[3 * (size_t)f], corners, sizeof corners);
+    }
+    const struct hatch_coarse_part part = {&fan, tolerances, NULL};
+    HATCH_TEST_OK(hatch_coarse_make(&part, 1, &keep, &scratch, &out, &err), &err);
+    ck_assert_uint_eq(out.face_count, CORNERS - 2);
+}
+END_TEST
 
 /* Each component of a colour may differ by 0.03, whatever the others do. */
 START_TEST(colours_may_differ_a_little)
@@ -135,6 +159,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("coarse attributes");
     TCase *tests = tcase_create("attributes");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, the_first_point_may_go);
     tcase_add_test(tests, colours_may_differ_a_little);
     tcase_add_test(tests, morph_targets_may_move_by_the_tolerance);
     tcase_add_test(tests, textures_may_move_by_the_tolerance);
