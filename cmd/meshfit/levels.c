@@ -88,6 +88,24 @@ static void allocate(struct making *making, const struct hatch_scene *from)
         memcpy(scene->animations, from->animations, from->animation_count * sizeof *from->animations);
 }
 
+/* Returns whether a mesh was made of another, and is not that itself. */
+static bool is_made(const struct hatch_scene_mesh *from, const struct hatch_mesh *mesh)
+{
+    return mesh->indices != from->mesh.indices;
+}
+
+/* Returns a mesh of the scene in the shape that it has at a level. */
+static struct hatch_scene_mesh fitted(const struct hatch_scene_mesh *from, const struct hatch_mesh *mesh)
+{
+    struct hatch_scene_mesh to = *from;
+    to.mesh = *mesh;
+    if (is_made(from, mesh)) {
+        to.curves = (struct hatch_curves){0}; /* they lie on the old faces */
+        to.file_vertices = mesh->vertex_count;
+    }
+    return to;
+}
+
 void meshfit_join_levels(struct meshfit *fit, const struct meshfit_level *levels, uint32_t count,
                          struct hatch_scene *scene)
 {
@@ -97,14 +115,18 @@ void meshfit_join_levels(struct meshfit *fit, const struct meshfit_level *levels
     allocate(&making, from);
     /* A framed scene fills nearly all of the picture; at half the size, a quarter, twice the error is as small. */
     float share = 0.85f;
+    bool lost = false; /* strokes of a mesh */
     for (uint32_t level = 0; level < count; level++) {
         share /= 4;
         making.coverage[level] = level + 1 < count ? share : 0;
         for (uint32_t m = 0; m < from->mesh_count; m++) {
-            scene->meshes[level * from->mesh_count + m] = from->meshes[m];
-            scene->meshes[level * from->mesh_count + m].mesh = levels[level].meshes[m];
+            const struct hatch_mesh *mesh = &levels[level].meshes[m];
+            lost = lost || (from->meshes[m].curves.count > 0 && is_made(&from->meshes[m], mesh));
+            scene->meshes[level * from->mesh_count + m] = fitted(&from->meshes[m], mesh);
         }
     }
+    if (lost)
+        cmd_warn(fit->name, "strokes are left out where meshes became coarser; strokegen traces them anew");
     scene->mesh_count = count * from->mesh_count;
     if (count > 1) {
         add_nodes(&making, from->node_count, from->mesh_count);

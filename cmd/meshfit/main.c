@@ -54,16 +54,16 @@ static const struct cmd_program program = {
 };
 
 /* Reports a level, and warns where nothing could be left out. */
-static void report(struct meshfit *fit, struct meshfit_level *level, uint64_t before)
+static void report(struct meshfit *fit, struct meshfit_level *level)
 {
     const struct hatch_coarse_figures *f = &level->figures;
     if (fit->args->verbose)
         meshfit_measure_all(fit, level);
     cmd_note("%llu of %llu faces; displacement %.3g px at most, 99.9 %% within %.3g px; outlines %.3g px at most; "
              "normals %.3g degrees in the mean",
-             (unsigned long long)level->faces, (unsigned long long)before, f->displacement_px, f->displacement_p999_px,
-             f->outline_px, f->normal_deg);
-    if (level->faces == before && level_count == 1)
+             (unsigned long long)level->faces, (unsigned long long)fit->faces, f->displacement_px,
+             f->displacement_p999_px, f->outline_px, f->normal_deg);
+    if (level->faces == fit->faces && level_count == 1)
         cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
 }
 
@@ -101,15 +101,12 @@ int main(int argc, char **argv)
     struct meshfit fit = {.args = &args, .scene = &scene};
     struct meshfit_level levels[MESHFIT_LEVELS_MAX];
     struct hatch_err err;
-    uint64_t before = 0;
     cmd_begin(&program, argc, argv, &args);
     const char *input = args.operand_count ? args.operands[0] : NULL;
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
     fit.name = cmd_input_name(input);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
-    for (uint32_t m = 0; m < scene.mesh_count; m++)
-        before += scene.meshes[m].mesh.face_count;
     cmd_add_normals(&args, fit.name, &scene);
     drop_flat_normals(&scene);
     meshfit_begin(&fit, &chosen);
@@ -118,7 +115,7 @@ int main(int argc, char **argv)
             meshfit_by_faces(&fit, (uint64_t)faces, &levels[i]);
         else
             meshfit_by_error(&fit, ldexp(error_px, (int)i), &levels[i]);
-        report(&fit, &levels[i], before);
+        report(&fit, &levels[i]);
     }
     meshfit_join_levels(&fit, levels, (uint32_t)level_count, &out);
 

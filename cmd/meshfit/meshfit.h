@@ -10,6 +10,7 @@ struct meshfit {
     struct cmd_args *args;
     const char *name; /* of the input */
     const struct hatch_scene *scene;
+    uint64_t faces;         /* of all meshes of the scene */
     struct hatch_mesh full; /* all meshes of the scene in world coordinates; no faces: no node draws any */
     struct hatch_pose pose;
     struct hatch_bounds bounds;
@@ -25,7 +26,7 @@ struct meshfit_level {
     struct hatch_coarse_figures figures;
 };
 
-/* Poses the scene, makes the views and the full mesh. Dies on failure. */
+/* Counts the faces of the scene, poses it, makes the views and the full mesh. Dies on failure. */
 void meshfit_begin(struct meshfit *fit, const struct cmd_view_options *views);
 
 /* Makes the coarsest meshes whose measured displacement is at most error_px. Dies on failure. */

@@ -24,23 +24,13 @@ void meshfit_begin(struct meshfit *fit, const struct cmd_view_options *views)
 {
     struct cmd_args *args = fit->args;
     struct hatch_err err;
+    for (uint32_t m = 0; m < fit->scene->mesh_count; m++)
+        fit->faces += fit->scene->meshes[m].mesh.face_count;
     cmd_make_views(args, fit->name, fit->scene, views, &fit->pose, &fit->bounds, &fit->views);
     if (!fit->bounds.empty)
         cmd_check(hatch_scene_flatten(fit->scene, &args->keep, &args->scratch, &fit->full, &err), fit->name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &fit->share, fit->full.vertex_count, &err), fit->name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &fit->worst, fit->full.face_count, &err), fit->name, &err);
-}
-
-/* Makes meshes with a tolerance. */
-static void make(struct meshfit *fit, double tolerance_px, const float *share, struct meshfit_level *level)
-{
-    struct cmd_args *args = fit->args;
-    struct hatch_err err;
-    cmd_check(HATCH_ALLOC(&args->keep, &level->meshes, fit->scene->mesh_count, &err), fit->name, &err);
-    cmd_check(hatch_coarse_scene(&fit->pose, &fit->views, tolerance_px, share, &args->keep, &args->scratch,
-                                 level->meshes, &err),
-              fit->name, &err);
-    level->faces = count_faces(fit, level->meshes);
 }
 
 /* Takes the meshes of the scene as they are. */
@@ -50,8 +40,22 @@ static void take_scene(struct meshfit *fit, struct meshfit_level *level)
     cmd_check(HATCH_ALLOC(&fit->args->keep, &level->meshes, fit->scene->mesh_count, &err), fit->name, &err);
     for (uint32_t m = 0; m < fit->scene->mesh_count; m++)
         level->meshes[m] = fit->scene->meshes[m].mesh;
-    level->faces = count_faces(fit, level->meshes);
+    level->faces = fit->faces;
     level->figures = (struct hatch_coarse_figures){0};
+}
+
+/* Makes meshes with a tolerance; where no face can be left out of any, they are the scene's. */
+static void make(struct meshfit *fit, double tolerance_px, const float *share, struct meshfit_level *level)
+{
+    struct cmd_args *args = fit->args;
+    struct hatch_err err;
+    cmd_check(HATCH_ALLOC(&args->keep, &level->meshes, fit->scene->mesh_count, &err), fit->name, &err);
+    cmd_check(hatch_coarse_scene(&fit->pose, &fit->views, tolerance_px, share, &args->keep, &args->scratch,
+                                 level->meshes, &err),
+              fit->name, &err);
+    level->faces = count_faces(fit, level->meshes);
+    if (level->faces == fit->faces)
+        take_scene(fit, level);
 }
 
 /* Measures the meshes of a level beside those of the scene.

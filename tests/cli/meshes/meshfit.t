@@ -116,6 +116,24 @@ refused "--error with --faces" 2 2
 try meshfit --levels 9 torus.glb
 refused "--levels 9" 2 2
 
+# Traced strokes lie on faces of the full mesh.
+strokegen -q --levels 2 torus.glb -o strokes.glb
+dirfield -q torus.glb -o field.glb
+for option in "--error 3" "--faces 400" "--levels 2"; do
+    # shellcheck disable=SC2086 # options are words
+    try meshfit $small $option strokes.glb -o coarse.glb
+    is "$option: strokes are left out, with a warning" "$status $(cat .err)" \
+        "0 meshfit: strokes.glb: warning: strokes are left out where meshes became coarser; strokegen traces them anew"
+    # shellcheck disable=SC2086
+    meshfit $small $option field.glb -o plain.glb
+    is "the rest is that of the mesh without strokes" "$(numbers coarse.glb | md5sum)" "$(numbers plain.glb | md5sum)"
+done
+meshfit $small --faces 5000 -q strokes.glb -o same.glb
+is "strokes stay where the mesh stays" "$(numbers same.glb | wc -c)" "$(numbers strokes.glb | wc -c)"
+strokegen -q --levels 1 tetra.ply | meshfit $small 2>.err >tetra.strokes.glb
+is "as they do where no face can be left out" "$(cat .err) $(json tetra.strokes.glb | grep -c '"_HATCH_STROKE"')" \
+    "meshfit: standard input: warning: no face can be left out: the meshes are as they were 1"
+
 for option in "--error 0" "--error nan" "--size 0x1" "--faces 3" "--zoom 0" "--fov 180"; do
     try meshfit $option torus.glb
     refused "$option" 2 2
