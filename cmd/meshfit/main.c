@@ -67,6 +67,26 @@ static void report(struct meshfit *fit, struct meshfit_level *level)
         cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
 }
 
+/* Leaves out the meshes that no node draws, and warns of them. */
+static void drop_undrawn(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_err err;
+    uint32_t all = scene->mesh_count, *first;
+    bool *drawn;
+    cmd_check(HATCH_ALLOC(&args->scratch, &first, (size_t)all + 1, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->scratch, &drawn, all, &err), name, &err);
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        for (uint32_t m = 0; m < scene->nodes[n].mesh_count; m++)
+            drawn[scene->nodes[n].first_mesh + m] = true;
+    hatch_scene_keep(scene, drawn, first);
+    hatch_arena_rewind(&args->scratch, mark);
+    uint32_t dropped = all - scene->mesh_count;
+    if (dropped > 0)
+        cmd_warn(name, "%u %s", dropped,
+                 cmd_plural(dropped, "mesh that no node draws is left out", "meshes that no node draws are left out"));
+}
+
 /* Removes the normals of flat faces, which a glTF without normals gets: their borders are everywhere. */
 static void drop_flat_normals(struct hatch_scene *scene)
 {
@@ -107,6 +127,7 @@ int main(int argc, char **argv)
     fit.name = cmd_input_name(input);
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    drop_undrawn(&args, fit.name, &scene);
     cmd_add_normals(&args, fit.name, &scene);
     drop_flat_normals(&scene);
     meshfit_begin(&fit, &chosen);

@@ -16,24 +16,16 @@ static uint32_t drop_empty(struct cmd_args *args, const char *name, struct hatch
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     struct hatch_err err;
-    uint32_t kept = 0, all = scene->mesh_count;
-    uint32_t *kept_before;
-    cmd_check(HATCH_ALLOC(&args->scratch, &kept_before, (size_t)all + 1, &err), name, &err);
-    for (uint32_t i = 0; i < all; i++) {
-        kept_before[i] = kept;
-        if (has_area(&scene->meshes[i].mesh))
-            scene->meshes[kept++] = scene->meshes[i];
-    }
-    kept_before[all] = kept;
-    for (uint32_t i = 0; i < scene->node_count; i++) {
-        struct hatch_node *node = &scene->nodes[i];
-        uint32_t first = kept_before[node->first_mesh];
-        node->mesh_count = kept_before[node->first_mesh + node->mesh_count] - first;
-        node->first_mesh = first;
-    }
-    scene->mesh_count = kept;
+    uint32_t all = scene->mesh_count;
+    uint32_t *first;
+    bool *kept;
+    cmd_check(HATCH_ALLOC(&args->scratch, &first, (size_t)all + 1, &err), name, &err);
+    cmd_check(HATCH_ALLOC(&args->scratch, &kept, all, &err), name, &err);
+    for (uint32_t i = 0; i < all; i++)
+        kept[i] = has_area(&scene->meshes[i].mesh);
+    hatch_scene_keep(scene, kept, first);
     hatch_arena_rewind(&args->scratch, mark);
-    return all - kept;
+    return all - scene->mesh_count;
 }
 
 static void add(struct hatch_surface_notes *sum, const struct hatch_surface_notes *notes)

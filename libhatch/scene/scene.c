@@ -35,3 +35,16 @@ void hatch_scene_renumber(struct hatch_scene *scene, const uint32_t *first)
         node->mesh_count = end - node->first_mesh;
     }
 }
+
+void hatch_scene_keep(struct hatch_scene *scene, const bool *kept, uint32_t *first)
+{
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        first[m] = count;
+        if (kept[m])
+            scene->meshes[count++] = scene->meshes[m];
+    }
+    first[scene->mesh_count] = count;
+    hatch_scene_renumber(scene, first);
+    scene->mesh_count = count;
+}

@@ -155,6 +155,11 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
  *   first  per mesh and one more: the number of the first of those that take its place; rising */
 void hatch_scene_renumber(struct hatch_scene *scene, const uint32_t *first);
 
+/* Leaves meshes out of a scene, in place; nodes draw what is left of theirs.
+ *   kept   per mesh: whether it stays
+ *   first  out: per mesh and one more, as for hatch_scene_renumber */
+void hatch_scene_keep(struct hatch_scene *scene, const bool *kept, uint32_t *first);
+
 /* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors;
  * front faces are then clockwise.
  *   animation  index, or HATCH_NONE: the rest pose

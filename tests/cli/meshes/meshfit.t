@@ -109,6 +109,14 @@ counts=$(json levels.glb | grep -o '"componentType":512[35],"count":[0-9]*,"type
 # shellcheck disable=SC2086
 set -- $counts
 ok "each level has fewer faces" test $# -eq 3 -a "$1" -gt "$2" -a "$2" -gt "$3"
+for option in "--faces 400" "--levels 2" "--error 3"; do
+    # shellcheck disable=SC2086 # options are words
+    try meshfit $small $option levels.glb -o again.glb
+    # shellcheck disable=SC2086
+    meshfit $small $option first.glb -o once.glb
+    is "$option of what has levels: of the first, with a warning" "$status $(numbers again.glb | md5sum) $(cat .err)" \
+        "0 $(numbers once.glb | md5sum) meshfit: levels.glb: warning: 2 meshes that no node draws are left out"
+done
 try meshfit --faces 100 --levels 2 torus.glb
 refused "--levels with --faces" 2 2
 try meshfit --faces 100 --error 1 torus.glb

@@ -295,6 +295,31 @@ START_TEST(every_failed_allocation_is_a_limit)
 }
 END_TEST
 
+/* Of meshes 0 to 4, 1 and 4 are left out: nodes draw 2 and 3, all three of 0 to 2, and 4. */
+START_TEST(meshes_are_left_out_and_nodes_draw_the_others)
+{
+    struct hatch_scene_mesh meshes[5];
+    struct hatch_node nodes[3] = {resting, resting, resting};
+    const bool kept[5] = {true, false, true, true, false};
+    uint32_t first[6];
+    for (uint32_t m = 0; m < 5; m++)
+        meshes[m] = (struct hatch_scene_mesh){.file_vertices = m};
+    nodes[0].first_mesh = 2, nodes[0].mesh_count = 2;
+    nodes[1].first_mesh = 0, nodes[1].mesh_count = 3;
+    nodes[2].first_mesh = 4, nodes[2].mesh_count = 1;
+    struct hatch_scene scene = {.mesh_count = 5, .meshes = meshes, .node_count = 3, .nodes = nodes};
+    hatch_scene_keep(&scene, kept, first);
+    ck_assert_uint_eq(scene.mesh_count, 3);
+    ck_assert_uint_eq(meshes[0].file_vertices, 0);
+    ck_assert_uint_eq(meshes[1].file_vertices, 2);
+    ck_assert_uint_eq(meshes[2].file_vertices, 3);
+    ck_assert(nodes[0].first_mesh == 1 && nodes[0].mesh_count == 2);
+    ck_assert(nodes[1].first_mesh == 0 && nodes[1].mesh_count == 2);
+    ck_assert_uint_eq(nodes[2].mesh_count, 0);
+    ck_assert(first[1] == 1 && first[2] == 1 && first[4] == 3 && first[5] == 3);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("mesh scene");
@@ -307,6 +332,7 @@ static Suite *suite(void)
     tcase_add_test(tests, rotations_turn_about_their_axis);
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);
+    tcase_add_test(tests, meshes_are_left_out_and_nodes_draw_the_others);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
