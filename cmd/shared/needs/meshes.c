@@ -96,8 +96,8 @@ struct errors {
     const double *scale; /* per mesh: scene units per unit of the mesh */
     double px, unseen;   /* the error in pixels; that of what no view shows, in scene units */
     double cosine;       /* least one between the normals of a face and its vertices */
-    double **vertices;
-    float **cosines; /* per mesh and vertex */
+    double **vertices;   /* NULL: the mesh stays as it is, or is coarser already */
+    float **cosines;     /* per mesh and vertex */
 };
 
 static void lower_errors(void *context, uint32_t mesh, uint32_t face, const double corners[3][3])
@@ -129,6 +129,7 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
                                               errors->cosines[node->first_mesh + m]};
     cmd_check(hatch_coarse_make_loosely(parts, node->mesh_count, &args->keep, &args->scratch, made, &err), name, &err);
     for (uint32_t m = 0; m < node->mesh_count; m++) {
+        errors->vertices[node->first_mesh + m] = NULL;
         if (made[m].face_count == 0)
             continue;
         meshes[m].mesh = made[m];
@@ -163,11 +164,9 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
             errors.vertices[m][v] = HUGE_VAL, errors.cosines[m][v] = -1;
     }
     each_face(args, name, scene, lower_errors, &errors);
-    for (uint32_t n = 0, next = 0; n < scene->node_count; n++)
-        if (scene->nodes[n].mesh_count > 0 && scene->nodes[n].first_mesh >= next) { /* else an earlier node's meshes */
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        if (scene->nodes[n].mesh_count > 0 && errors.vertices[scene->nodes[n].first_mesh])
             coarsen_node(args, name, &scene->nodes[n], &errors, &scene->meshes[scene->nodes[n].first_mesh]);
-            next = scene->nodes[n].first_mesh + scene->nodes[n].mesh_count;
-        }
     cmd_note("%llu of %llu faces left out: the others show the same within %.3g pixels",
              (unsigned long long)(before - count_faces(scene)), (unsigned long long)before,
              ERROR_PX * needs->tolerance);

@@ -1,0 +1,56 @@
+# Meshes by needs: which become coarser, and which scenes the needs belong to.
+. "${TOP:-.}/tests/tap.sh"
+
+# Two squares of 200 and 800 faces, which need 2 faces each, at x 0 and 4, as meshes 0 and 1 of one file.
+meshgen plane --faces 200 -o small.glb
+meshgen plane --faces 800 -o large.glb
+unpack small.glb small
+unpack large.glb large
+# edit FILE.gltf CODE: prints a scene after Perl has changed $s
+edit() {
+    perl -MJSON::PP -e '
+        local $/;
+        open my $file, "<", $ARGV[0] or die;
+        $s = JSON::PP->new->canonical->decode(<$file>);
+        eval $ARGV[1];
+        die $@ if $@;
+        print JSON::PP->new->canonical->encode($s)' "$1" "$2"
+}
+# shellcheck disable=SC2016 # Perl's variables
+edit small.gltf '
+    open my $other, "<", "large.gltf" or die;
+    $t = JSON::PP->new->decode(<$other>);
+    ($views, $accessors) = (scalar @{$s->{bufferViews}}, scalar @{$s->{accessors}});
+    $_->{buffer} = 1 for @{$t->{bufferViews}};
+    $_->{bufferView} += $views for @{$t->{accessors}};
+    $p = $t->{meshes}[0]{primitives}[0];
+    $_ += $accessors for values %{$p->{attributes}}, $p->{indices};
+    push @{$s->{$_}}, @{$t->{$_}} for qw(buffers bufferViews accessors meshes);
+    $s->{nodes} = [{mesh => 0}, {mesh => 1, translation => [4, 0, 0]}];
+    $s->{scenes} = [{nodes => [0, 1]}]' >two.gltf
+# Needs of which no view shows anything, so that everything becomes very coarse.
+{
+    printf 'thing\tindex\tvalue\tunit\ntolerance\t0\t.01\t\nrelative\t0\t1\t\ndarkest\t0\t.5\ttone\n'
+    printf 'region-low\t0\t-1\t\nregion-low\t1\t-1\t\nregion-low\t2\t0\t\n'
+    printf 'region-side\t0\t.1875\t\nregion-side\t1\t.0625\t\nregion-side\t2\t0\t\nregion-cells\t0\t0\t\n'
+} >none.needs
+# faces FILE: prints the number of faces of each mesh, in the order of the file
+faces() {
+    unpack "$1" faces
+    # shellcheck disable=SC2016
+    edit faces.gltf 'print STDERR join(" ", map {my $n = 0; $n += $s->{accessors}[$_->{indices}]{count} / 3
+        for grep {($_->{mode} // 4) == 4} @{$_->{primitives}}; $n} @{$s->{meshes}})' 2>&1 >/dev/null
+}
+
+is "two meshes" "$(dirfield -q two.gltf -o full.glb && faces full.glb)" "200 800"
+dirfield -q --needs none.needs two.gltf -o coarse.glb
+is "both become coarser" "$(faces coarse.glb)" "2 2"
+# shellcheck disable=SC2016
+edit two.gltf '$s->{nodes} = [reverse @{$s->{nodes}}]' >reversed.gltf
+dirfield -q --needs none.needs reversed.gltf -o reversed.glb
+is "whatever the order in which nodes draw them" "$(faces reversed.glb)" "2 2"
+# shellcheck disable=SC2016
+edit two.gltf 'push @{$s->{nodes}}, {mesh => 0, translation => [4, 0, 0]}; push @{$s->{scenes}[0]{nodes}}, 2' >thrice.gltf
+dirfield -q --needs none.needs thrice.gltf -o thrice.glb
+is "and however many nodes draw one" "$(faces thrice.glb)" "2 2"
+finish
