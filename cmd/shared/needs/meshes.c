@@ -104,6 +104,8 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
 {
     const struct errors *errors = context;
     const uint32_t *index = &errors->scene->meshes[mesh].mesh.indices[3 * (size_t)face];
+    if (!errors->vertices[mesh])
+        return;
     double px = hatch_needs_px(errors->regions, corners);
     double error = (px > 0 ? fmin(errors->px / px, errors->unseen) : errors->unseen) / errors->scale[mesh];
     for (int c = 0; c < 3; c++) {
@@ -111,6 +113,30 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
         *vertex = fmin(*vertex, error);
         if (px > 0)
             errors->cosines[mesh][index[c]] = (float)errors->cosine;
+    }
+}
+
+/* Returns whether the meshes of a node may become coarser. */
+static bool may_coarsen(const struct hatch_scene *scene, const struct hatch_node *node)
+{
+    for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++)
+        if (!scene->meshes[m].had_normals)
+            return false;
+    return true;
+}
+
+/* Lets the meshes of a node move without limit. */
+static void begin_errors(struct cmd_args *args, const char *name, const struct hatch_node *node, struct errors *errors)
+{
+    struct hatch_err err;
+    for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++) {
+        uint32_t count = errors->scene->meshes[m].mesh.vertex_count;
+        if (errors->vertices[m])
+            continue; /* by another node that draws the mesh */
+        cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors->vertices[m], count, &err), name, &err);
+        cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors->cosines[m], count, &err), name, &err);
+        for (uint32_t v = 0; v < count; v++)
+            errors->vertices[m][v] = HUGE_VAL, errors->cosines[m][v] = -1;
     }
 }
 
@@ -154,15 +180,9 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
     errors.scale = extent.scale;
     errors.unseen = extent.diagonal * UNSEEN_SHARE;
     cmd_add_normals(args, name, scene);
-    for (uint32_t m = 0; m < scene->mesh_count; m++) {
-        if (!scene->meshes[m].had_normals)
-            return;
-        uint32_t count = scene->meshes[m].mesh.vertex_count;
-        cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors.vertices[m], count, &err), name, &err);
-        cmd_check(HATCH_ALLOC_UNSET(&args->keep, &errors.cosines[m], count, &err), name, &err);
-        for (uint32_t v = 0; v < count; v++)
-            errors.vertices[m][v] = HUGE_VAL, errors.cosines[m][v] = -1;
-    }
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        if (may_coarsen(scene, &scene->nodes[n]))
+            begin_errors(args, name, &scene->nodes[n], &errors);
     each_face(args, name, scene, lower_errors, &errors);
     for (uint32_t n = 0; n < scene->node_count; n++)
         if (scene->nodes[n].mesh_count > 0 && errors.vertices[scene->nodes[n].first_mesh])

@@ -13,9 +13,9 @@
 void cmd_check_needs(struct cmd_args *args, const char *path, const char *name, const struct hatch_needs *needs,
                      const struct hatch_scene *scene);
 
-/* Makes the meshes as coarse as the views allow. Those with computed flat normals, which coarser faces would show, stay
- * as they are; others get normals where they have none, with creases of CMD_CREASE_RAD. What no view shows becomes very
- * coarse. Says how many faces are left out. Dies on failure.
+/* Makes the meshes as coarse as the views allow, except those of nodes with computed flat normals, which coarser faces
+ * would show. Meshes of formats other than glTF get normals where they have none, with creases of CMD_CREASE_RAD. What
+ * no view shows becomes very coarse. Says how many faces are left out. Dies on failure.
  *   scene  in, out: new arrays are in args->keep */
 void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, struct hatch_scene *scene);
 

@@ -53,4 +53,19 @@ is "whatever the order in which nodes draw them" "$(faces reversed.glb)" "2 2"
 edit two.gltf 'push @{$s->{nodes}}, {mesh => 0, translation => [4, 0, 0]}; push @{$s->{scenes}[0]{nodes}}, 2' >thrice.gltf
 dirfield -q --needs none.needs thrice.gltf -o thrice.glb
 is "and however many nodes draw one" "$(faces thrice.glb)" "2 2"
+
+# Flat faces, of meshes without normals, would show where they become coarser.
+for mesh in 0 1; do
+    # shellcheck disable=SC2016
+    edit two.gltf "delete \$s->{meshes}[$mesh]{primitives}[0]{attributes}{NORMAL}" >flat.gltf
+    dirfield -q --needs none.needs flat.gltf -o flat.glb
+    is "mesh $mesh stays without normals, the other becomes coarser" "$(faces flat.glb)" \
+        "$(echo 200 2 2 800 | cut -d' ' -f$((1 + 2 * mesh))-$((2 + 2 * mesh)))"
+done
+# shellcheck disable=SC2016
+edit two.gltf '$m = $s->{meshes};
+    push @{$m->[0]{primitives}}, $m->[1]{primitives}[0];
+    delete $m->[0]{primitives}[0]{attributes}{NORMAL}' >primitives.gltf
+dirfield -q --needs none.needs primitives.gltf -o primitives.glb
+is "primitives of one mesh, whose borders may touch, stay together" "$(faces primitives.glb)" "1000 2"
 finish
