@@ -117,7 +117,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     if (options->needs) {
         cmd_read_needs_and_regions(args, options->needs, &needs);
         cmd_check_needs(args, options->needs, name, &needs, &run.scene);
-        cmd_coarsen(args, name, &needs, &run.scene);
+        cmd_coarsen(args, name, &needs, CMD_FIELDS_ANEW, &run.scene);
     }
     double begun_ms = cmd_elapsed_ms();
     make_jobs(&run);

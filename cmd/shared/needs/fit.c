@@ -7,12 +7,8 @@ void cmd_fit_meshes(struct cmd_args *args, const char *input, const char *path, 
                     struct hatch_scene *scene)
 {
     const char *name = cmd_input_name(input);
-    bool with_field = true;
     cmd_check_needs(args, path, name, needs, scene);
-    for (uint32_t i = 0; i < scene->mesh_count; i++)
-        with_field = with_field && hatch_mesh_find(&scene->meshes[i].mesh, "_HATCH_DIR", 4);
-    if (!with_field)
-        cmd_coarsen(args, name, needs, scene);
+    cmd_coarsen(args, name, needs, CMD_FIELDS_KEPT, scene);
     const struct hatch_surface *surfaces = cmd_make_surfaces(args, input, scene);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         if (!hatch_mesh_find(&scene->meshes[i].mesh, "_HATCH_DIR", 4))

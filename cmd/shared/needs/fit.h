@@ -5,7 +5,7 @@
 #include "shared/needs/meshes.h"
 
 /* Makes the meshes that views need, with direction fields: no finer, and divided as cmd_split_unseen does. Meshes that
- * have a field already stay as fine as they are. Dies on failure.
+ * have a field already stay as fine as they are, with all meshes of their nodes. Dies on failure.
  *   input  path of the scene
  *   path   of the needs
  *   scene  in, out: new arrays are in args->keep */

@@ -117,10 +117,11 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
 }
 
 /* Returns whether the meshes of a node may become coarser. */
-static bool may_coarsen(const struct hatch_scene *scene, const struct hatch_node *node)
+static bool may_coarsen(const struct hatch_scene *scene, const struct hatch_node *node, enum cmd_fields fields)
 {
     for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++)
-        if (!scene->meshes[m].had_normals)
+        if (!scene->meshes[m].had_normals ||
+            (fields == CMD_FIELDS_KEPT && hatch_mesh_find(&scene->meshes[m].mesh, "_HATCH_DIR", 4)))
             return false;
     return true;
 }
@@ -165,7 +166,8 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
     hatch_arena_rewind(&args->scratch, mark);
 }
 
-void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, struct hatch_scene *scene)
+void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_needs *needs, enum cmd_fields fields,
+                 struct hatch_scene *scene)
 {
     struct errors errors = {.scene = scene,
                             .regions = &needs->regions,
@@ -181,7 +183,7 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
     errors.unseen = extent.diagonal * UNSEEN_SHARE;
     cmd_add_normals(args, name, scene);
     for (uint32_t n = 0; n < scene->node_count; n++)
-        if (may_coarsen(scene, &scene->nodes[n]))
+        if (may_coarsen(scene, &scene->nodes[n], fields))
             begin_errors(args, name, &scene->nodes[n], &errors);
     each_face(args, name, scene, lower_errors, &errors);
     for (uint32_t n = 0; n < scene->node_count; n++)

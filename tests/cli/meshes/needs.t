@@ -68,4 +68,18 @@ edit two.gltf '$m = $s->{meshes};
     delete $m->[0]{primitives}[0]{attributes}{NORMAL}' >primitives.gltf
 dirfield -q --needs none.needs primitives.gltf -o primitives.glb
 is "primitives of one mesh, whose borders may touch, stay together" "$(faces primitives.glb)" "1000 2"
+
+# Meshes with a direction field stay as fine as they are; dirfield computes it anew.
+unpack full.glb full
+for mesh in 0 1; do
+    # shellcheck disable=SC2016
+    edit full.gltf "delete \$s->{meshes}[$mesh]{primitives}[0]{attributes}{_HATCH_DIR}" >field.gltf
+    strokegen -q --needs none.needs field.gltf -o field.glb
+    is "mesh $mesh becomes coarser without a field, the other stays" "$(faces field.glb)" \
+        "$(echo 2 800 200 2 | cut -d' ' -f$((1 + 2 * mesh))-$((2 + 2 * mesh)))"
+done
+strokegen -q --needs none.needs full.glb -o both.glb
+is "with two fields, both stay" "$(faces both.glb)" "200 800"
+dirfield -q --needs none.needs full.glb -o anew.glb
+is "dirfield lets them become coarser" "$(faces anew.glb)" "2 2"
 finish
