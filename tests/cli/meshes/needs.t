@@ -82,4 +82,20 @@ strokegen -q --needs none.needs full.glb -o both.glb
 is "with two fields, both stay" "$(faces both.glb)" "200 800"
 dirfield -q --needs none.needs full.glb -o anew.glb
 is "dirfield lets them become coarser" "$(faces anew.glb)" "2 2"
+
+# Needs are those of a scene whose faces have the same box, whatever render-gl adds or leaves out.
+[ -x "$BIN/render-gl" ] || { skip "needs of views" "no render-gl"; finish; }
+view='--size 160x120 --from 0:20'
+# regions FILE [THING]: prints the rows of regions
+regions() {
+    grep "^region-${2-}" "$1"
+}
+# shellcheck disable=SC2086 # options are words
+render-gl two.gltf $view --needs -o two.needs
+# shellcheck disable=SC2086
+render-gl two.gltf $view --ground 2 --needs -o ground.needs
+regions two.needs >two.regions
+regions ground.needs >ground.regions
+ok "a ground has no regions" cmp ground.regions two.regions
+ok "and its needs are those of the scene" dirfield -q --needs ground.needs two.gltf -o ground.glb
 finish
