@@ -12,7 +12,7 @@ struct job {
     struct hatch_scene values;        /* the scene as read from files, in memory */
     struct hatch_patch_mesh *patches; /* one per mesh of values */
     const char *name;                 /* name of the scene, for messages */
-    struct hatch_bounds rest;         /* with --needs: of all faces in the files at rest */
+    struct hatch_bounds rest;         /* with --needs: of all faces in the files at rest, transparent ones, too */
     uint32_t *mesh_end;               /* per operand: number of meshes of its file and those before; NULL: one file */
     struct asset asset;               /* the file of --tam; zeroed: none */
     struct gpu_context gpu;

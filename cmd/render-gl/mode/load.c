@@ -73,9 +73,9 @@ static void load_all(struct job *job, struct hatch_mesh_notes *notes)
         load_row(job, count, ground > 0, notes);
     else
         load_one(job, job->options->scene_path, scene, notes);
-    drop_transparent(scene, notes);
     if (job->options->needs)
         cmd_check(hatch_scene_measure(scene, &args->scratch, &job->rest, &err), name, &err);
+    drop_transparent(scene, notes);
     hatch_scene_doubt(scene, &args->scratch, notes);
     if (ground > 0)
         cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), name, &err);

@@ -98,4 +98,14 @@ regions two.needs >two.regions
 regions ground.needs >ground.regions
 ok "a ground has no regions" cmp ground.regions two.regions
 ok "and its needs are those of the scene" dirfield -q --needs ground.needs two.gltf -o ground.glb
+# shellcheck disable=SC2016
+edit two.gltf '$s->{meshes}[1]{primitives}[0]{material} = 0;
+    $s->{materials} = [{alphaMode => "MASK", pbrMetallicRoughness => {baseColorFactor => [1, 1, 1, .1]}}]' >clear.gltf
+# shellcheck disable=SC2086
+render-gl -q clear.gltf $view --needs -o clear.needs
+is "transparent meshes have no regions" "$(regions clear.needs unit-px | awk '$2 % 32 > 15' | wc -l)" 0
+is "but are in their box" "$(regions clear.needs low) $(regions clear.needs side)" \
+    "$(regions two.needs low) $(regions two.needs side)"
+ok "and the needs are those of the scene" dirfield -q --needs clear.needs clear.gltf -o clear.glb
+is "of which the transparent mesh is unseen" "$(faces clear.glb | cut -d' ' -f2)" 2
 finish
