@@ -18,6 +18,7 @@ enum thing {
     ITEM_PX,
     REGION_LOW,
     REGION_SIDE,
+    REGION_CELLS,
     REGION_PX,
     THINGS
 };
@@ -37,6 +38,7 @@ static const struct {
     [ITEM_PX] = {"item-px", UINT32_MAX, 0, 1e30, false},
     [REGION_LOW] = {"region-low", 3, -1e30, 1e30, true},
     [REGION_SIDE] = {"region-side", 3, 0, 1e30, true},
+    [REGION_CELLS] = {"region-cells", 1, 0, HATCH_NEEDS_CELLS, true},
     [REGION_PX] = {"region-unit-px", HATCH_NEEDS_CELLS, 0, 1e30, false},
 };
 
@@ -45,17 +47,20 @@ struct reading {
     bool found[THINGS];
     double values[REGION_PX][HATCH_NEEDS_TONES]; /* per thing and index */
     float *cells;                                /* of the regions; NULL: not read */
+    uint32_t cell_rows;                          /* rows of cells, read or not */
 };
 
 static enum hatch_status parse_row(struct hatch_text line, struct reading *reading, struct hatch_err *err)
 {
-    struct hatch_text thing, index, number;
+    struct hatch_text thing, index, number, unit;
     double value, at;
     int i = 0;
-    if (!hatch_text_field(&line, &thing) || !hatch_text_field(&line, &index) || !hatch_text_field(&line, &number))
-        return hatch_fail(err, HATCH_BAD_INPUT, "fewer than 3 fields");
+    if (!hatch_text_field(&line, &thing) || !hatch_text_field(&line, &index) || !hatch_text_field(&line, &number) ||
+        !hatch_text_field(&line, &unit))
+        return hatch_fail(err, HATCH_BAD_INPUT, "fewer than 4 fields");
     while (i < THINGS && !hatch_text_is(thing, things[i].name))
         i++;
+    reading->cell_rows += i == REGION_PX;
     if (i == THINGS || (i == REGION_PX && !reading->cells))
         return HATCH_OK;
     if (!hatch_text_number(index, &at) || !(at >= 0 && at < things[i].count && at == floor(at)))
@@ -89,6 +94,10 @@ enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struc
         if (things[i].must && !reading.found[i])
             return hatch_fail(err, HATCH_BAD_INPUT, "no row '%s'; render-gl SCENE --needs makes the file anew",
                               things[i].name);
+    if (reading.cell_rows != (uint32_t)reading.values[REGION_CELLS][0])
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "%u rows '%s', not %g: the file was cut; render-gl SCENE --needs makes it anew",
+                          reading.cell_rows, things[REGION_PX].name, reading.values[REGION_CELLS][0]);
     *needs = (struct hatch_needs){.tolerance = reading.values[TOLERANCE][0],
                                   .darkest = fmax(reading.values[DARKEST][0], reading.values[DARKEST][1]),
                                   .relative = reading.values[RELATIVE][0] > 0};

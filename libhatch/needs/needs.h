@@ -32,7 +32,7 @@ struct hatch_needs {
  *   cells  HATCH_NEEDS_CELLS floats, out: those of the regions, kept by reference; unset on failure; NULL: rows of
  *          regions are passed over
  *   needs  out; unchanged on failure
- * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing. */
+ * HATCH_BAD_INPUT for a text that is no such table, a wrong number, or a row that is missing or cut. */
 enum hatch_status hatch_needs_parse(struct hatch_bytes file, float *cells, struct hatch_needs *needs,
                                     struct hatch_err *err) HATCH_MUST_USE;
 

@@ -108,4 +108,19 @@ is "but are in their box" "$(regions clear.needs low) $(regions clear.needs side
     "$(regions two.needs low) $(regions two.needs side)"
 ok "and the needs are those of the scene" dirfield -q --needs clear.needs clear.gltf -o clear.glb
 is "of which the transparent mesh is unseen" "$(faces clear.glb | cut -d' ' -f2)" 2
+
+# The rows of cells come last: one that is missing, or whose number is cut, changes what is seen.
+cells=$(regions two.needs unit-px | wc -l)
+is "the number of cells is told" "$(regions two.needs cells)" "$(printf 'region-cells\t0\t%d\t' "$cells")"
+sed '$d' two.needs >cut.needs
+for command in "dirfield two.gltf" "tamgen --size 64"; do
+    # shellcheck disable=SC2086
+    try $command --needs cut.needs
+    refused "${command%% *}: needs without their last row" 3 1
+    is "which are made anew" "$(cat .err)" "${command%% *}: cut.needs: $((cells - 1)) rows 'region-unit-px', not $cells: the file was cut; render-gl SCENE --needs makes it anew"
+done
+head -c -5 two.needs >cut.needs
+try dirfield two.gltf --needs cut.needs -o cut.glb
+is "a row whose number is cut" "$status $(cat .err)" \
+    "3 dirfield: cut.needs: row $(wc -l <two.needs): fewer than 4 fields"
 finish

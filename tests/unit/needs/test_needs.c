@@ -54,6 +54,8 @@ END_TEST
     "region-low\t0\t-1\t\nregion-low\t1\t-2\t\nregion-low\t2\t3\t\nregion-side\t0\t1\t\nregion-side\t1\t2\t\n"         \
     "region-side\t2\t0\t\n"
 #define ROWS BOX "tolerance\t0\t0.02\t\nrelative\t0\t1\t\nother\tx\ty\tz\ndarkest\t0\t0.5\ttone\n"
+#define CELLS(count) "region-cells\t0\t" #count "\t\n"
+#define CELL(index, px) "region-unit-px\t" #index "\t" #px "\tpx\n"
 
 static float cells[HATCH_NEEDS_CELLS];
 
@@ -65,9 +67,9 @@ static enum hatch_status parse(const char *text, struct hatch_needs *needs)
 START_TEST(a_file_is_read)
 {
     struct hatch_needs needs;
-    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\nregion-unit-px\t1\t7\tpx\n"
-                                  "region-unit-px\t32767\t9\tpx\nitem-px\t0\t30\tpx\nitem-px\t70000\t20\tpx\n"
-                                  "solid-px\t0\t64\tpx\n",
+    HATCH_TEST_OK(parse(HEAD ROWS "darkest\t1\t0.75\ttone\nunit-px\t63\t12.5\tpx\r\n\n" CELLS(2) CELL(1, 7)
+                            CELL(32767, 9) "item-px\t0\t30\tpx\nitem-px\t70000\t20\tpx\n"
+                                           "solid-px\t0\t64\tpx\n",
                         &needs),
                   &err);
     ck_assert(cells[0] <= 0);
@@ -87,7 +89,7 @@ END_TEST
 
 START_TEST(regions_that_nobody_reads_are_passed_over)
 {
-    const char *text = HEAD ROWS "region-unit-px\tx\ty\n";
+    const char *text = HEAD ROWS CELLS(1) "region-unit-px\tx\ty\t\n";
     struct hatch_needs needs;
     HATCH_TEST_OK(hatch_needs_parse((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, NULL, &needs, &err),
                   &err);
@@ -104,7 +106,8 @@ START_TEST(a_wrong_file_is_refused_with_its_row)
         {HEAD, "no row 'tolerance'"},
         {HEAD "darkest\t2\t0\t\n", "row 2: darkest: want an index from 0 to 1"},
         {HEAD "tolerance\t0\t0.01\t\nrelative\t0\t0\t\n", "no row 'darkest'"},
-        {HEAD ROWS "unit-px\t0\n", "row 12: fewer than 3 fields"},
+        {HEAD ROWS "unit-px\t0\n", "row 12: fewer than 4 fields"},
+        {HEAD ROWS "unit-px\t0\t1\n", "row 12: fewer than 4 fields"},
         {HEAD "tolerance\t0\t0\t\n", "row 2: tolerance: want a number from 1e-06 to 1"},
         {HEAD "darkest\t0\tnan\t\n", "row 2: darkest: want a number from 0 to 1"},
         {HEAD "darkest\t0\t1.5\t\n", "row 2: darkest: want a number from 0 to 1"},
@@ -120,6 +123,27 @@ START_TEST(a_wrong_file_is_refused_with_its_row)
         ck_assert_msg(strncmp(err.text, cases[i][1], strlen(cases[i][1])) == 0, "%s", err.text);
         ck_assert(needs.darkest > 6);
     }
+}
+END_TEST
+
+/* A file whose rows of cells come last, which is cut after any of its bytes: none but the whole one is read. Its last
+ * byte ends a row that is whole. */
+START_TEST(a_file_that_was_cut_is_refused)
+{
+    static const char text[] = HEAD ROWS CELLS(2) CELL(5, 12.5) "region-unit-px\t6\t12.5\t\n";
+    for (size_t size = 0; size + 1 < sizeof text; size++) {
+        const struct hatch_bytes file = {(const uint8_t *)text, size};
+        bool whole = size + 2 >= sizeof text;
+        struct hatch_needs needs;
+        ck_assert_msg((hatch_needs_parse(file, cells, &needs, &err) == HATCH_OK) == whole, "%zu bytes", size);
+        ck_assert_msg((hatch_needs_parse(file, NULL, &needs, &err) == HATCH_OK) == whole, "%zu bytes", size);
+    }
+    struct hatch_needs needs;
+    ck_assert_int_eq(parse(HEAD ROWS CELLS(2) CELL(5, 12.5), &needs), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text,
+                     "1 rows 'region-unit-px', not 2: the file was cut; render-gl SCENE --needs makes it anew");
+    ck_assert_int_eq(parse(HEAD ROWS CELL(5, 12.5), &needs), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "no row 'region-cells'; render-gl SCENE --needs makes the file anew");
 }
 END_TEST
 
@@ -311,6 +335,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_file_is_read);
     tcase_add_test(tests, regions_that_nobody_reads_are_passed_over);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
+    tcase_add_test(tests, a_file_that_was_cut_is_refused);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
     tcase_add_test(tests, columns_are_no_closer_than_the_tolerance_asks);
     tcase_add_test(tests, a_map_is_as_large_as_pixels_read_it);

@@ -37,11 +37,15 @@ static void report_shares(struct cmd_report *report, const char *thing, const ui
 static void report_regions(struct cmd_report *report, struct job *job, const struct needs_measure *measure)
 {
     struct hatch_needs_regions regions;
+    uint32_t cells = 0;
     needs_find_regions(job, measure, &regions);
     for (uint32_t k = 0; k < 3; k++)
         report_row(report, "region-low", k, regions.low[k], "of the scene at rest");
     for (uint32_t k = 0; k < 3; k++)
         report_row(report, "region-side", k, regions.side[k], "of the scene at rest");
+    for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++)
+        cells += regions.px[i] > 0;
+    report_row(report, "region-cells", 0, cells, "");
     for (uint32_t i = 0; i < HATCH_NEEDS_CELLS; i++)
         if (regions.px[i] > 0)
             report_row(report, "region-unit-px", i, (double)regions.px[i], "px");
