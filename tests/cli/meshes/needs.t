@@ -123,4 +123,12 @@ head -c -5 two.needs >cut.needs
 try dirfield two.gltf --needs cut.needs -o cut.glb
 is "a row whose number is cut" "$status $(cat .err)" \
     "3 dirfield: cut.needs: row $(wc -l <two.needs): fewer than 4 fields"
+# A tolerance of a third allows a third of the error.
+meshgen torus --faces 8000 -o torus.glb
+left_out() {
+    render-gl -q torus.glb --needs --tolerance "$1" --size 320x240 -o torus.needs
+    dirfield -v --needs torus.needs torus.glb -o fitted.glb 2>&1 | awk '/ faces left out/ {print $2}'
+}
+few=$(left_out .003) many=$(left_out .01)
+ok "a narrower tolerance keeps more faces: $few, $many" test $((many - few)) -gt 1000
 finish
