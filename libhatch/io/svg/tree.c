@@ -24,12 +24,22 @@ struct reading {
     struct hatch_err *err;
 };
 
+/* Returns the line that the parser has reached. */
+static uint64_t line_of(XML_Parser parser)
+{
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+    return XML_GetCurrentLineNumber64(parser);
+#else
+    return XML_GetCurrentLineNumber(parser); /* deprecated from 2.9 on */
+#endif
+}
+
 /* Stops the parser after a failure; later callbacks are ignored. */
 static void stop(struct reading *r, enum hatch_status status)
 {
     if (status == HATCH_OK || r->status != HATCH_OK)
         return;
-    r->status = hatch_fail_at(r->err, "line %lu: ", (unsigned long)XML_GetCurrentLineNumber(r->parser));
+    r->status = hatch_fail_at(r->err, "line %lu: ", (unsigned long)line_of(r->parser));
     XML_StopParser(r->parser, XML_FALSE);
 }
 
@@ -61,7 +71,7 @@ static enum hatch_status open_element(struct reading *r, const char *name, const
     struct hatch_svg_node *node = HATCH_NEW(r->arena, struct hatch_svg_node, 1, r->err);
     if (!node || !(node->name = keep_text(r, name)) || !(node->attributes = keep_attributes(r, attributes)))
         return HATCH_LIMIT;
-    node->line = (uint32_t)XML_GetCurrentLineNumber(r->parser);
+    node->line = (uint32_t)line_of(r->parser);
     node->parent = r->open;
     if (!r->open)
         r->tree.root = node;
@@ -139,7 +149,7 @@ static enum hatch_status parse(struct reading *r, struct hatch_bytes file, struc
         return HATCH_OK;
     enum XML_Error code = XML_GetErrorCode(r->parser);
     return hatch_fail_quoting(err, code == XML_ERROR_NO_MEMORY ? HATCH_LIMIT : HATCH_BAD_INPUT, XML_ErrorString(code),
-                              "line %lu: not valid XML", (unsigned long)XML_GetCurrentLineNumber(r->parser));
+                              "line %lu: not valid XML", (unsigned long)line_of(r->parser));
 }
 
 static const char *id_of(const struct hatch_svg_node *node)
