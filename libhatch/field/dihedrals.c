@@ -26,13 +26,6 @@ static double face_normal(const struct hatch_surface *surface, uint32_t face, bo
     return length;
 }
 
-static double angle_between(const double a[3], const double b[3])
-{
-    double turn[3];
-    hatch_vec_cross(a, b, turn);
-    return atan2(hatch_vec_length(turn), hatch_vec_dot(a, b));
-}
-
 /* Whether most of a component's area consists of faces with an edge of small but significant dihedral angle. */
 static bool is_round(const struct hatch_surface *surface, const struct hatch_component *component)
 {
@@ -46,7 +39,7 @@ static bool is_round(const struct hatch_surface *surface, const struct hatch_com
                 continue;
             /* The back across a contrary edge. */
             face_normal(surface, other / 3, surface->corners[other] == surface->corners[side], normals[1]);
-            double dihedral_rad = angle_between(normals[0], normals[1]);
+            double dihedral_rad = hatch_vec_angle(normals[0], normals[1]);
             bends = dihedral_rad > HALF_RAD && dihedral_rad < ROUND_RAD;
         }
         whole += area;
@@ -60,7 +53,7 @@ static void add_edge(const struct hatch_frames *frames, uint32_t point, const do
                      double crease_rad, struct bending *bending)
 {
     double mean[3], across[3], length = hatch_vec_length(edge);
-    double dihedral_rad = angle_between(normals[0], normals[1]);
+    double dihedral_rad = hatch_vec_angle(normals[0], normals[1]);
     if (dihedral_rad > crease_rad) {
         bending->on_crease = true;
         return;

@@ -63,6 +63,14 @@ static inline double hatch_vec_distance(const double a[3], const double b[3])
     return hatch_vec_length(d);
 }
 
+/* Returns the angle between two vectors of any length, 0 .. pi in radians, precise for small angles, too. */
+static inline double hatch_vec_angle(const double a[3], const double b[3])
+{
+    double turn[3];
+    hatch_vec_cross(a, b, turn);
+    return atan2(hatch_vec_length(turn), hatch_vec_dot(a, b));
+}
+
 /* Scales a to length 1; returns its former length. A zero vector stays unchanged. */
 static inline double hatch_vec_normalize(double a[3])
 {

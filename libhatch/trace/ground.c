@@ -7,7 +7,8 @@
 #include "field/field.h"
 #include "trace/ground.h"
 
-#define CALM_MIN 0.15 /* length of the mean of the corners' directions below which there is none */
+#define ROUNDING_RAD 1e-6 /* angle between faces that counts as none */
+#define CALM_MIN 0.15     /* length of the mean of the corners' directions below which there is none */
 
 static void corner_position(const struct hatch_surface *surface, uint32_t face, uint32_t c, double at[3])
 {
@@ -33,17 +34,14 @@ static void lay_out_face(const struct hatch_surface *surface, uint32_t f, struct
     hatch_vec_round(p[0], pose->at);
 }
 
-/* Returns the cosine of the angle between two faces that share an edge. */
-static double bend_of(const struct hatch_trace_pose *a, const struct hatch_trace_pose *b, bool contrary)
+/* Returns the angle between the faces at a side and at the same edge of another face.
+ *   contrary  the side runs in the same direction there: the faces have opposite outsides */
+static double bend_of(const struct hatch_surface *surface, uint32_t side, uint32_t other, bool contrary)
 {
-    double u[3], v[3], normals[2][3];
-    for (int k = 0; k < 2; k++) {
-        hatch_vec_of(k == 0 ? a->u : b->u, u);
-        hatch_vec_of(k == 0 ? a->v : b->v, v);
-        hatch_vec_cross(u, v, normals[k]);
-    }
-    double bend = hatch_vec_dot(normals[0], normals[1]);
-    return contrary ? -bend : bend; /* across a contrary edge the faces have opposite outsides */
+    double a[3], b[3];
+    hatch_surface_face_normal(surface, side / 3, a);
+    hatch_surface_face_normal(surface, other / 3, b);
+    return contrary ? hatch_vec_angle(a, (const double[3]){-b[0], -b[1], -b[2]}) : hatch_vec_angle(a, b);
 }
 
 void hatch_trace_corners(const struct hatch_trace_face *face, double corner[3][2])
@@ -76,15 +74,13 @@ static void set_turn(struct hatch_trace_ground *ground, uint32_t side)
 static void join_sides(const struct hatch_surface *surface, const uint32_t *number, double hard_rad,
                        struct hatch_trace_ground *ground)
 {
-    double cosine = cos(hard_rad);
     for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
         uint32_t from = 3 * ground->source[side / 3] + side % 3, to = surface->opposite[from], other = to;
         struct hatch_trace_face *face = &ground->faces[side / 3];
         if (to != HATCH_NO_SIDE)
             other = 3 * number[to / 3] + to % 3;
         bool contrary = to != HATCH_NO_SIDE && surface->corners[from] == surface->corners[to];
-        bool open =
-            other != HATCH_NO_SIDE && bend_of(&ground->poses[side / 3], &ground->poses[other / 3], contrary) >= cosine;
+        bool open = to != HATCH_NO_SIDE && bend_of(surface, from, to, contrary) <= hard_rad + ROUNDING_RAD;
         face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
         face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
         if (open)

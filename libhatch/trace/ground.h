@@ -50,7 +50,7 @@ struct hatch_trace_place {
 /* Lays out the faces.
  *   direction  3 per point of the surface
  *   angle_rad  from the direction to the strokes
- *   hard_rad   strokes end at edges with a larger angle
+ *   hard_rad   strokes end at edges with an angle that is larger by more than rounding; 0 .. pi
  *   ground     out: faces in arena */
 enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const struct hatch_frames *frames,
                                       const double *direction, double angle_rad, double hard_rad,

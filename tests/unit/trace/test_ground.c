@@ -141,6 +141,44 @@ START_TEST(hard_edges_are_ends)
 }
 END_TEST
 
+/* Returns how many sides end the ground of 16 by 16 squares over dyadic x and y, so that nothing is rounded.
+ *   rise  slope along x that the half of greater x has more than the other */
+static uint32_t count_ends(double rise, double hard_rad)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 17 * 17, 512, &mesh, &err), &err);
+    for (uint32_t v = 0; v < 17 * 17; v++) {
+        float x = (float)(v % 17) / 16, y = (float)(v / 17) / 16;
+        const float at[3] = {x, y, x + 2 * y + (float)rise * fmaxf(x - 0.5f, 0)};
+        memcpy(&mesh.attributes[0].data[3 * v], at, sizeof at);
+    }
+    for (uint32_t q = 0; q < 256; q++) {
+        uint32_t a = q / 16 * 17 + q % 16;
+        const uint32_t faces[6] = {a, a + 1, a + 18, a, a + 18, a + 17};
+        memcpy(&mesh.indices[6 * q], faces, sizeof faces);
+    }
+    struct field_case field = case_of(mesh);
+    set_direction(&field, 1, 0, 1);
+    struct hatch_trace_ground ground = lay_out(&field, 0, hard_rad);
+    uint32_t ends = 0;
+    for (uint32_t side = 0; side < 3 * 512; side++)
+        ends += ground.faces[side / 3].beyond[side % 3] == HATCH_NO_SIDE;
+    return ends;
+}
+
+/* Flat edges have no angle, and the smallest bends have theirs. */
+START_TEST(only_larger_angles_are_hard)
+{
+    const double rise = 0x1p-12;
+    /* Normals (-1, -2, 1) and (-1 - rise, -2, 1), whose cross product is rise * (0, -1, -2). */
+    double bend = atan2(rise * sqrt(5), 6 + rise);
+    ck_assert_uint_eq(count_ends(0, 0), 64);
+    ck_assert_uint_eq(count_ends(rise, 1.1 * bend), 64);
+    ck_assert_uint_eq(count_ends(rise, 0.9 * bend), 64 + 2 * 16);
+    ck_assert_uint_eq(count_ends(rise, 0), 64 + 2 * 16);
+}
+END_TEST
+
 /* On a plane, the direction is the field turned counter-clockwise; its sign is that of the heading. */
 START_TEST(the_direction_is_the_field_turned)
 {
@@ -364,6 +402,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_face_keeps_its_form);
     tcase_add_test(tests, ends_are_as_far_as_the_border);
     tcase_add_test(tests, hard_edges_are_ends);
+    tcase_add_test(tests, only_larger_angles_are_hard);
     tcase_add_test(tests, the_direction_is_the_field_turned);
     tcase_add_test(tests, a_singularity_has_no_direction);
     tcase_add_test(tests, a_walk_over_a_plane_is_straight);
