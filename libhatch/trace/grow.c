@@ -5,12 +5,13 @@
 
 #include "trace/work.h"
 
-#define CHUNK 64u       /* ends per task */
-#define ACROSS_MIN 0.45 /* of the gap: nearer strokes block one another */
-#define LEGS_KEPT 6u    /* legs of a round that are kept; longer rounds are walked again */
-#define LEG_MIN 1e-6    /* of the gap: shorter legs lead nowhere, and are no pieces */
-#define IDLE_MAX 8u     /* legs that lead nowhere after which a stroke ends */
-#define INWARD 1e-5     /* share of the way to the middle of a face */
+#define CHUNK 64u        /* ends per task */
+#define ACROSS_MIN 0.45  /* of the gap: nearer strokes block one another */
+#define LEGS_KEPT 6u     /* legs of a round that are kept; longer rounds are walked again */
+#define LEG_MIN 1e-6     /* of the gap: shorter legs lead nowhere, and are no pieces */
+#define IDLE_MAX 8u      /* legs that lead nowhere after which a stroke ends */
+#define TURNED_MAX -0.5f /* cosine of the turn in space after which a round ends: longer ones might wind unseen */
+#define INWARD 1e-5      /* share of the way to the middle of a face */
 
 /* A round of an end. */
 struct stride {
@@ -30,7 +31,12 @@ struct advance {
 static struct hatch_trace_origin origin_of(const struct hatch_tracer *tracer, uint32_t half, double walked, double turn)
 {
     double arc = tracer->strokes[half / 2].length[half % 2] + walked;
-    return (struct hatch_trace_origin){half / 2, half % 2 ? -arc : arc, true, turn != 0, turn};
+    return (struct hatch_trace_origin){.stroke = half / 2,
+                                       .arc = half % 2 ? -arc : arc,
+                                       .growing = true,
+                                       .passes = turn != 0,
+                                       .turn = turn,
+                                       .backward = half % 2};
 }
 
 /* Returns whether strokes pass too near to both sides of an end. */
@@ -71,12 +77,23 @@ static bool walk_leg(const struct hatch_tracer *tracer, struct hatch_trace_place
     return goes_on;
 }
 
-/* Walks one round from the stroke's end; leg_count is 0 where another stroke blocks the way. */
+/* Returns whether the heading of a walk has turned around in space. */
+static bool is_turned(const struct hatch_tracer *tracer, const struct hatch_trace_place *place, const float before[3])
+{
+    float now[3];
+    hatch_trace_vector(&tracer->ground.poses[place->face], place->heading, now);
+    return now[0] * before[0] + now[1] * before[1] + now[2] * before[2] < TURNED_MAX;
+}
+
+/* Walks one round from the stroke's end; leg_count is 0 where a stroke blocks the way. The round ends where it has
+ * turned around, so that the next one sees its pieces. */
 static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride)
 {
     double length = HATCH_TRACE_STEP * tracer->gap, walked = 0, least = LEG_MIN * tracer->gap;
     uint32_t idle = 0;
+    float before[3];
     stride->to = tracer->strokes[stride->half / 2].end[stride->half % 2];
+    hatch_trace_vector(&tracer->ground.poses[stride->to.face], stride->to.heading, before);
     stride->leg_count = 0;
     stride->goes_on = true;
     stride->bound = false;
@@ -99,6 +116,8 @@ static void walk_stride(const struct hatch_tracer *tracer, struct stride *stride
         if (leg.length > least && stride->leg_count < LEGS_KEPT)
             stride->legs[stride->leg_count] = leg;
         stride->leg_count += leg.length > least;
+        if (walked > HATCH_TRACE_WINDING * tracer->gap && is_turned(tracer, &stride->to, before))
+            break;
     }
     if (stride->leg_count > 0 && is_blocked(tracer, stride, walked))
         give_up(stride);

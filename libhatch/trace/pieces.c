@@ -8,7 +8,7 @@
 #define CELL_GAPS 3.0           /* side of a cell: smaller ones are all looked into anyway */
 #define CELL_GAPS_OF_REGION 1.5 /* where faces are often larger than cells */
 #define CELLS_MAX 1024.0        /* of a face, along each axis */
-#define OWN_GAPS 2.5            /* pieces of the same stroke that are nearer along it do not count */
+#define OWN_GAPS 2.5            /* pieces of the same stroke that are nearer along it do not count, but for windings */
 #define GAP_LEAST 0.2           /* of the gap: nothing is nearer, but for rounding and strokes that cross */
 #define OBLIQUE 0.7   /* sine of the angle between a border and the way across: below, strokes run into the border, */
 #define PARALLEL 0.95 /* and above, beside it */
@@ -181,14 +181,28 @@ static bool is_opposed(const struct hatch_trace_piece *piece, const float way[2]
     return (way[1] * along[0] - way[0] * along[1]) * (float)turn < 0;
 }
 
+/* Returns whether a piece of the origin's own stroke is part of another winding, around a tube or in a spiral: it runs
+ * the same way, and is farther off along the stroke than aside.
+ *   along  the stroke to the piece */
+static bool is_winding(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece, const float at[2],
+                       const float from[2], const float way[2], const struct hatch_trace_origin *origin, double along)
+{
+    bool backward = piece->half % 2;
+    return origin->turn != 0 && along > HATCH_TRACE_WINDING * tracer->gap &&
+           is_opposed(piece, way, origin->turn) == (backward != origin->backward) &&
+           along > origin->walked + (double)hypotf(at[0] - from[0], at[1] - from[1]);
+}
+
 /* Returns whether a piece does not hinder the way from an origin, which it crosses at a place of the face. */
 static bool is_ignored(const struct hatch_tracer *tracer, const struct hatch_trace_piece *piece, const float at[2],
-                       const float way[2], const struct hatch_trace_origin *origin)
+                       const float from[2], const float way[2], const struct hatch_trace_origin *origin)
 {
     uint32_t stroke = piece->half / 2;
     double arc = (double)(piece->arc - hypotf(piece->to[0] - at[0], piece->to[1] - at[1]));
-    if (stroke == origin->stroke)
-        return fabs((piece->half % 2 ? -arc : arc) - origin->arc) < OWN_GAPS * tracer->gap;
+    if (stroke == origin->stroke) {
+        double along = fabs((piece->half % 2 ? -arc : arc) - origin->arc);
+        return along < OWN_GAPS * tracer->gap && !is_winding(tracer, piece, at, from, way, origin, along);
+    }
     bool opposed = is_opposed(piece, way, origin->turn);
     if (opposed && origin->passes)
         return tracer->strokes[stroke].length[piece->half % 2] - arc < OVERLAP_GAPS * tracer->gap;
@@ -213,7 +227,7 @@ static float first_in_cell(const struct hatch_tracer *tracer, uint32_t cell, con
         if (!((on_way >= 0) & (on_way <= 1) & (on_way < nearest) & (on_piece >= -SLACK) & (on_piece <= 1 + SLACK)))
             continue;
         const float at[2] = {from[0] + on_way * way[0], from[1] + on_way * way[1]};
-        if (!is_ignored(tracer, piece, at, way, origin))
+        if (!is_ignored(tracer, piece, at, from, way, origin))
             nearest = on_way;
     }
     return nearest;
@@ -258,18 +272,18 @@ double hatch_trace_look(const struct hatch_tracer *tracer, const struct hatch_tr
 double hatch_trace_cast(const struct hatch_tracer *tracer, struct hatch_trace_place *place, double reach,
                         const struct hatch_trace_origin *origin, double *border)
 {
-    double walked = 0;
+    struct hatch_trace_origin from = *origin;
     *border = 0;
-    for (uint32_t n = 0; n < HATCH_TRACE_LEGS_MAX && reach - walked > 1e-6 * tracer->gap; n++) {
+    for (uint32_t n = 0; n < HATCH_TRACE_LEGS_MAX && reach - from.walked > 1e-6 * tracer->gap; n++) {
         struct hatch_trace_leg leg;
-        bool goes_on = hatch_trace_walk(&tracer->ground, place, reach - walked, HATCH_TRACE_STRAIGHT, &leg);
-        double met = hatch_trace_look(tracer, &leg, origin);
+        bool goes_on = hatch_trace_walk(&tracer->ground, place, reach - from.walked, HATCH_TRACE_STRAIGHT, &leg);
+        double met = hatch_trace_look(tracer, &leg, &from);
         if (met < HUGE_VAL)
-            return walked + met;
-        walked += leg.length;
+            return from.walked + met;
+        from.walked += leg.length;
         if (!goes_on) {
             *border = leg.side < 3 ? hatch_trace_steepness(&tracer->ground, &leg, place->heading) : 1;
-            return walked;
+            return from.walked;
         }
     }
     return reach;

@@ -91,7 +91,7 @@ static bool find_place(const struct hatch_tracer *tracer, const struct source *s
             return false;
         memcpy(seed->place.heading, heading, sizeof heading);
     } else {
-        const struct hatch_trace_origin origin = {source->stroke, source->arc, false, false, 0};
+        const struct hatch_trace_origin origin = {.stroke = source->stroke, .arc = source->arc};
         struct hatch_trace_place beyond;
         if (!step_aside(tracer, &seed->place, source->side * tracer->gap, &origin))
             return false;

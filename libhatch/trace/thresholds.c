@@ -23,7 +23,7 @@ static void measure_chunk(void *context, uint32_t chunk)
         if (tracer->strokes[stop->stroke].level != tracer->level)
             continue;
         const struct hatch_trace_place place = hatch_trace_stop_place(tracer, stop);
-        const struct hatch_trace_origin origin = {stop->stroke, (double)stop->arc, false, true, 0};
+        const struct hatch_trace_origin origin = {.stroke = stop->stroke, .arc = (double)stop->arc, .passes = true};
         struct hatch_trace_gaps gaps = hatch_trace_gaps_at(tracer, &place, &origin);
         measure->raw[i] = (float)log(1.5 / (gaps.left + gaps.right));
     }

@@ -12,6 +12,7 @@
 #define HATCH_TRACE_STEP 0.5       /* of the gap: a round of growth, and the way between two measured gaps */
 #define HATCH_TRACE_REACH 1.5      /* of the gap: how far gaps are measured to each side */
 #define HATCH_TRACE_LEGS_MAX 4096u /* of a short walk: longer ones get nowhere */
+#define HATCH_TRACE_WINDING 1e-3   /* of the gap: shorter ways around are not told from rounding */
 
 /* A straight part of a stroke on a face. The pieces of each half of a stroke are a list, from the seed to the end. */
 struct hatch_trace_piece {
@@ -134,11 +135,14 @@ enum hatch_status hatch_trace_add_piece(struct hatch_tracer *tracer, uint32_t ha
 /* The point of a stroke from which a way is looked along. */
 struct hatch_trace_origin {
     uint32_t stroke; /* HATCH_TRACE_NONE: of no stroke */
-    double arc;      /* from the seed, negative behind it: pieces nearby on the same stroke do not count */
+    double arc;      /* from the seed, negative behind it: pieces nearby on the same stroke do not count,
+                        unless they are other windings, which run beside it */
     bool growing;    /* strokes that run beside it, drew in the round before and have a lower id do not count: of two
                         strokes that converge evenly, only one is to end */
     bool passes;     /* strokes that run against it and end nearby do not count: ends that meet overlap a little */
-    double turn; /* sine of the angle from the stroke's heading to the way: 0: along it, 1: to its left, -1: right */
+    double turn;   /* sine of the angle from the stroke's heading to the way: 0: along it, 1: to its left, -1: right */
+    bool backward; /* that heading leads to the back of the stroke */
+    double walked; /* from the point to where the way begins */
 };
 
 /* Looks along a way within a face. Returns the length to the first stroke that crosses it, or HUGE_VAL.

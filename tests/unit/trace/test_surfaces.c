@@ -205,6 +205,55 @@ START_TEST(odd_surfaces_have_valid_strokes)
 }
 END_TEST
 
+/* Makes an open tube of circumference 1 around the x axis, whose field runs around it. */
+static struct field_case make_tube(uint32_t sides, uint32_t rings, float length)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, sides * (rings + 1), 2 * sides * rings, &mesh, &err), &err);
+    for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+        double turn = 2 * PI * (v % sides) / sides, radius = 0.5 / sides / sin(PI / sides);
+        const float at[3] = {length * (float)(v / sides) / (float)rings, (float)(radius * cos(turn)),
+                             (float)(radius * sin(turn))};
+        memcpy(&mesh.attributes[0].data[3 * v], at, sizeof at);
+    }
+    for (uint32_t q = 0; q < sides * rings; q++) {
+        uint32_t a = q, b = q % sides + 1 < sides ? q + 1 : q + 1 - sides;
+        const uint32_t faces[6] = {a, b, b + sides, a, b + sides, a + sides};
+        memcpy(&mesh.indices[6 * q], faces, sizeof faces);
+    }
+    struct field_case tube = case_of(mesh);
+    for (uint32_t p = 0; p < tube.surface.point_count; p++) {
+        double at[3], around[3], axis[3] = {1, 0, 0};
+        hatch_surface_position(&tube.surface, p, at);
+        at[0] = 0;
+        hatch_vec_cross(axis, at, around);
+        hatch_vec_normalize(around);
+        hatch_vec_copy(around, &tube.direction[3 * p]);
+    }
+    return tube;
+}
+
+/* Around a thin tube, a stroke goes once, whatever the gap is: its windings would be too near to one another. */
+START_TEST(strokes_go_around_a_tube_once)
+{
+    struct field_case tube = make_tube(16, 160, 16);
+    static const double gaps[4] = {4, 1.6, 0.9, 0.5};
+    for (int g = 0; g < 4; g++)
+        for (int helix = 0; helix < 2; helix++) {
+            struct hatch_trace_options options = with_gap(gaps[g], 1);
+            const float angle = helix ? 0.2f : 0;
+            double longest = 0;
+            options.angle_rad = &angle;
+            struct hatch_curves curves = trace_with(&tube, &options, NULL);
+            for (uint32_t c = 0; c < curves.count; c++)
+                longest = fmax(longest, curve_length(&curves, &curves.curves[c], &tube.mesh));
+            ck_assert_msg(longest < 1.25, "gap %g, angle %g: a stroke of %g turns", gaps[g], (double)angle, longest);
+            if (gaps[g] < 0.6) /* where no stroke is left out for being shorter than the gap */
+                ck_assert_msg(longest > 0.7, "gap %g, angle %g: at most %g turns", gaps[g], (double)angle, longest);
+        }
+}
+END_TEST
+
 /* Returns the first set's strokes on faces below a number, whose order is that of thresholds. */
 static uint32_t compare_below(const struct hatch_curves *a, const struct hatch_curves *b, uint32_t faces)
 {
@@ -336,6 +385,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_end_at_hard_edges);
     tcase_add_test(tests, strokes_end_where_the_direction_jumps);
     tcase_add_test(tests, odd_surfaces_have_valid_strokes);
+    tcase_add_test(tests, strokes_go_around_a_tube_once);
     tcase_add_test(tests, other_sheets_do_not_count);
     tcase_add_test(tests, strokes_of_a_family_do_not_cross);
     suite_add_tcase(suite, tests);
