@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/budget.h"
+
 struct hatch_arena_block {
     struct hatch_arena_block *older;
     size_t capacity; /* bytes of payload */
@@ -23,11 +25,24 @@ void hatch_arena_init(struct hatch_arena *arena, size_t limit_bytes)
     *arena = (struct hatch_arena){.limit_bytes = limit_bytes};
 }
 
+void hatch_arena_init_shared(struct hatch_arena *arena, struct hatch_budget *budget)
+{
+    hatch_arena_init(arena, budget->limit_bytes);
+    arena->budget = budget;
+}
+
+static void give_back(struct hatch_arena *arena, size_t bytes)
+{
+    if (arena->budget)
+        hatch_budget_give(arena->budget, bytes);
+}
+
 static void drop_newest(struct hatch_arena *arena)
 {
     struct hatch_arena_block *block = arena->blocks;
     arena->blocks = block->older;
     arena->used_bytes -= block->capacity;
+    give_back(arena, block->capacity);
     free(block);
 }
 
@@ -61,10 +76,14 @@ static struct hatch_arena_block *add_block(struct hatch_arena *arena, size_t byt
     size_t whole = sizeof(struct hatch_arena_block) + capacity;
     if (whole < capacity || whole > SIZE_MAX - HATCH_ARENA_ALIGN)
         return NULL;
+    if (arena->budget && !hatch_budget_take(arena->budget, capacity))
+        return NULL;
     whole = (whole + HATCH_ARENA_ALIGN - 1) / HATCH_ARENA_ALIGN * HATCH_ARENA_ALIGN;
     struct hatch_arena_block *block = aligned_alloc(HATCH_ARENA_ALIGN, whole);
-    if (!block)
+    if (!block) {
+        give_back(arena, capacity);
         return NULL;
+    }
     block->older = arena->blocks;
     block->capacity = capacity;
     block->used = 0;

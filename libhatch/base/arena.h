@@ -16,6 +16,7 @@
 #define HATCH_ARENA_ALIGN 64u /* alignment of every allocation, in bytes */
 
 struct hatch_arena_block;
+struct hatch_budget; /* base/budget.h */
 
 /* Private except for the members marked as public, which are read-only. */
 struct hatch_arena {
@@ -23,6 +24,7 @@ struct hatch_arena {
     size_t limit_bytes;               /* public: largest used_bytes allowed */
     size_t used_bytes;                /* public: bytes obtained from the system at present */
     size_t peak_bytes;                /* public: largest used_bytes so far */
+    struct hatch_budget *budget;      /* NULL: the arena's limit is its own */
     uint64_t fail_countdown;          /* for tests: see hatch_arena_fail_after */
 };
 
@@ -34,6 +36,10 @@ struct hatch_arena_mark {
 /* Makes an empty arena; allocates nothing yet.
  *   limit_bytes  1 .. SIZE_MAX */
 void hatch_arena_init(struct hatch_arena *arena, size_t limit_bytes);
+
+/* Makes an empty arena that shares a limit with others. The arenas may be used by several threads at once, each by one.
+ *   budget  all blocks are taken from it; it must outlive them */
+void hatch_arena_init_shared(struct hatch_arena *arena, struct hatch_budget *budget);
 
 /* Returns all memory to the system; the arena is empty and usable again. */
 void hatch_arena_free(struct hatch_arena *arena);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/budget.h"
 #include "base/random.h"
 #include "trace/work.h"
 
@@ -94,7 +95,7 @@ static enum hatch_status add_sets(const struct hatch_trace_options *options, uin
     return HATCH_OK;
 }
 
-/* The families while they are traced. Each has memory of its own, so that they can be traced side by side. */
+/* The families while they are traced. Each has arenas of its own, so that they can be traced side by side. */
 struct tracing {
     const struct hatch_surface *surface;
     const struct hatch_mesh *mesh;
@@ -107,7 +108,7 @@ struct tracing {
     struct hatch_trace_sink sinks[HATCH_CURVE_FAMILIES_MAX];
     enum hatch_status statuses[HATCH_CURVE_FAMILIES_MAX];
     struct hatch_err errs[HATCH_CURVE_FAMILIES_MAX];
-    size_t limit_bytes; /* of each arena */
+    struct hatch_budget budget; /* of all arenas */
 };
 
 /* Traces a family on all components.
@@ -152,11 +153,11 @@ static void run_family(void *context, uint32_t family)
                                   .piece_room = &pieces,
                                   .stop_room = &stops,
                                   .pool = tracing->together ? NULL : tracing->pool};
-    hatch_arena_init(&keep, tracing->limit_bytes);
-    hatch_arena_init(&scratch, tracing->limit_bytes);
-    hatch_trace_room_init(&pieces, tracing->limit_bytes);
-    hatch_trace_room_init(&stops, tracing->limit_bytes);
-    hatch_arena_init(&tracing->traced[family], tracing->limit_bytes);
+    hatch_arena_init_shared(&keep, &tracing->budget);
+    hatch_arena_init_shared(&scratch, &tracing->budget);
+    hatch_trace_room_init(&pieces, &tracing->budget);
+    hatch_trace_room_init(&stops, &tracing->budget);
+    hatch_arena_init_shared(&tracing->traced[family], &tracing->budget);
     tracing->sinks[family] = (struct hatch_trace_sink){.mesh = tracing->mesh, .arena = &tracing->traced[family]};
     enum hatch_status status = hatch_trace_lay_out(tracing->surface, tracing->frames, tracing->direction,
                                                    (double)tracing->options->angle_rad[family],
@@ -170,6 +171,38 @@ static void run_family(void *context, uint32_t family)
     hatch_arena_free(&scratch);
 }
 
+static void free_traced(struct tracing *tracing)
+{
+    for (uint32_t family = 0; family < tracing->options->family_count; family++)
+        hatch_arena_free(&tracing->traced[family]);
+}
+
+static enum hatch_status first_failure(const struct tracing *tracing, struct hatch_err *err)
+{
+    for (uint32_t family = 0; family < tracing->options->family_count; family++)
+        if (tracing->statuses[family] != HATCH_OK) {
+            *err = tracing->errs[family];
+            return err->status;
+        }
+    return HATCH_OK;
+}
+
+/* Traces all families: one after the other where the memory does not suffice for all at once. */
+static void trace_families(struct tracing *tracing)
+{
+    uint32_t count = tracing->options->family_count;
+    struct hatch_err err;
+    if (tracing->together) {
+        hatch_parallel_for(tracing->pool, count, run_family, tracing);
+        if (first_failure(tracing, &err) != HATCH_LIMIT)
+            return;
+        free_traced(tracing);
+        tracing->together = false;
+    }
+    for (uint32_t family = 0; family < count; family++)
+        run_family(tracing, family);
+}
+
 /* Joins the families in one result. */
 static enum hatch_status join(const struct tracing *tracing, struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_curves *curves, struct hatch_err *err)
@@ -177,11 +210,8 @@ static enum hatch_status join(const struct tracing *tracing, struct hatch_arena 
     const struct hatch_trace_options *options = tracing->options;
     struct hatch_curves made = {0};
     size_t count = 0, point_count = 0;
+    HATCH_TRY(first_failure(tracing, err));
     for (uint32_t family = 0; family < options->family_count; family++) {
-        if (tracing->statuses[family] != HATCH_OK) {
-            *err = tracing->errs[family];
-            return err->status;
-        }
         count += tracing->sinks[family].curves.count;
         point_count += tracing->sinks[family].curves.point_count;
     }
@@ -203,21 +233,16 @@ enum hatch_status hatch_trace_make(const struct hatch_surface *surface, const st
                                    struct hatch_err *err)
 {
     uint32_t threads = pool ? hatch_pool_threads(pool) : 1;
-    bool together = threads > 1 && threads <= options->family_count;
     struct tracing tracing = {.surface = surface,
                               .mesh = mesh,
                               .frames = frames,
                               .direction = direction,
                               .options = options,
                               .pool = pool,
-                              .together = together,
-                              .limit_bytes = scratch->limit_bytes / options->family_count};
-    if (together)
-        hatch_parallel_for(pool, options->family_count, run_family, &tracing);
-    for (uint32_t family = 0; family < options->family_count && !together; family++)
-        run_family(&tracing, family);
+                              .together = threads > 1 && threads <= options->family_count};
+    hatch_budget_init(&tracing.budget, scratch->limit_bytes - scratch->used_bytes);
+    trace_families(&tracing);
     enum hatch_status status = join(&tracing, arena, scratch, curves, err);
-    for (uint32_t family = 0; family < options->family_count; family++)
-        hatch_arena_free(&tracing.traced[family]);
+    free_traced(&tracing);
     return status;
 }

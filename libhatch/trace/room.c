@@ -1,11 +1,11 @@
 /* Memory of arrays that grow to many megabytes. */
 #include "trace/work.h"
 
-void hatch_trace_room_init(struct hatch_trace_room *room, size_t limit_bytes)
+void hatch_trace_room_init(struct hatch_trace_room *room, struct hatch_budget *budget)
 {
     *room = (struct hatch_trace_room){.used = 0};
     for (int i = 0; i < 2; i++)
-        hatch_arena_init(&room->arenas[i], limit_bytes);
+        hatch_arena_init_shared(&room->arenas[i], budget);
 }
 
 void hatch_trace_room_free(struct hatch_trace_room *room)

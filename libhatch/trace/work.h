@@ -169,8 +169,8 @@ struct hatch_trace_gaps hatch_trace_gaps_at(const struct hatch_tracer *tracer, c
 
 /* room.c */
 
-/* Makes a room that is empty; limit_bytes holds for each of its arenas. */
-void hatch_trace_room_init(struct hatch_trace_room *room, size_t limit_bytes);
+/* Makes a room that is empty, whose memory is taken from a budget. */
+void hatch_trace_room_init(struct hatch_trace_room *room, struct hatch_budget *budget);
 
 /* Gives all memory back; the room is empty and usable again. */
 void hatch_trace_room_free(struct hatch_trace_room *room);

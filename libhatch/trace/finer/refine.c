@@ -249,9 +249,9 @@ enum hatch_status hatch_store_trace_region(struct hatch_store *store, const stru
                                   .piece_room = &pieces,
                                   .stop_room = &stops,
                                   .pool = store->pool};
-    hatch_arena_init(&keep, store->scratch.limit_bytes);
-    hatch_trace_room_init(&pieces, store->scratch.limit_bytes);
-    hatch_trace_room_init(&stops, store->scratch.limit_bytes);
+    hatch_arena_init_shared(&keep, &store->budget);
+    hatch_trace_room_init(&pieces, &store->budget);
+    hatch_trace_room_init(&stops, &store->budget);
     enum hatch_status status = trace(store, batch, &tracer, err);
     hatch_trace_room_free(&pieces);
     hatch_trace_room_free(&stops);

@@ -2,6 +2,7 @@
 #ifndef HATCH_TRACE_STORE_H
 #define HATCH_TRACE_STORE_H
 
+#include "base/budget.h"
 #include "trace/finer.h"
 #include "trace/finer/depths.h"
 #include "trace/work.h"
@@ -48,6 +49,7 @@ struct hatch_store_batch {
 
 /* The strokes of a family. */
 struct hatch_store {
+    struct hatch_budget budget; /* of all its arenas */
     struct hatch_arena keep, scratch;
     struct hatch_trace_ground ground;
     struct hatch_trace_options options; /* its gap is that of level 0, in mesh units */

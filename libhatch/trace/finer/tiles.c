@@ -100,14 +100,14 @@ static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
 }
 
 /* Makes a batch with a list of tiles. */
-static enum hatch_status make_batch(const struct hatch_store *store, uint32_t level,
-                                    const struct hatch_component *component, const struct hatch_store_tile *tiles,
-                                    uint32_t count, struct hatch_store_batch **batch, struct hatch_err *err)
+static enum hatch_status make_batch(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
+                                    const struct hatch_store_tile *tiles, uint32_t count,
+                                    struct hatch_store_batch **batch, struct hatch_err *err)
 {
     struct hatch_arena arena;
     struct hatch_store_batch *made;
     struct hatch_store_tile *kept;
-    hatch_arena_init(&arena, store->scratch.limit_bytes);
+    hatch_arena_init_shared(&arena, &store->budget);
     made = hatch_arena_array(&arena, 1, sizeof *made, err);
     kept = hatch_arena_array(&arena, count, sizeof *kept, err);
     if (!made || !kept) {
@@ -195,7 +195,7 @@ enum hatch_status hatch_store_trace(struct hatch_store *store, const struct hatc
     struct hatch_arena regions;
     struct hatch_arena_mark mark = hatch_arena_mark(&store->scratch);
     enum hatch_status status = HATCH_OK;
-    hatch_arena_init(&regions, store->scratch.limit_bytes);
+    hatch_arena_init_shared(&regions, &store->budget);
     for (uint32_t i = HATCH_FINER_LEVELS_MAX; i-- > 0 && status == HATCH_OK;)
         status =
             make_plan(store, store->level_count + i, component, &shown[i], &plans[i + 1], &regions, &plans[i], err);

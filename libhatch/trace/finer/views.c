@@ -97,10 +97,12 @@ static void list_families(struct hatch_finer *finer)
         finer->stores[finer->store_count - 1].level_count = set->level + 1;
     }
     for (uint32_t i = 0; i < finer->store_count; i++) {
-        hatch_arena_init(&finer->stores[i].keep, finer->source.limit_bytes);
-        hatch_arena_init(&finer->stores[i].scratch, finer->source.limit_bytes);
-        hatch_arena_init(&finer->seen[i], finer->source.limit_bytes);
-        finer->stores[i].pool = finer->store_count == 1 ? finer->source.pool : NULL;
+        struct hatch_store *store = &finer->stores[i];
+        hatch_budget_init(&store->budget, finer->source.limit_bytes);
+        hatch_arena_init_shared(&store->keep, &store->budget);
+        hatch_arena_init_shared(&store->scratch, &store->budget);
+        hatch_arena_init_shared(&finer->seen[i], &store->budget);
+        store->pool = finer->store_count == 1 ? finer->source.pool : NULL;
     }
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "base/budget.h"
 
 START_TEST(objects_are_zeroed_and_aligned)
 {
@@ -58,6 +59,28 @@ START_TEST(the_limit_holds)
     hatch_arena_free(&arena);
     ck_assert_ptr_nonnull(HATCH_NEW(&arena, char, 50000, &err));
     hatch_arena_free(&arena);
+}
+END_TEST
+
+/* Arenas with a budget have its limit together, and give back what they free. */
+START_TEST(a_budget_holds_for_all_its_arenas)
+{
+    struct hatch_budget budget;
+    struct hatch_arena arenas[2];
+    struct hatch_err err;
+    hatch_budget_init(&budget, 100000);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_init_shared(&arenas[i], &budget);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 60000, &err));
+    ck_assert_ptr_null(HATCH_NEW(&arenas[1], char, 60000, &err));
+    ck_assert_int_eq(err.status, HATCH_LIMIT);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 30000, &err));
+    ck_assert_uint_eq(budget.used_bytes, arenas[0].used_bytes + arenas[1].used_bytes);
+    hatch_arena_free(&arenas[0]);
+    ck_assert_uint_eq(budget.used_bytes, arenas[1].used_bytes);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 60000, &err));
+    hatch_arena_free(&arenas[1]);
+    ck_assert_uint_eq(budget.used_bytes, 0);
 }
 END_TEST
 
@@ -142,6 +165,7 @@ static Suite *suite(void)
     tcase_add_test(tests, objects_are_zeroed_and_aligned);
     tcase_add_test(tests, objects_do_not_overlap);
     tcase_add_test(tests, the_limit_holds);
+    tcase_add_test(tests, a_budget_holds_for_all_its_arenas);
     tcase_add_test(tests, sizes_that_overflow_are_refused);
     tcase_add_test(tests, rewind_frees_later_allocations);
     tcase_add_test(tests, reused_memory_is_zeroed);

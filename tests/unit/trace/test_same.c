@@ -169,6 +169,41 @@ START_TEST(every_failed_allocation_is_a_limit)
 }
 END_TEST
 
+/* Traces with a limit of temporary memory; returns the status. */
+static enum hatch_status trace_within(size_t limit_bytes, struct hatch_trace_options *options, struct hatch_pool *pool)
+{
+    struct hatch_arena temporary;
+    hatch_arena_init(&temporary, limit_bytes);
+    enum hatch_status status = hatch_trace_make(&small.surface, &small.mesh, &small.frames, small.direction, options,
+                                                pool, &keep, &temporary, &traced, &err);
+    hatch_arena_free(&temporary);
+    return status;
+}
+
+/* The limit is that of all families together: where it suffices for a little more than one, eight are traced one after
+ * the other, although there are eight threads. */
+START_TEST(families_share_the_memory)
+{
+    static const float angles[8] = {0, 0, 0, 0, 0, 0, 0, 0};
+    struct hatch_trace_options options = with_gap(0.2, 4);
+    struct hatch_pool *pool;
+    size_t enough = (size_t)1 << 26;
+    small = make_ring(2000);
+    options.angle_rad = angles;
+    while (trace_within(enough / 2, &options, NULL) == HATCH_OK)
+        enough /= 2;
+    ck_assert_uint_lt(enough, (size_t)1 << 26);
+    options.family_count = 8;
+    HATCH_TEST_OK(hatch_pool_make(8, &keep, &pool, &err), &err);
+    HATCH_TEST_OK(trace_within(2 * enough, &options, pool), &err);
+    struct hatch_curves many = traced;
+    ck_assert_int_eq(trace_within(enough / 4, &options, pool), HATCH_LIMIT);
+    hatch_pool_free(pool);
+    HATCH_TEST_OK(trace_within((size_t)1 << 28, &options, NULL), &err);
+    check_same(&traced, &many, 1);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("trace same");
@@ -179,6 +214,7 @@ static Suite *suite(void)
     tcase_add_test(tests, finer_levels_leave_coarser_ones_alone);
     tcase_add_test(tests, another_seed_gives_other_strokes);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    tcase_add_test(tests, families_share_the_memory);
     suite_add_tcase(suite, tests);
     return suite;
 }

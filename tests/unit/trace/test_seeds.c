@@ -1,5 +1,6 @@
 /* Seeds of strokes before any stroke is there: random places on faces of any size. */
 #include "trace/work.h"
+#include "base/budget.h"
 #include "trace_make.h"
 
 enum { ACROSS = 4 };
@@ -12,6 +13,7 @@ static void count_seeds(uint32_t faces, double gap, uint64_t seed, uint32_t coun
     const struct hatch_component *component = &plane.surface.components[0];
     struct hatch_arena_mark mark = hatch_arena_mark(&scratch);
     struct hatch_trace_room pieces, stops;
+    struct hatch_budget budget;
     struct hatch_tracer tracer = {.options = &options,
                                   .seed = seed,
                                   .component = component,
@@ -21,8 +23,9 @@ static void count_seeds(uint32_t faces, double gap, uint64_t seed, uint32_t coun
                                   .leg_max = 2 * gap / component->scale,
                                   .piece_room = &pieces,
                                   .stop_room = &stops};
-    hatch_trace_room_init(&pieces, (size_t)1 << 30);
-    hatch_trace_room_init(&stops, (size_t)1 << 30);
+    hatch_budget_init(&budget, (size_t)1 << 30);
+    hatch_trace_room_init(&pieces, &budget);
+    hatch_trace_room_init(&stops, &budget);
     HATCH_TEST_OK(hatch_trace_lay_out(&plane.surface, &plane.frames, plane.direction, 0, options.hard_rad, &keep,
                                       &tracer.ground, &err),
                   &err);
