@@ -233,6 +233,7 @@ enum hatch_status hatch_trace_make(const struct hatch_surface *surface, const st
                                    struct hatch_err *err)
 {
     uint32_t threads = pool ? hatch_pool_threads(pool) : 1;
+    size_t available = scratch->limit_bytes - scratch->used_bytes;
     struct tracing tracing = {.surface = surface,
                               .mesh = mesh,
                               .frames = frames,
@@ -240,7 +241,7 @@ enum hatch_status hatch_trace_make(const struct hatch_surface *surface, const st
                               .options = options,
                               .pool = pool,
                               .together = threads > 1 && threads <= options->family_count};
-    hatch_budget_init(&tracing.budget, scratch->limit_bytes - scratch->used_bytes);
+    hatch_budget_init(&tracing.budget, available ? available : 1);
     trace_families(&tracing);
     enum hatch_status status = join(&tracing, arena, scratch, curves, err);
     free_traced(&tracing);
