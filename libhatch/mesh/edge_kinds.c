@@ -8,6 +8,9 @@
  * is above this. */
 #define COS_SAME 0.9999
 
+/* Rounding of the cosine between directions that are opposite: without it, flat edges would be creases at 0. */
+#define COS_ROUNDING 1e-12
+
 static enum hatch_edge_kind classify(const struct hatch_mesh *mesh, const uint32_t *sides, uint32_t count,
                                      double cos_crease)
 {
@@ -34,7 +37,7 @@ void hatch_edges_classify(const struct hatch_mesh *mesh, const struct hatch_edge
                           uint8_t *kinds)
 {
     assert(crease_rad >= 0 && crease_rad < 3.1416);
-    double cos_crease = cos(crease_rad);
+    double cos_crease = cos(crease_rad) - COS_ROUNDING;
     for (uint32_t e = 0; e < edges->count; e++)
         kinds[e] =
             (uint8_t)classify(mesh, &edges->sides[edges->first[e]], edges->first[e + 1] - edges->first[e], cos_crease);
