@@ -58,6 +58,15 @@ static uint8_t *room(size_t *size)
     return made.bytes + made.size;
 }
 
+static void encode_exponential(float *positions)
+{
+#if MESHOPTIMIZER_VERSION >= 200
+    meshopt_encodeFilterExp(positions, VERTICES, 12, 20, grid.positions, meshopt_EncodeExpSharedVector);
+#else
+    meshopt_encodeFilterExp(positions, VERTICES, 12, 20, grid.positions);
+#endif
+}
+
 /* Compresses the grid.
  *   filter  of positions: NONE or EXPONENTIAL
  *   mode    of indices: TRIANGLES or INDICES */
@@ -71,7 +80,7 @@ static void compress(const char *filter, const char *mode)
     memset(&made, 0, sizeof made);
     memcpy(positions, grid.positions, sizeof positions);
     if (strcmp(filter, "EXPONENTIAL") == 0)
-        meshopt_encodeFilterExp(positions, VERTICES, 12, 20, grid.positions);
+        encode_exponential(positions);
     to = room(&left);
     add_view(0, meshopt_encodeVertexBuffer(to, left, positions, VERTICES, 12));
     to = room(&left);
