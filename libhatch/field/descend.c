@@ -117,15 +117,23 @@ static enum hatch_status allocate(struct descent *d, struct hatch_arena *scratch
     return HATCH_OK;
 }
 
-/* Returns the weighted root mean square of the gradient over the diagonal: the angle from z to its local optimum. */
+/* Returns the root mean square angle from z to its local optimum on the component where it is largest. Nodes have the
+ * weight of their edges times the share of the edges in the diagonal. */
 static double gradient_norm(const struct descent *d)
 {
-    double sum = 0, scale = 0;
-    for (uint32_t n = 0; n < d->count; n++) {
-        sum += d->gradient[n] * d->gradient[n] / d->system->diagonal[n];
-        scale += 4 * d->system->diagonal[n];
+    const struct hatch_field_system *system = d->system;
+    double largest = 0;
+    for (uint32_t c = 0; c < system->component_count; c++) {
+        double sum = 0, scale = 0;
+        for (uint32_t n = system->component_first[c]; n < system->component_first[c + 1]; n++) {
+            double edges = system->diagonal[n] - system->data_weight[n], weight = edges * edges / system->diagonal[n];
+            double angle = d->gradient[n] / (2 * system->diagonal[n]);
+            sum += weight * angle * angle;
+            scale += weight;
+        }
+        largest = fmax(largest, scale > 0 ? sqrt(sum / scale) : 0);
     }
-    return sqrt(sum / scale);
+    return largest;
 }
 
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,

@@ -42,8 +42,8 @@ struct hatch_field_problem {
 struct hatch_field_options {
     enum hatch_field_method method;
     enum hatch_field_solver solver;
-    double smooth;           /* 0 .. 1; 0: the data as it is; 1: the smoothest field, oriented by the data */
-    double tolerance;        /* of the residual at which to stop, 1e-12 .. 1e-1; unused by Cholesky */
+    double smooth;    /* 0 .. 1; 0: the data as it is; 1: the smoothest field, oriented by the data */
+    double tolerance; /* of the residual at which to stop, on each component; 1e-12 .. 1e-1; unused by Cholesky */
     uint32_t iterations_max; /* per solve */
 };
 
@@ -52,8 +52,9 @@ struct hatch_field {
     double *confidence;     /* per point, 0 .. 1: how far the data around agrees, as the solution weighs it; 0 on
                                unconstrained components */
     uint32_t iterations;    /* of all solves */
-    double residual;        /* of the last solve: multigrid: relative; hz: root mean square angle in radians between z
-                               and its local optimum */
+    double residual;        /* of the last solve, on the component where it is largest: multigrid: relative to that of
+                               z = data weighted by its share in each point; hz: root mean square angle in radians
+                               between z and its local optimum */
     double energy[2];       /* of the unit field: smoothness and data term; reduced weights at jumps included */
     double solution_energy; /* E of z as solved; hz: of the unit field */
     uint32_t unconstrained; /* components without data: confidence of root mean square below 0.001, and no direction

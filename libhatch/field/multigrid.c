@@ -360,48 +360,105 @@ static void cycle(const struct hatch_field_levels *levels, uint32_t depth, const
     sweep_backward(fine, rhs, z);
 }
 
+/* Conjugate gradients, in which each component has steps of its own. */
+struct gradients {
+    const struct hatch_field_levels *levels;
+    const struct hatch_field_system *system;
+    double *r, *s, *p, *q; /* 2 per node: residual, the same preconditioned, search direction, A p */
+    double *rs, *goal;     /* per component: r · s, and where it ends */
+};
+
+static double component_dot(const struct hatch_field_system *system, uint32_t c, const double *a, const double *b)
+{
+    size_t first = system->component_first[c];
+    return hatch_field_dot(&a[2 * first], &b[2 * first], system->component_first[c + 1] - (uint32_t)first);
+}
+
+/* Computes residual and r · s at z. */
+static void restart(const struct gradients *g, const double *z)
+{
+    hatch_field_apply(g->system, z, g->r);
+    subtract_from(g->system->rhs, g->r, g->system->count);
+    cycle(g->levels, 0, g->r, true, g->s);
+    for (uint32_t c = 0; c < g->system->component_count; c++)
+        g->rs[c] = component_dot(g->system, c, g->r, g->s);
+}
+
+/* Finds the goals, and starts from z, or where that is 0 from b / diagonal. */
+static void begin(const struct gradients *g, double tolerance, double *z)
+{
+    const struct hatch_field_system *system = g->system;
+    size_t size = 2 * (size_t)system->count;
+    for (size_t i = 0; i < size; i++)
+        g->p[i] = system->rhs[i] / system->diagonal[i / 2];
+    restart(g, g->p);
+    for (uint32_t c = 0; c < system->component_count; c++)
+        g->goal[c] = tolerance * tolerance * g->rs[c];
+    if (hatch_field_dot(z, z, system->count) > 0)
+        restart(g, z);
+    else
+        memcpy(z, g->p, size * sizeof *z);
+    memcpy(g->p, g->s, size * sizeof *g->p);
+}
+
+static bool is_solved(const struct gradients *g)
+{
+    for (uint32_t c = 0; c < g->system->component_count; c++)
+        if (g->rs[c] > g->goal[c])
+            return false;
+    return true;
+}
+
+static void step(const struct gradients *g, double *z)
+{
+    const uint32_t *first = g->system->component_first;
+    hatch_field_apply(g->system, g->p, g->q);
+    for (uint32_t c = 0; c < g->system->component_count; c++) {
+        double length = g->rs[c] > g->goal[c] ? g->rs[c] / component_dot(g->system, c, g->p, g->q) : 0;
+        for (size_t i = 2 * (size_t)first[c]; length > 0 && i < 2 * (size_t)first[c + 1]; i++) {
+            z[i] += length * g->p[i];
+            g->r[i] -= length * g->q[i];
+        }
+    }
+    cycle(g->levels, 0, g->r, true, g->s);
+    for (uint32_t c = 0; c < g->system->component_count; c++) {
+        if (!(g->rs[c] > g->goal[c]))
+            continue;
+        double next = component_dot(g->system, c, g->r, g->s), keep = next / g->rs[c];
+        for (size_t i = 2 * (size_t)first[c]; i < 2 * (size_t)first[c + 1]; i++)
+            g->p[i] = g->s[i] + keep * g->p[i];
+        g->rs[c] = next;
+    }
+}
+
+static enum hatch_status allocate_gradients(struct gradients *g, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    double **vectors[] = {&g->r, &g->s, &g->p, &g->q}, **sums[] = {&g->rs, &g->goal};
+    for (int i = 0; i < 4; i++)
+        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, vectors[i], 2 * (size_t)g->system->count, err));
+    for (int i = 0; i < 2; i++)
+        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, sums[i], g->system->component_count, err));
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_field_solve_multigrid(const struct hatch_field_levels *levels, double tolerance,
                                               uint32_t iterations_max, struct hatch_arena *scratch, double *z,
                                               struct hatch_field_convergence *convergence, struct hatch_err *err)
 {
-    const struct hatch_field_system *system = &levels->level[0].system;
-    const double *rhs = system->rhs;
-    size_t size = (size_t)system->count * 2;
+    struct gradients g = {.levels = levels, .system = &levels->level[0].system};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    double *r = HATCH_NEW_UNSET(scratch, double, size, err);
-    double *s = r ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
-    double *p = s ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
-    double *q = p ? HATCH_NEW_UNSET(scratch, double, size, err) : NULL;
-    if (!q) {
-        hatch_arena_rewind(scratch, mark);
-        return HATCH_LIMIT;
+    enum hatch_status status = allocate_gradients(&g, scratch, err);
+    if (status == HATCH_OK) {
+        begin(&g, tolerance, z);
+        uint32_t done = 0;
+        for (; done < iterations_max && !is_solved(&g); done++)
+            step(&g, z);
+        convergence->iterations += done;
+        convergence->residual = 0;
+        for (uint32_t c = 0; c < g.system->component_count; c++)
+            if (g.goal[c] > 0)
+                convergence->residual = fmax(convergence->residual, tolerance * sqrt(fmax(g.rs[c], 0) / g.goal[c]));
     }
-    cycle(levels, 0, rhs, true, s);
-    double rs = hatch_field_dot(s, rhs, system->count), goal = tolerance * tolerance * rs;
-    memcpy(r, rhs, size * sizeof *r);
-    if (hatch_field_dot(z, z, system->count) > 0) {
-        hatch_field_apply(system, z, r);
-        subtract_from(rhs, r, system->count);
-        cycle(levels, 0, r, true, s);
-        rs = hatch_field_dot(r, s, system->count);
-    }
-    memcpy(p, s, size * sizeof *p);
-    uint32_t done = 0;
-    for (; done < iterations_max && rs > goal; done++) {
-        hatch_field_apply(system, p, q);
-        double step = rs / hatch_field_dot(p, q, system->count);
-        for (size_t i = 0; i < size; i++) {
-            z[i] += step * p[i];
-            r[i] -= step * q[i];
-        }
-        cycle(levels, 0, r, true, s);
-        double next = hatch_field_dot(r, s, system->count), keep = next / rs;
-        for (size_t i = 0; i < size; i++)
-            p[i] = s[i] + keep * p[i];
-        rs = next;
-    }
-    convergence->iterations += done;
-    convergence->residual = goal > 0 ? tolerance * sqrt(fmax(rs, 0) / goal) : 0;
     hatch_arena_rewind(scratch, mark);
-    return HATCH_OK;
+    return status;
 }

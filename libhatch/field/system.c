@@ -114,20 +114,24 @@ double hatch_field_dot(const double *a, const double *b, uint32_t count)
     return sum;
 }
 
-/* Numbers the nodes; the two of a point on a one-sided component are consecutive. */
+/* Numbers the nodes by component; the two of a point on a one-sided component are consecutive. */
 static enum hatch_status number_nodes(const struct hatch_surface *surface, const bool *include,
                                       struct hatch_arena *arena, struct hatch_field_system *system, uint32_t *links,
                                       struct hatch_err *err)
 {
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->order, surface->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->node, surface->point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &system->component_first, (size_t)surface->component_count + 1, err));
     HATCH_TRY(hatch_surface_order_points(surface, arena, system->order, system->node, err));
     uint64_t count = 0, entries = 0;
+    system->component_count = 0;
     for (uint32_t i = 0; i < surface->point_count; i++) {
         uint32_t p = system->order[i];
         uint32_t component = surface->point_component[p], sides = surface->components[component].orientable ? 1 : 2;
         system->node[p] = include[component] ? (uint32_t)count : HATCH_NO_SIDE;
         if (include[component]) {
+            if (i == 0 || surface->point_component[system->order[i - 1]] != component)
+                system->component_first[system->component_count++] = (uint32_t)count;
             count += sides;
             entries += (uint64_t)sides * (surface->ring_first[p + 1] - surface->ring_first[p]);
         }
@@ -136,6 +140,7 @@ static enum hatch_status number_nodes(const struct hatch_surface *surface, const
         return hatch_fail(err, HATCH_LIMIT, "%llu edges are too many for a direction field: simplify the mesh",
                           (unsigned long long)entries / 2);
     system->count = (uint32_t)count;
+    system->component_first[system->component_count] = (uint32_t)count;
     *links = (uint32_t)entries;
     return HATCH_OK;
 }

@@ -10,16 +10,19 @@
 
 /* Complex numbers are pairs of doubles: real, imaginary. */
 struct hatch_field_system {
-    uint32_t count;      /* nodes */
-    uint32_t *first;     /* count + 1: the links of node n are first[n] .. first[n + 1] - 1 */
-    uint32_t *to;        /* per link: the node at its end */
-    double *link;        /* 2 per link */
-    double *diagonal;    /* per node: sum of its edge weights and data weight */
-    double *data_weight; /* per node: m of field/field.h */
-    double *rhs;         /* 2 per node: b, data weight times data */
-    uint32_t *order;     /* points in the order of hatch_surface_order_points, which is that of the nodes */
-    uint32_t *node;      /* per point: its node (the first of two on a one-sided component), or HATCH_NO_SIDE when its
-                            component is not in the system */
+    uint32_t count;            /* nodes */
+    uint32_t component_count;  /* in the system */
+    uint32_t *component_first; /* component_count + 1: the nodes of component c are component_first[c] ..
+                                  component_first[c + 1] - 1; unset on coarser systems */
+    uint32_t *first;           /* count + 1: the links of node n are first[n] .. first[n + 1] - 1 */
+    uint32_t *to;              /* per link: the node at its end */
+    double *link;              /* 2 per link */
+    double *diagonal;          /* per node: sum of its edge weights and data weight */
+    double *data_weight;       /* per node: m of field/field.h */
+    double *rhs;               /* 2 per node: b, data weight times data */
+    uint32_t *order;           /* points in the order of hatch_surface_order_points, which is that of the nodes */
+    uint32_t *node; /* per point: its node (the first of two on a one-sided component), or HATCH_NO_SIDE when its
+                       component is not in the system */
 };
 
 /* Computes z of a direction at a point; 0 when it has no tangent component. */
@@ -68,13 +71,15 @@ enum hatch_status hatch_field_coarsen(const struct hatch_field_system *system, s
 
 struct hatch_field_convergence {
     uint32_t iterations; /* of all solves so far */
-    double residual;     /* relative, of the last solve */
+    double residual;     /* of the last solve, as its tolerance, on the component where it is largest */
 };
 
-/* Solves Az = rhs by conjugate gradients, preconditioned by a multigrid cycle.
+/* Solves Az = rhs by conjugate gradients, preconditioned by a multigrid cycle. The residual of z = rhs / diagonal is
+ * the measure, because a few nodes with data that is in effect exact have nearly all of that of z = 0.
  *   levels       of the system
- *   tolerance    of the residual, relative to that of z = 0 in the norm of the preconditioner
- *   z            in: start; out: solution
+ *   tolerance    of the residual of each component, relative to that of rhs / diagonal in the norm of the
+ *                preconditioner
+ *   z            in: start, 0 for rhs / diagonal; out: solution
  *   convergence  updated */
 enum hatch_status hatch_field_solve_multigrid(const struct hatch_field_levels *levels, double tolerance,
                                               uint32_t iterations_max, struct hatch_arena *scratch, double *z,
@@ -99,9 +104,9 @@ enum hatch_status hatch_field_weaken_jumps(const struct hatch_field_problem *pro
 
 /* Minimises E over fields of |z| = 1 by L-BFGS on the angles (Liu & Nocedal, "On the limited memory BFGS method for
  * large scale optimization", 1989).
- *   tolerance    of the gradient, as the root mean square angle between z and its local optimum, in radians
- *   scratch      for 25 numbers per node
- *   z            in: start, unit; out: solution, unit
+ *   tolerance    of the gradient, as the root mean square angle, on each component, between z and its local optimum, in
+ *                radians; a node counts by the weight of its edges and by their share in its optimum, so that exact
+ * data does not count scratch      for 25 numbers per node z            in: start, unit; out: solution, unit
  *   convergence  updated */
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,
                                       uint32_t iterations_max, struct hatch_arena *scratch, double *z,

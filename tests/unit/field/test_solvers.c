@@ -12,18 +12,33 @@
 
 struct grid {
     struct hatch_field_system system;
+    uint32_t component_first[3];
     double z[2 * NODES];
 };
 
-/* Links of weight 1 to the four neighbours, and data at one node.
- *   side  nodes along a side, at most SIDE */
-static struct grid *make_grid(uint32_t side)
+/* Adds data of an angle to a node. */
+static void give(struct hatch_field_system *system, uint32_t node, double weight, double angle)
 {
-    uint32_t nodes = side * side, given = 77 % nodes;
+    system->data_weight[node] += weight;
+    system->diagonal[node] += weight;
+    system->rhs[2 * node] += weight * cos(angle);
+    system->rhs[2 * node + 1] += weight * sin(angle);
+}
+
+/* Links of weight 1 to the four neighbours.
+ *   side  nodes along a side, at most SIDE
+ *   cut   row that has no links to the one before: the first of the second component; 0: there is one component */
+static struct grid *make_bare_grid(uint32_t side, uint32_t cut)
+{
+    uint32_t nodes = side * side;
     struct grid *made = HATCH_NEW(&keep, struct grid, 1, &err);
     ck_assert_ptr_nonnull(made);
     struct hatch_field_system *system = &made->system;
     system->count = nodes;
+    system->component_count = cut > 0 ? 2 : 1;
+    system->component_first = made->component_first;
+    made->component_first[1] = cut > 0 ? cut * side : nodes;
+    made->component_first[2] = nodes;
     system->first = HATCH_NEW(&keep, uint32_t, NODES + 1, &err);
     system->to = HATCH_NEW(&keep, uint32_t, 4 * NODES, &err);
     system->link = HATCH_NEW(&keep, double, 8 * NODES, &err);
@@ -33,7 +48,9 @@ static struct grid *make_grid(uint32_t side)
     ck_assert(system->first && system->to && system->link && system->diagonal && system->data_weight && system->rhs);
     uint32_t links = 0;
     for (uint32_t n = 0; n < nodes; n++) {
-        const bool inside[4] = {n % side > 0, n % side < side - 1, n >= side, n < nodes - side};
+        uint32_t row = n / side;
+        const bool inside[4] = {n % side > 0, n % side<side - 1, row> 0 && row != cut,
+                                row + 1 < side && row + 1 != cut};
         const uint32_t beside[4] = {n - 1, n + 1, n - side, n + side};
         for (int k = 0; k < 4; k++)
             if (inside[k]) {
@@ -46,11 +63,30 @@ static struct grid *make_grid(uint32_t side)
         made->z[2 * n] = cos(angle);
         made->z[2 * n + 1] = sin(angle);
     }
-    system->data_weight[given] = 5;
-    system->diagonal[given] += 5;
-    system->rhs[2 * given] = 5 * cos(ANGLE);
-    system->rhs[2 * given + 1] = 5 * sin(ANGLE);
     return made;
+}
+
+/* As above, with data at one node. */
+static struct grid *make_grid(uint32_t side)
+{
+    struct grid *made = make_bare_grid(side, 0);
+    give(&made->system, 77 % (side * side), 5, ANGLE);
+    return made;
+}
+
+/* Solves by both iterative solvers, from zero and from the values in grid->z, to tolerances that suit directions. */
+static void solve(struct grid *grid, bool descend, double *z)
+{
+    struct hatch_field_convergence convergence = {0};
+    struct hatch_field_levels *levels;
+    if (descend) {
+        memcpy(z, grid->z, sizeof grid->z);
+        HATCH_TEST_OK(hatch_field_descend(&grid->system, 1e-5, 2000, &scratch, z, &convergence, &err), &err);
+        return;
+    }
+    memset(z, 0, sizeof grid->z);
+    HATCH_TEST_OK(hatch_field_coarsen(&grid->system, &keep, &levels, &err), &err);
+    HATCH_TEST_OK(hatch_field_solve_multigrid(levels, 1e-4, 200, &scratch, z, &convergence, &err), &err);
 }
 
 START_TEST(all_nodes_take_the_value_of_the_data)
@@ -112,6 +148,48 @@ START_TEST(all_nodes_take_the_angle_of_the_data)
 }
 END_TEST
 
+/* Half of the nodes, and the last row, have data that is in effect exact, and nearly all of the weight. Between them
+ * the values of linear are proportional to the distance, and so are the angles of hz. */
+START_TEST(exact_data_does_not_hide_the_rest)
+{
+    const uint32_t begun = SIDE / 2, end = SIDE - 1;
+    for (int descend = 0; descend < 2; descend++) {
+        struct grid *grid = make_bare_grid(SIDE, 0);
+        double z[2 * NODES];
+        for (uint32_t n = 0; n < NODES; n++)
+            if (n / SIDE <= begun || n / SIDE == end)
+                give(&grid->system, n, 1e6 * grid->system.diagonal[n], n / SIDE == end ? ANGLE : 0);
+        solve(grid, descend, z);
+        for (uint32_t n = begun * SIDE; n < NODES; n++) {
+            double share = (double)(n / SIDE - begun) / (end - begun);
+            double want[2] = {1 + share * (cos(ANGLE) - 1), share * sin(ANGLE)};
+            if (descend) {
+                want[0] = cos(share * ANGLE);
+                want[1] = sin(share * ANGLE);
+            }
+            ck_assert_double_eq_tol(z[2 * n], want[0], 2e-3);
+            ck_assert_double_eq_tol(z[2 * n + 1], want[1], 2e-3);
+        }
+    }
+}
+END_TEST
+
+/* The first component has data of all angles at all nodes, the second one faint datum. */
+START_TEST(a_component_does_not_hide_another)
+{
+    struct grid *grid = make_bare_grid(SIDE, SIDE / 2);
+    double z[2 * NODES];
+    for (uint32_t n = 0; n < NODES / 2; n++)
+        give(&grid->system, n, 1, 7 * (double)hatch_random_unit(3, 1, n));
+    give(&grid->system, NODES - 77, 1e-6, ANGLE);
+    solve(grid, false, z);
+    for (uint32_t n = NODES / 2; n < NODES; n++) {
+        ck_assert_double_eq_tol(z[2 * n], cos(ANGLE), 1e-3);
+        ck_assert_double_eq_tol(z[2 * n + 1], sin(ANGLE), 1e-3);
+    }
+}
+END_TEST
+
 /* Nine numbers of the state, and two for each of the eight steps kept; blocks of an arena leave some memory unused. */
 START_TEST(a_node_takes_25_numbers)
 {
@@ -135,6 +213,8 @@ static Suite *suite(void)
     tcase_add_test(tests, all_nodes_take_the_value_of_the_data);
     tcase_add_test(tests, multigrid_takes_few_iterations);
     tcase_add_test(tests, all_nodes_take_the_angle_of_the_data);
+    tcase_add_test(tests, exact_data_does_not_hide_the_rest);
+    tcase_add_test(tests, a_component_does_not_hide_another);
     tcase_add_test(tests, a_node_takes_25_numbers);
     suite_add_tcase(suite, tests);
     return suite;
