@@ -6,7 +6,7 @@
 #include "curvature/work.h"
 
 #define ERROR_WANTED_RAD 0.01 /* a point wants a smoothed sample above this error of its direction */
-#define WANTED_MIN 0.05       /* nothing is smoothed where fewer of the points want it */
+#define WANTED_MIN 0.05       /* nothing is smoothed in components where fewer of the points want it */
 #define NORMAL_COSINE_MIN 0.5 /* of large supports: polynomials cannot follow steeper slopes */
 
 /* Rejects clear cases early by the squared difference of the curvatures: twice the sum of the squares of the matrix,
@@ -43,22 +43,42 @@ static void merge(struct hatch_curvature_sample *sample, const struct hatch_curv
     sample->variance.mean = fmin(sample->variance.mean, other->variance.mean);
 }
 
-/* Smooths where enough points want it. */
+/* Finds the points that want a smoothed sample, in the components in which enough of them do. Returns whether there are
+ * any.
+ *   wanted  out: per point */
+static enum hatch_status find_wanted(const struct hatch_surface *surface, const struct hatch_curvature_sample *samples,
+                                     struct hatch_arena *scratch, bool *wanted, bool *any, struct hatch_err *err)
+{
+    uint32_t *count;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    HATCH_TRY(HATCH_ALLOC(scratch, &count, surface->component_count, err));
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        wanted[p] = !hatch_curvature_is_certain(&samples[p], ERROR_WANTED_RAD);
+        count[surface->point_component[p]] += wanted[p];
+    }
+    *any = false;
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        uint32_t c = surface->point_component[p];
+        wanted[p] = wanted[p] && count[c] > WANTED_MIN * surface->components[c].point_count;
+        *any = *any || wanted[p];
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
 static enum hatch_status smooth(const struct hatch_curvature_run *run, const double *noise,
                                 struct hatch_curvature_sample *samples, struct hatch_arena *scratch,
                                 struct hatch_err *err)
 {
-    uint32_t points = run->graph.surface.point_count, count = 0;
+    uint32_t points = run->graph.surface.point_count;
     struct hatch_curvature_sample *smoothed;
-    bool *wanted;
+    bool *wanted, any;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &wanted, points, err));
-    for (uint32_t p = 0; p < points; p++) {
-        wanted[p] = !hatch_curvature_is_certain(&samples[p], ERROR_WANTED_RAD);
-        count += wanted[p];
+    HATCH_TRY(find_wanted(&run->graph.surface, samples, scratch, wanted, &any, err));
+    for (uint32_t p = 0; p < points; p++)
         if (samples[p].variance.off_diagonal < INFINITY)
             hatch_vec_copy(samples[p].tensor.normal, &run->graph.normals[3 * (size_t)p]);
-    }
-    if (count <= WANTED_MIN * points)
+    if (!any)
         return HATCH_OK;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &smoothed, points, err));
     for (uint32_t i = 0; i < run->workers; i++)

@@ -114,13 +114,14 @@ enum hatch_status hatch_curvature_fit_small(const struct hatch_curvature_run *ru
 
 /* Estimates curvature from large supports, smoothed (curvature/smooth/smooth.h).
  *   noise    per point: variance of its height
- *   wanted   per point
+ *   wanted   per point; components without wanted points are not fitted
  *   samples  out, where wanted */
 enum hatch_status hatch_curvature_smooth(const struct hatch_curvature_run *run, const double *noise, const bool *wanted,
                                          struct hatch_arena *scratch, struct hatch_curvature_sample *samples,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
-/* Estimates curvature from the smallest supports, and where noise leaves it uncertain also from smoothed ones. */
+/* Estimates curvature from the smallest supports, and where noise leaves a share of a component uncertain also from
+ * smoothed ones. */
 enum hatch_status hatch_curvature_estimate_adaptive(const struct hatch_curvature_run *run, struct hatch_arena *scratch,
                                                     struct hatch_err *err) HATCH_MUST_USE;
 

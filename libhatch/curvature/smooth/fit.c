@@ -227,7 +227,7 @@ enum hatch_status hatch_smooth_fit(struct hatch_smoothing *s, struct hatch_arena
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &f.wanted, nodes, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &f.fits, nodes, err));
     for (uint32_t n = 0; n < nodes; n++) {
-        f.open[n] = true;
+        f.open[n] = s->wanted[hatch_curvature_node_component(&s->run->graph, &s->graphs[1], n)];
         s->variance[n] = INFINITY;
     }
     move_nodes(&f, s);

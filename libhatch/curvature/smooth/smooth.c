@@ -29,6 +29,7 @@ static enum hatch_status allocate(struct hatch_smoothing *s, struct hatch_arena 
     HATCH_TRY(HATCH_ALLOC(scratch, &s->variance, nodes, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &s->bias, nodes, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &s->radius, nodes, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &s->wanted, components, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &s->typical, components, err));
     return HATCH_ALLOC(scratch, &s->length, components, err);
 }
@@ -72,6 +73,9 @@ enum hatch_status hatch_curvature_smooth(const struct hatch_curvature_run *run, 
     *s = (struct hatch_smoothing){.run = run, .noise = noise};
     HATCH_TRY(hatch_smooth_make_graphs(s, scratch, err));
     HATCH_TRY(allocate(s, scratch, err));
+    for (uint32_t p = 0; p < run->graph.surface.point_count; p++)
+        if (wanted[p])
+            s->wanted[run->graph.surface.point_component[p]] = true;
     s->nets[0].graph = &s->graphs[1];
     HATCH_TRY(hatch_smooth_fit(s, scratch, err));
     HATCH_TRY(hatch_smooth_find_normals(s, scratch, err));

@@ -21,6 +21,7 @@ struct hatch_smoothing {
     double *bias;     /* part of it by which the residual exceeds the noise */
     double *radius;
     /* Per component. */
+    bool *wanted;    /* whether a point of it wants a smoothed sample; the others have no fits */
     double *typical; /* mean variance of the fits; INFINITY: no fit */
     double *length;  /* smoothing length, in mean edges */
 };

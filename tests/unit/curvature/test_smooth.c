@@ -371,6 +371,37 @@ START_TEST(normals_are_those_of_the_surface_without_noise)
 }
 END_TEST
 
+static struct hatch_mesh noisy_shape(enum hatch_shape shape, uint32_t faces, float noise)
+{
+    struct hatch_mesh mesh =
+        shape_with(shape, (struct hatch_shape_options){.faces = faces, .jitter = 1, .noise = noise, .seed = 3});
+    mesh.attribute_count = 1;
+    return mesh;
+}
+
+/* Median of the angle to the nearer axis between a component of one estimate and the same in another. */
+static double median_between(const struct hatch_component *component, const double *a, const double *b)
+{
+    struct angles angles = {HATCH_NEW(&keep, double, component->point_count, &err), 0};
+    for (size_t p = component->first_point; p < (size_t)component->first_point + component->point_count; p++)
+        angles.degrees[angles.count++] = to_nearer_axis(degrees_apart(&a[3 * p], &b[3 * p]));
+    return percentile(&angles, 0.5);
+}
+
+/* A small noisy body is smoothed beside a large clean one, which holds nearly all points. */
+START_TEST(components_are_smoothed_on_their_own)
+{
+    struct hatch_mesh small = noisy_shape(HATCH_SHAPE_MONGE, 2000, 0.2f);
+    struct hatch_mesh large = noisy_shape(HATCH_SHAPE_TORUS, 50000, 0), pair = both(&small, &large);
+    struct field_case alone = case_of(small), beside = case_of(pair);
+    const struct hatch_component *component = &beside.surface.components[0];
+    ck_assert_uint_eq(component->point_count, alone.surface.point_count);
+    ck_assert_double_lt(component->point_count, 0.05 * beside.surface.point_count);
+    struct hatch_curvature a = estimate_case(&alone, 0, 0), b = estimate_case(&beside, 0, 0);
+    ck_assert_double_lt(median_between(component, a.direction, b.direction), 0.1);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *all = suite_create("smooth");
@@ -390,6 +421,7 @@ static Suite *suite(void)
     tcase_add_test(tests, noisy_lines_that_turn_are_followed);
     tcase_add_test(tests, noisy_borders_are_followed);
     tcase_add_test(tests, normals_are_those_of_the_surface_without_noise);
+    tcase_add_test(tests, components_are_smoothed_on_their_own);
     suite_add_tcase(all, tests);
     return all;
 }
