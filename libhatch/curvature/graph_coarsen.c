@@ -70,25 +70,30 @@ static enum hatch_status allocate(const struct coarsening *c, struct hatch_arena
 {
     struct hatch_curvature_graph *out = c->coarse;
     size_t nodes = c->count, entries = c->fine->surface.ring_first[c->fine->surface.point_count];
-    *out = (struct hatch_curvature_graph){
-        .surface = {.point_count = c->count}, .parent = c->group, .parent_side = c->side};
+    *out = (struct hatch_curvature_graph){.surface = {.point_count = c->count,
+                                                      .component_count = c->fine->surface.component_count,
+                                                      .components = c->fine->surface.components},
+                                          .parent = c->group,
+                                          .parent_side = c->side};
     HATCH_TRY(HATCH_ALLOC(arena, &out->first, nodes + 1, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->points, c->finest->surface.point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->sides, c->finest->surface.point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->weights, nodes, err));
     HATCH_TRY(HATCH_ALLOC(arena, &out->normals, nodes * 3, err));
     HATCH_TRY(HATCH_ALLOC(arena, &out->surface.points, nodes * 3, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->surface.point_component, nodes, err));
     HATCH_TRY(HATCH_ALLOC(arena, &out->surface.ring_first, nodes + 1, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->surface.ring_point, entries, err));
     return HATCH_ALLOC_UNSET(arena, &out->surface.ring_turned, entries, err);
 }
 
-/* Lists the points of a coarse node and computes their means. */
+/* Sets the component of a coarse node, lists its points and computes their means. */
 static void fill_node(const struct coarsening *c, uint32_t n)
 {
     struct hatch_curvature_graph *out = c->coarse;
     double *position = &out->surface.points[3 * (size_t)n], *normal = &out->normals[3 * (size_t)n];
     uint32_t at = out->first[n];
+    out->surface.point_component[n] = c->fine->surface.point_component[c->list[c->first[n]]];
     for (uint32_t k = c->first[n]; k < c->first[n + 1]; k++) {
         uint32_t p = c->list[k];
         struct hatch_curvature_members own = hatch_curvature_node_members(c->fine, p);

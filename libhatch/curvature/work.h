@@ -43,13 +43,6 @@ static inline struct hatch_curvature_members hatch_curvature_node_members(const 
     return (struct hatch_curvature_members){graph->first[node], graph->first[node + 1]};
 }
 
-/* Returns the component of a node of a coarse graph. */
-static inline uint32_t hatch_curvature_node_component(const struct hatch_curvature_graph *finest,
-                                                      const struct hatch_curvature_graph *graph, uint32_t node)
-{
-    return finest->surface.point_component[graph->points[graph->first[node]]];
-}
-
 /* Merges neighbouring nodes in pairs, each at the mean of its points: large supports need not hold all points. The
  * mean of points averages their noise; the mean of a polynomial over a patch much smaller than the support is its
  * value at the centre, up to a constant.

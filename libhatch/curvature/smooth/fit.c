@@ -128,15 +128,11 @@ static void fit_node(void *context, uint32_t node, struct hatch_support *support
     fit->bias = variance.off_diagonal * (fit->held ? fmax(0, excess) : fmax(noise, residual));
 }
 
-static uint32_t component_of(const struct fitting *f, uint32_t node)
-{
-    return hatch_curvature_node_component(&f->s->run->graph, f->nodes, node);
-}
-
 /* Fits at one wanted node of SAMPLE, and no longer wants the nodes of components where few of these fits hold. */
 static enum hatch_status try_sample(struct fitting *f, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    uint32_t components = f->s->run->graph.surface.component_count, nodes = f->nodes->surface.point_count, count = 0;
+    uint32_t components = f->nodes->surface.component_count, nodes = f->nodes->surface.point_count, count = 0;
+    const uint32_t *component = f->nodes->surface.point_component;
     uint32_t *tried, *held;
     bool *all;
     HATCH_TRY(HATCH_ALLOC(scratch, &tried, components, err));
@@ -147,11 +143,11 @@ static enum hatch_status try_sample(struct fitting *f, struct hatch_arena *scrat
         f->wanted[n] = all[n] && count++ % SAMPLE == 0;
     hatch_curvature_for_each(f->s->run, nodes, fit_node, f);
     for (uint32_t n = 0; n < nodes; n++) {
-        tried[component_of(f, n)] += f->wanted[n];
-        held[component_of(f, n)] += f->wanted[n] && f->fits[n].held;
+        tried[component[n]] += f->wanted[n];
+        held[component[n]] += f->wanted[n] && f->fits[n].held;
     }
     for (uint32_t n = 0; n < nodes; n++)
-        f->wanted[n] = all[n] && held[component_of(f, n)] >= HELD_MIN * tried[component_of(f, n)];
+        f->wanted[n] = all[n] && held[component[n]] >= HELD_MIN * tried[component[n]];
     return HATCH_OK;
 }
 
@@ -227,7 +223,7 @@ enum hatch_status hatch_smooth_fit(struct hatch_smoothing *s, struct hatch_arena
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &f.wanted, nodes, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &f.fits, nodes, err));
     for (uint32_t n = 0; n < nodes; n++) {
-        f.open[n] = s->wanted[hatch_curvature_node_component(&s->run->graph, &s->graphs[1], n)];
+        f.open[n] = s->wanted[s->graphs[1].surface.point_component[n]];
         s->variance[n] = INFINITY;
     }
     move_nodes(&f, s);

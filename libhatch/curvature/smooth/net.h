@@ -46,8 +46,8 @@ enum hatch_status hatch_curvature_net_coarsen(const struct hatch_curvature_run *
 enum hatch_status hatch_curvature_net_prolong(const struct hatch_curvature_net *coarser, struct hatch_arena *scratch,
                                               struct hatch_err *err) HATCH_MUST_USE;
 
-/* Minimises from z on, by conjugate gradients, until the residual is below `tolerance` of the data or after
- * steps_max steps. */
+/* Minimises from z on, by conjugate gradients, until the residual of each component is below `tolerance` of its data
+ * or after steps_max steps. */
 enum hatch_status hatch_curvature_net_solve(struct hatch_curvature_net *net, double tolerance, uint32_t steps_max,
                                             struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 

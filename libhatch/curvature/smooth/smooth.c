@@ -54,7 +54,7 @@ static void find_typical(struct hatch_smoothing *s, double *area)
 {
     const struct hatch_curvature_net *net = &s->nets[0];
     for (uint32_t n = 0; n < net->graph->surface.point_count; n++) {
-        uint32_t c = hatch_curvature_node_component(&s->run->graph, net->graph, n);
+        uint32_t c = net->graph->surface.point_component[n];
         s->typical[c] += net->certainty[n];
         area[c] += net->certainty[n] > 0 ? net->area[n] : 0;
     }

@@ -25,7 +25,7 @@ static double variance_at(const struct hatch_smoothing *s, size_t n)
 {
     const struct hatch_curvature_net *net = &s->nets[0];
     const double *z = &net->z[HATCH_NET_CHANNELS * n], *fit = &net->fit[HATCH_NET_CHANNELS * n];
-    uint32_t c = hatch_curvature_node_component(&s->run->graph, net->graph, (uint32_t)n);
+    uint32_t c = net->graph->surface.point_component[n];
     double square = z[0] * z[0] + z[1] * z[1], across = z[0] * fit[1] - z[1] * fit[0], turn = 0;
     if (!(s->variance[n] < INFINITY))
         return VARIANCE_MAX * s->typical[c];

@@ -24,7 +24,7 @@
 static void set_bending(const struct hatch_smoothing *s, struct hatch_curvature_net *net)
 {
     for (uint32_t n = 0; n < net->graph->surface.point_count; n++) {
-        uint32_t c = hatch_curvature_node_component(&s->run->graph, net->graph, n);
+        uint32_t c = net->graph->surface.point_component[n];
         double ratio = net->spacing[n] > 0 ? s->length[c] / net->spacing[n] : 0;
         net->bending[n] = net->area[n] * ratio * ratio * ratio * ratio / (LENGTH_OF_STRENGTH * s->typical[c]);
     }
@@ -39,7 +39,7 @@ static void find_turned(const struct hatch_smoothing *s, const struct hatch_curv
     memset(area, 0, components * sizeof *area);
     for (size_t n = 0; n < net->graph->surface.point_count; n++) {
         const double *z = &net->z[HATCH_NET_CHANNELS * n], *fit = &net->fit[HATCH_NET_CHANNELS * n];
-        uint32_t c = hatch_curvature_node_component(&s->run->graph, net->graph, (uint32_t)n);
+        uint32_t c = net->graph->surface.point_component[n];
         if (!(net->certainty[n] > 0))
             continue;
         double across = z[0] * fit[1] - z[1] * fit[0], variance = 4 * net->area[n] / net->certainty[n];

@@ -2,7 +2,7 @@
 #include "fail_alloc.h"
 #include "curvature/smooth/smooth.h"
 
-/* A jittered plane as a run, with the net of half of half of its points. */
+/* A mesh as a run, with the net of half of half of its points. */
 struct net_case {
     struct field_case of;
     struct hatch_curvature_options options;
@@ -11,14 +11,20 @@ struct net_case {
     struct hatch_curvature_net net;
 };
 
-static void make_plane(struct net_case *made)
+static void make_net(struct net_case *made)
 {
-    made->of = case_with_truth(HATCH_SHAPE_PLANE, 4000, 0);
     made->run = (struct hatch_curvature_run){.frames = &made->of.frames, .options = &made->options, .workers = 1};
     HATCH_TEST_OK(hatch_curvature_graph_make(&made->of.surface, &made->of.frames, &keep, &made->run.graph, &err), &err);
     HATCH_TEST_OK(hatch_curvature_graph_coarsen(&made->run.graph, &made->run.graph, &keep, &made->pairs, &err), &err);
     HATCH_TEST_OK(hatch_curvature_graph_coarsen(&made->run.graph, &made->pairs, &keep, &made->nodes, &err), &err);
     HATCH_TEST_OK(hatch_curvature_net_make(&made->run, &made->nodes, &keep, &made->net, &err), &err);
+}
+
+/* Jittered. */
+static void make_plane(struct net_case *made)
+{
+    made->of = case_with_truth(HATCH_SHAPE_PLANE, 4000, 0);
+    make_net(made);
 }
 
 static const double gradient[HATCH_NET_CHANNELS][3] = {{1, 2, -1}, {-3, 1, 2}, {0.5, -1, 4}};
@@ -49,6 +55,30 @@ START_TEST(linear_values_stay_up_to_the_border)
     for (uint32_t n = 0; n < net->graph->surface.point_count; n++)
         for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
             ck_assert_double_eq_tol(net->z[HATCH_NET_CHANNELS * n + k], linear(net, n, k), 1e-3);
+}
+END_TEST
+
+/* The data of the first plane is so certain that the other's is no share of the whole. */
+START_TEST(components_are_solved_on_their_own)
+{
+    struct net_case planes;
+    struct hatch_mesh plane = bare_shape(HATCH_SHAPE_PLANE, 2000), other = bare_shape(HATCH_SHAPE_PLANE, 2000);
+    move(&other, 1, 9);
+    planes.of = case_of(both(&plane, &other));
+    make_net(&planes);
+    struct hatch_curvature_net *net = &planes.net;
+    const struct hatch_surface *nodes = &net->graph->surface;
+    ck_assert_uint_eq(nodes->component_count, 2);
+    for (uint32_t n = 0; n < nodes->point_count; n++) {
+        net->certainty[n] = nodes->point_component[n] == 0 ? 1e12 : 1;
+        net->bending[n] = 1;
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
+            net->fit[HATCH_NET_CHANNELS * n + k] = linear(net, n, k);
+    }
+    HATCH_TEST_OK(hatch_curvature_net_solve(net, 1e-6, 100, &scratch, &err), &err);
+    for (uint32_t n = 0; n < nodes->point_count; n++)
+        for (uint32_t k = 0; k < HATCH_NET_CHANNELS; k++)
+            ck_assert_double_eq_tol(net->z[HATCH_NET_CHANNELS * n + k], linear(net, n, k), 1e-2);
 }
 END_TEST
 
@@ -409,6 +439,7 @@ static Suite *suite(void)
     tcase_set_timeout(tests, 120);
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, linear_values_stay_up_to_the_border);
+    tcase_add_test(tests, components_are_solved_on_their_own);
     tcase_add_test(tests, noise_is_averaged_the_more_the_larger_the_strength);
     tcase_add_test(tests, a_coarser_net_continues_linear_values);
     tcase_add_test(tests, slopes_of_linear_values_are_their_gradient);
