@@ -91,7 +91,7 @@ void hatch_curvature_for_each(const struct hatch_curvature_run *run, uint32_t co
 static void estimate_point(void *context, uint32_t p, struct hatch_support *support)
 {
     const struct hatch_curvature_run *run = context;
-    uint32_t degree = run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
+    uint32_t degree = hatch_curvature_degree(run);
     struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
     hatch_curvature_fit(support, p, &run->graph.normals[(size_t)p * 3], run->options->radius, degree, &frame, &system);

@@ -2,7 +2,7 @@
  *
  * Fits are centred at some of the points, spaced by a share of their radius, and each covers the points around it.
  * Where several cover a point, their tensors are averaged, weighted by expected error (a partition of unity: Ohtake et
- * al., "Multi-level partition of unity implicits", SIGGRAPH 2003). The residuals of these quartics measure the noise.
+ * al., "Multi-level partition of unity implicits", SIGGRAPH 2003). The residuals of quartics measure the noise.
  * Points with little noise get a fit of their own. */
 #include <math.h>
 #include <string.h>
@@ -83,6 +83,8 @@ static enum hatch_status choose_centers(struct work *w, uint32_t *count, struct 
     return HATCH_OK;
 }
 
+/* Always fits a quartic, since the residual of a lower degree would be bias rather than noise; its system holds the fit
+ * of the wanted degree, too. */
 static void fit_center(void *context, uint32_t i, struct hatch_support *support)
 {
     struct work *w = context;
@@ -92,14 +94,18 @@ static void fit_center(void *context, uint32_t i, struct hatch_support *support)
     hatch_curvature_fit(support, point, &w->run->graph.normals[(size_t)point * 3], RADIUS, HATCH_CURVATURE_DEGREE,
                         &fit->frame, &system);
     fit->freedom = (double)system.count - hatch_jet_terms(system.degree);
-    fit->degree = fit->freedom > 0 ? system.degree : 0;
-    if (fit->degree == 0)
+    if (system.degree == 0 || !(fit->freedom > 0)) {
+        fit->degree = 0;
         return;
+    }
+    fit->residual = hatch_jet_residual(&system, system.degree) * fit->frame.radius * fit->frame.radius;
+    fit->degree = hatch_curvature_degree(w->run);
+    if (fit->degree > system.degree)
+        fit->degree = system.degree;
     struct hatch_jet_variance variances[HATCH_JET_DEGREE_MAX + 1];
     hatch_jet_solve(&system, fit->degree, fit->coefficients);
     hatch_jet_variances(&system, variances);
     fit->variance = hatch_curvature_variance_of_jet(&fit->frame, &variances[fit->degree]);
-    fit->residual = hatch_jet_residual(&system, fit->degree) * fit->frame.radius * fit->frame.radius;
 }
 
 /* Estimates the noise around each point from the residuals. */
@@ -203,12 +209,12 @@ static void refit_point(void *context, uint32_t p, struct hatch_support *support
 {
     struct work *w = context;
     struct hatch_curvature_sample *sample = &w->samples[p];
-    uint32_t degree = w->run->options->degree ? w->run->options->degree : HATCH_CURVATURE_DEGREE;
     struct hatch_jet_system system;
     struct hatch_jet_frame frame;
     if (!hatch_curvature_is_certain(sample, ERROR_REFIT_RAD))
         return;
-    hatch_curvature_fit(support, p, &w->run->graph.normals[(size_t)p * 3], RADIUS, degree, &frame, &system);
+    hatch_curvature_fit(support, p, &w->run->graph.normals[(size_t)p * 3], RADIUS, hatch_curvature_degree(w->run),
+                        &frame, &system);
     if (system.degree == 0)
         return;
     hatch_curvature_tensor_of_system(&frame, &system, system.degree, &sample->tensor, &sample->variance);

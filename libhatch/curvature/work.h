@@ -63,6 +63,12 @@ struct hatch_curvature_run {
     struct hatch_curvature *curvature;
 };
 
+/* Returns the degree of fits to the smallest supports, and to those of a given radius. */
+static inline uint32_t hatch_curvature_degree(const struct hatch_curvature_run *run)
+{
+    return run->options->degree ? run->options->degree : HATCH_CURVATURE_DEGREE;
+}
+
 /* Allocates zeroed arrays in arena. */
 enum hatch_status hatch_curvature_allocate(uint32_t points, struct hatch_arena *arena,
                                            struct hatch_curvature *curvature, struct hatch_err *err) HATCH_MUST_USE;

@@ -136,6 +136,58 @@ START_TEST(each_point_may_have_its_own_fit)
 }
 END_TEST
 
+enum { BOWL_SIDE = 13, BOWL_MIDDLE = BOWL_SIDE / 2 };
+static const double bowl = 1e-5; /* height at radius 1 */
+
+/* The bowl z = bowl r⁴ over a square grid. */
+static struct hatch_mesh make_bowl(void)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, BOWL_SIDE * BOWL_SIDE, 2 * (BOWL_SIDE - 1) * (BOWL_SIDE - 1), &mesh, &err),
+                  &err);
+    uint32_t *corner = mesh.indices;
+    for (uint32_t i = 0; i < BOWL_SIDE * BOWL_SIDE; i++) {
+        float *at = &mesh.attributes[0].data[3 * i];
+        at[0] = (float)(i % BOWL_SIDE) - BOWL_MIDDLE;
+        at[1] = (float)(i / BOWL_SIDE) - BOWL_MIDDLE;
+        float square = at[0] * at[0] + at[1] * at[1];
+        at[2] = (float)bowl * square * square;
+        if (i % BOWL_SIDE == BOWL_SIDE - 1 || i / BOWL_SIDE == BOWL_SIDE - 1)
+            continue;
+        const uint32_t faces[6] = {i, i + 1, i + BOWL_SIDE + 1, i, i + BOWL_SIDE + 1, i + BOWL_SIDE};
+        memcpy(corner, faces, sizeof faces);
+        corner += 6;
+    }
+    return mesh;
+}
+
+/* The middle of the bowl is flat. A quadric that is fitted to the 25 points around it has the curvature
+ * 2 cov(r⁴, r²) / var(r²) = 2 · 1180 / 140 times bowl; a quartic is exact. No direction is certain there, so that
+ * the middle takes the mean of the fits around. */
+START_TEST(means_are_of_fits_of_the_degree_given)
+{
+    struct field_case of = case_of(make_bowl());
+    struct hatch_curvature_run run;
+    struct hatch_curvature_sample samples[BOWL_SIDE * BOWL_SIDE];
+    double noise[2][BOWL_SIDE * BOWL_SIDE];
+    begin_run(&of, &run);
+    for (uint32_t degree = 2; degree <= 4; degree += 2) {
+        const struct hatch_curvature_options options = {.degree = degree};
+        const double *m, quadric = 2 * 1180.0 / 140 * bowl, want = degree == 2 ? quadric : 0;
+        uint32_t middle = 0;
+        run.options = &options;
+        HATCH_TEST_OK(hatch_curvature_fit_small(&run, &scratch, samples, noise[degree / 4], &err), &err);
+        for (uint32_t p = 0; p < BOWL_SIDE * BOWL_SIDE; p++)
+            if (run.graph.surface.points[3 * p + 2] < run.graph.surface.points[3 * middle + 2])
+                middle = p;
+        m = samples[middle].tensor.matrix;
+        double mean = fabs(m[0] + m[3] + m[5]) / 2 / of.surface.components[0].scale;
+        ck_assert_msg(fabs(mean - want) < 0.3 * quadric, "degree %u: %g instead of %g", degree, mean, want);
+    }
+    ck_assert_mem_eq(noise[0], noise[1], sizeof noise[0]); /* which quartics measure */
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("small supports");
@@ -146,6 +198,7 @@ static Suite *suite(void)
     tcase_add_test(tests, rounding_errors_grow_with_the_largest_coordinate);
     tcase_add_test(tests, means_of_fits_have_the_curvature_of_the_shape);
     tcase_add_test(tests, each_point_may_have_its_own_fit);
+    tcase_add_test(tests, means_are_of_fits_of_the_degree_given);
     suite_add_tcase(suite, tests);
     return suite;
 }
