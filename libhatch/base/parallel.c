@@ -92,6 +92,13 @@ uint32_t hatch_pool_threads(const struct hatch_pool *pool)
     return pool ? pool->worker_count + 1 : 1;
 }
 
+uint32_t hatch_pool_workers(const struct hatch_pool *pool, size_t bytes, const struct hatch_arena *arena)
+{
+    size_t most = arena->limit_bytes / 4 / bytes;
+    uint32_t threads = hatch_pool_threads(pool);
+    return most >= threads ? threads : most > 1 ? (uint32_t)most : 1;
+}
+
 static bool enqueue(struct hatch_pool *pool, hatch_task task, void *context, uint32_t count)
 {
     pthread_mutex_lock(&pool->lock);

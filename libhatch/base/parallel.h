@@ -27,6 +27,11 @@ void hatch_pool_free(struct hatch_pool *pool);
  *   pool  NULL counts as 1 */
 uint32_t hatch_pool_threads(const struct hatch_pool *pool);
 
+/* Returns the number of threads that may have working memory of their own in an arena: all of them, or as many as take
+ * a quarter of its limit; at least 1.
+ *   bytes  of each, over 0 */
+uint32_t hatch_pool_workers(const struct hatch_pool *pool, size_t bytes, const struct hatch_arena *arena);
+
 /* Runs task(context, i) for i = 0 .. count-1 on all threads; returns when all are done. Must not be called from a task.
  *   pool  NULL: runs them in order on the caller's thread */
 void hatch_parallel_for(struct hatch_pool *pool, uint32_t count, hatch_task task, void *context);

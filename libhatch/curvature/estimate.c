@@ -149,10 +149,18 @@ enum hatch_status hatch_curvature_estimate(const struct hatch_surface *surface, 
     struct hatch_curvature made;
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
     struct hatch_curvature_run run = {
-        .frames = frames, .options = options, .workers = hatch_pool_threads(options->pool), .curvature = &made};
+        .frames = frames,
+        .options = options,
+        .workers = hatch_pool_workers(options->pool, hatch_support_bytes(surface->point_count), scratch),
+        .curvature = &made};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = estimate(surface, &run, scratch, err);
     hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_LIMIT && run.workers > 1) { /* the number of threads must not decide */
+        run.workers = 1;
+        status = estimate(surface, &run, scratch, err);
+        hatch_arena_rewind(scratch, mark);
+    }
     if (status == HATCH_OK)
         *curvature = made;
     return status;

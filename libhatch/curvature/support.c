@@ -10,6 +10,13 @@
 #define COUNT_PER_SQUARE 16
 #define RING_SAMPLES 256u
 
+size_t hatch_support_bytes(uint32_t point_count)
+{
+    const struct hatch_support *s;
+    size_t entry = sizeof *s->visited + sizeof *s->points + sizeof *s->sides + 3 * sizeof *s->offsets[0];
+    return ((size_t)point_count + 1) * entry;
+}
+
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
                                      struct hatch_arena *arena, struct hatch_support *support, struct hatch_err *err)
 {

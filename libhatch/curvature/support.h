@@ -19,6 +19,9 @@ struct hatch_support {
     double *offsets[3]; /* x, y, z per entry of points: from the center */
 };
 
+/* Returns the memory of a support, in bytes. */
+size_t hatch_support_bytes(uint32_t point_count);
+
 /* Makes an empty support; arrays in arena, surface and normals kept by reference. */
 enum hatch_status hatch_support_make(const struct hatch_surface *surface, const double *normals,
                                      struct hatch_arena *arena, struct hatch_support *support,

@@ -156,7 +156,7 @@ static enum hatch_status try_memory(struct synthesis *synthesis, struct hatch_er
 {
     const struct level *finest = &synthesis->levels[0];
     const size_t bytes = hatch_features_bytes(&finest->exemplar) +
-                         hatch_search_bytes(&finest->volume, &finest->exemplar, synthesis->pool);
+                         hatch_search_bytes(&finest->volume, &finest->exemplar, synthesis->pool, synthesis->scratch);
     struct hatch_arena_mark mark = hatch_arena_mark(synthesis->scratch);
     uint8_t *block;
     enum hatch_status status = HATCH_ALLOC_UNSET(synthesis->scratch, &block, bytes + BLOCKS * HATCH_ARENA_ALIGN, err);

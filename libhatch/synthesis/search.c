@@ -162,15 +162,17 @@ static size_t padded_bytes(const struct hatch_volume *volume, const struct hatch
 }
 
 size_t hatch_search_bytes(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar,
-                          struct hatch_pool *pool)
+                          struct hatch_pool *pool, const struct hatch_arena *scratch)
 {
-    return hatch_pool_threads(pool) * padded_bytes(volume, exemplar);
+    const size_t bytes = padded_bytes(volume, exemplar);
+    return hatch_pool_workers(pool, bytes, scratch) * bytes;
 }
 
 enum hatch_status hatch_search_run(const struct hatch_search *search, struct hatch_pool *pool,
                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct job job = {search, hatch_pool_threads(pool), padded_bytes(search->volume, search->exemplar), NULL};
+    const size_t bytes = padded_bytes(search->volume, search->exemplar);
+    struct job job = {search, hatch_pool_workers(pool, bytes, scratch), bytes, NULL};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &job.padded, job.workers * job.padded_bytes, err));
     hatch_parallel_for(pool, job.workers, search_slices, &job);

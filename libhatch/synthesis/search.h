@@ -38,7 +38,7 @@ enum hatch_status hatch_search_run(const struct hatch_search *search, struct hat
 
 /* Returns the temporary memory of hatch_search_run. */
 size_t hatch_search_bytes(const struct hatch_volume *volume, const struct hatch_exemplar *exemplar,
-                          struct hatch_pool *pool);
+                          struct hatch_pool *pool, const struct hatch_arena *scratch);
 
 /* Raises the prices of cells that more than their share of the matches lie in, and lowers those of the others, so that
  * in the end all parts of the exemplar are used.

@@ -233,6 +233,18 @@ is "a one-sided surface refuses a rotation by 45 degrees" "$status $? $(wc -l <.
 try dirfield moebius.obj --direction min -o out.glb
 is "a one-sided surface accepts a rotation by a right angle" "$status $(hatchstat field -q out.glb | column index_sum)" "0 0"
 
+# Working memory of 256 threads for 10,000 points would be 84 MB; with one thread, 4 MB are not
+# enough, and 6 are.
+meshgen torus --faces 20000 -o many.glb
+for memory in 4M 6M 60M; do
+    for threads in 1 4 256; do
+        try dirfield -q many.glb --threads $threads --max-memory $memory -o "many.$threads.glb"
+        echo "$status"
+    done | sort -u >statuses
+    is "the exit status does not depend on threads, with $memory" "$(wc -l <statuses)" 1
+done
+ok "nor does the field" cmp many.1.glb many.256.glb
+
 # A bent sheet, of which one edge has a third vertex beside it: the needle between them has an area in the file, but none
 # where coordinates are seen from the middle of the sheet.
 awk 'BEGIN {

@@ -163,14 +163,28 @@ static void measure_view(void *context, uint32_t index)
         add_distances(&work->outlines[side], &work->outlines[1 - side], work->bins);
 }
 
+static struct mask mask_of(const struct hatch_view_set *views)
+{
+    struct mask mask = {.width = (uint32_t)(HATCH_OUTLINE_PARTS * views->width_px),
+                        .height = (uint32_t)(HATCH_OUTLINE_PARTS * views->height_px)};
+    mask.stride = (mask.width + 63) / 64;
+    return mask;
+}
+
+/* Returns the memory of a view_work, in bytes. */
+static size_t work_bytes(const struct hatch_view_set *views)
+{
+    const struct mask mask = mask_of(views);
+    const struct view_work *work;
+    return 4 * (size_t)mask.stride * mask.height * sizeof *mask.words + BINS * sizeof *work->bins;
+}
+
 static enum hatch_status allocate(const struct hatch_view_set *views, struct hatch_arena *scratch,
                                   struct view_work *work, struct hatch_err *err)
 {
     for (int side = 0; side < 2; side++) {
         struct mask *mask = &work->masks[side];
-        mask->width = (uint32_t)(HATCH_OUTLINE_PARTS * views->width_px);
-        mask->height = (uint32_t)(HATCH_OUTLINE_PARTS * views->height_px);
-        mask->stride = (mask->width + 63) / 64;
+        *mask = mask_of(views);
         HATCH_TRY(HATCH_ALLOC(scratch, &mask->words, (size_t)mask->stride * mask->height, err));
         work->outlines[side] = *mask;
         HATCH_TRY(HATCH_ALLOC(scratch, &work->outlines[side].words, (size_t)mask->stride * mask->height, err));
@@ -205,7 +219,8 @@ enum hatch_status hatch_measure_outlines(const struct hatch_mesh *full, const st
                                          struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    uint32_t tasks = hatch_pool_threads(pool) < views->count ? hatch_pool_threads(pool) : views->count;
+    uint32_t workers = hatch_pool_workers(pool, work_bytes(views), scratch);
+    uint32_t tasks = workers < views->count ? workers : views->count;
     struct outlines all = {.meshes = {full, coarse}, .views = views};
     enum hatch_status status = HATCH_ALLOC(scratch, &all.works, tasks, err);
     for (uint32_t t = 0; t < tasks && status == HATCH_OK; t++)

@@ -103,6 +103,24 @@ START_TEST(a_null_pool_is_one_thread)
 }
 END_TEST
 
+START_TEST(workers_take_a_quarter_of_the_memory)
+{
+    struct hatch_arena arena, memory;
+    struct hatch_pool *pool;
+    struct hatch_err err;
+    hatch_arena_init(&memory, 1 << 20);
+    HATCH_TEST_OK(hatch_pool_make(8, &memory, &pool, &err), &err);
+    hatch_arena_init(&arena, 4000);
+    ck_assert_uint_eq(hatch_pool_workers(pool, 125, &arena), hatch_pool_threads(pool));
+    ck_assert_uint_eq(hatch_pool_workers(pool, 333, &arena), 3);
+    ck_assert_uint_eq(hatch_pool_workers(pool, 334, &arena), 2);
+    ck_assert_uint_eq(hatch_pool_workers(pool, 5000, &arena), 1);
+    ck_assert_uint_eq(hatch_pool_workers(NULL, 1, &arena), 1);
+    hatch_pool_free(pool);
+    hatch_arena_free(&memory);
+}
+END_TEST
+
 static enum hatch_status make_and_free(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
                                        struct hatch_err *err)
 {
@@ -127,6 +145,7 @@ static Suite *suite(void)
     tcase_add_test(tests, each_index_runs_once_on_any_number_of_threads);
     tcase_add_test(tests, wait_returns_when_submitted_tasks_are_done);
     tcase_add_test(tests, a_null_pool_is_one_thread);
+    tcase_add_test(tests, workers_take_a_quarter_of_the_memory);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
