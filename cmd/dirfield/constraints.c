@@ -22,8 +22,9 @@ struct header {
 struct targets {
     struct dirfield_job *jobs;
     uint32_t job_count;
-    uint32_t **vertex_points; /* per job, the point of each vertex; NULL when rows name positions */
-    bool renumbered;          /* vertices have other numbers than in the file */
+    uint32_t **vertex_points;            /* per job, the point of each vertex; NULL when rows name positions */
+    struct hatch_surface_points *points; /* per job that the scene shows; NULL when rows name vertices */
+    bool renumbered;                     /* vertices have other numbers than in the file */
 };
 
 static enum hatch_status parse_header(struct hatch_text line, struct header *header, struct hatch_err *err)
@@ -94,15 +95,15 @@ static enum hatch_status find_vertex(const struct targets *targets, double verte
 /* Returns the distance in the scene from a position to the nearest point of a posed mesh; INFINITY when the pose is
  * singular.
  *   point  out: the point of the surface */
-static double distance(const struct dirfield_job *job, const struct dirfield_pose *pose, const double position[3],
-                       uint32_t *point)
+static double distance(const struct hatch_surface_points *points, const struct dirfield_pose *pose,
+                       const double position[3], uint32_t *point)
 {
     double offset[3], local[3], at[3], in_scene[3];
     hatch_vec_sub(position, pose->offset, offset);
     if (!dirfield_to_mesh(pose, offset, local))
         return INFINITY;
-    *point = hatch_surface_nearest(job->surface, local);
-    hatch_surface_position(job->surface, *point, at);
+    *point = hatch_surface_nearest(points, local);
+    hatch_surface_position(points->surface, *point, at);
     dirfield_to_scene(pose, at, in_scene);
     return hatch_vec_distance(in_scene, position);
 }
@@ -115,7 +116,7 @@ static bool find_nearest(const struct targets *targets, const double position[3]
     for (uint32_t i = 0; i < targets->job_count; i++)
         for (uint32_t k = 0; k < targets->jobs[i].pose_count; k++) {
             uint32_t candidate = 0;
-            double length = distance(&targets->jobs[i], &targets->jobs[i].poses[k], position, &candidate);
+            double length = distance(&targets->points[i], &targets->jobs[i].poses[k], position, &candidate);
             if (!(length < least))
                 continue;
             least = length;
@@ -175,6 +176,15 @@ static enum hatch_status map_vertices(struct cmd_args *args, struct targets *tar
     return HATCH_OK;
 }
 
+static enum hatch_status index_points(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
+{
+    HATCH_TRY(HATCH_ALLOC(&args->scratch, &targets->points, targets->job_count, err));
+    for (uint32_t i = 0; i < targets->job_count; i++)
+        if (targets->jobs[i].pose_count > 0)
+            HATCH_TRY(hatch_surface_points_make(targets->jobs[i].surface, &args->scratch, &targets->points[i], err));
+    return HATCH_OK;
+}
+
 static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, struct targets *targets,
                                struct hatch_err *err)
 {
@@ -190,8 +200,7 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
                 return hatch_fail(
                     err, HATCH_BAD_INPUT,
                     "line %u: --needs gives vertices other numbers: use x y z instead of the column vertex", row);
-            if (header.column_of[VERTEX] >= 0)
-                HATCH_TRY(map_vertices(args, targets, err));
+            HATCH_TRY((header.column_of[VERTEX] >= 0 ? map_vertices : index_points)(args, targets, err));
             continue;
         }
         HATCH_TRY(parse_row(line, &header, row, values, err));
@@ -205,5 +214,7 @@ void dirfield_read_constraints(struct cmd_args *args, const char *path, bool ren
 {
     struct hatch_err err;
     struct targets targets = {.jobs = jobs, .job_count = count, .renumbered = renumbered};
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     cmd_check(parse(args, cmd_read(args, path), &targets, &err), cmd_input_name(path), &err);
+    hatch_arena_rewind(&args->scratch, mark);
 }

@@ -60,15 +60,30 @@ static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_o
     return hatch_curvature_coarse(job->surface, &job->frames, &coarse, &job->work, &args->scratch, curvature, err);
 }
 
-/* Frees a plane with a direction given by hand at one of its points from the direction that planes have. */
-static void free_plane(const struct hatch_surface *surface, uint32_t point, double *confidence)
+/* Returns the plane that a point lies on, or HATCH_NO_SIDE. */
+static uint32_t plane_of(const struct hatch_surface *surface, uint32_t point)
 {
     uint32_t plane = HATCH_NO_SIDE;
     for (uint32_t i = surface->ring_first[point]; i < surface->ring_first[point + 1]; i++)
         if (surface->ring_face[i] != HATCH_NO_SIDE && surface->face_plane[surface->ring_face[i]] != HATCH_NO_SIDE)
             plane = surface->face_plane[surface->ring_face[i]];
-    for (size_t i = 0; plane != HATCH_NO_SIDE && i < 3 * (size_t)surface->face_count; i++)
-        if (surface->face_plane[i / 3] == plane)
+    return plane;
+}
+
+/* Frees planes with directions given by hand from the direction that planes have. */
+static void free_planes(struct dirfield_job *job, double *confidence)
+{
+    struct hatch_err err;
+    const struct hatch_surface *surface = job->surface;
+    bool *given;
+    cmd_check(HATCH_ALLOC(&job->work, &given, surface->plane_count, &err), NULL, &err);
+    for (uint32_t i = 0; i < job->constraint_count; i++) {
+        uint32_t plane = plane_of(surface, job->constraints[i].point);
+        if (plane != HATCH_NO_SIDE)
+            given[plane] = true;
+    }
+    for (size_t i = 0; i < 3 * (size_t)surface->face_count; i++)
+        if (surface->face_plane[i / 3] != HATCH_NO_SIDE && given[surface->face_plane[i / 3]])
             confidence[surface->corners[i]] = 0;
 }
 
@@ -94,8 +109,8 @@ static void constrain(const char *file, struct dirfield_job *job, double *direct
             cmd_die(file, &err);
         }
         (*weight)[given->point] = given->weight;
-        free_plane(job->surface, given->point, confidence);
     }
+    free_planes(job, confidence);
 }
 
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_job *job)

@@ -1,15 +1,20 @@
 #include <math.h>
-#include <stdlib.h>
 
-#include "math/box.h"
+#include "math/point_tree.h"
 #include "math/vector.h"
 #include "curvature/work.h"
 
 /* The fit at a face of the simplified mesh, in units of that mesh. */
 struct sample {
-    double center[3], normal[3];
+    double normal[3];
     struct hatch_principal_curvatures principal;
     double standard_error_rad, confidence, radius;
+};
+
+struct samples {
+    double *centers;     /* 3 per face */
+    struct sample *fits; /* per face */
+    struct hatch_point_tree tree;
 };
 
 #define POINTS_MAX 256u
@@ -60,8 +65,9 @@ static uint32_t sum_face(const struct hatch_surface *coarse, uint32_t face, stru
     return count;
 }
 
-/* Fits a quadric over the face's plane to its neighbourhood. */
-static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct sample *sample)
+/* Fits a quadric over the face's plane to its neighbourhood.
+ *   center  out: of the face */
+static void fit_face(const struct hatch_surface *coarse, uint32_t face, double center[3], struct sample *sample)
 {
     const struct hatch_component *component =
         &coarse->components[coarse->point_component[coarse->corners[(size_t)face * 3]]];
@@ -72,7 +78,7 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
     hatch_jet_factorise(&sums, 2, &system);
     *sample = (struct sample){.radius = frame.radius * component->scale, .standard_error_rad = atan(1)};
     for (int k = 0; k < 3; k++)
-        sample->center[k] = component->center[k] + component->scale * frame.origin[k];
+        center[k] = component->center[k] + component->scale * frame.origin[k];
     hatch_vec_copy(frame.axes[2], sample->normal);
     hatch_vec_copy(frame.axes[0], sample->principal.direction);
     if (system.degree < 2 || count <= hatch_jet_terms(2))
@@ -90,108 +96,18 @@ static void fit_face(const struct hatch_surface *coarse, uint32_t face, struct s
         sample->principal.value[k] /= component->scale;
 }
 
-/* A k-d tree. The sample in the middle of a range divides it along an axis: those before it are no higher, those after
- * it no lower. */
-struct tree {
-    const struct sample *samples;
-    uint32_t count;
-    struct tree_item {
-        double key; /* coordinate along the axis of the range that was sorted last */
-        uint32_t sample;
-    } * items;
-    uint8_t *axis; /* per item: axis of the range in whose middle it is */
-};
-
-static int compare_items(const void *a, const void *b)
-{
-    const struct tree_item *p = a, *q = b;
-    if (p->key < q->key || p->key > q->key)
-        return p->key < q->key ? -1 : 1;
-    return p->sample < q->sample ? -1 : p->sample > q->sample;
-}
-
-/* Orders the items begin .. end - 1. */
-static void make_range(struct tree *tree, uint32_t begin, uint32_t end)
-{
-    if (begin == end)
-        return;
-    struct hatch_box box = {.any = false};
-    double extent[3];
-    for (uint32_t i = begin; i < end; i++)
-        hatch_box_add(&box, tree->samples[tree->items[i].sample].center);
-    hatch_vec_sub(box.high, box.low, extent);
-    uint8_t axis = extent[1] > extent[0];
-    axis = extent[2] > extent[axis] ? 2 : axis;
-    for (uint32_t i = begin; i < end; i++)
-        tree->items[i].key = tree->samples[tree->items[i].sample].center[axis];
-    qsort(&tree->items[begin], end - begin, sizeof *tree->items, compare_items);
-    uint32_t middle = begin + (end - begin) / 2;
-    tree->axis[middle] = axis;
-    make_range(tree, begin, middle);
-    make_range(tree, middle + 1, end);
-}
-
-static enum hatch_status make_tree(const struct sample *samples, uint32_t count, struct hatch_arena *scratch,
-                                   struct tree *tree, struct hatch_err *err)
-{
-    *tree = (struct tree){.samples = samples, .count = count};
-    HATCH_TRY(HATCH_ALLOC(scratch, &tree->items, count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &tree->axis, count, err));
-    for (uint32_t i = 0; i < count; i++)
-        tree->items[i].sample = i;
-    make_range(tree, 0, count);
-    return HATCH_OK;
-}
-
+/* The samples, and the place at which a point searches the nearest. */
 struct search {
-    const struct tree *tree;
+    const struct samples *samples;
     double position[3], normal[3];
-    uint32_t best; /* sample; of equally near ones the lowest */
-    double best_distance;
 };
 
-/* Compares a sample with the best so far. One that faces the other way (the far side of a thin part) counts as three
- * times as far. */
-static void visit(struct search *search, uint32_t face)
+/* A sample that faces the other way (the far side of a thin part) counts as three times as far. */
+static double distance(const void *context, uint32_t sample)
 {
-    const struct sample *sample = &search->tree->samples[face];
-    double distance = hatch_vec_distance(sample->center, search->position);
-    distance *= hatch_vec_dot(sample->normal, search->normal) > 0 ? 1 : 3;
-    if (distance < search->best_distance || (distance <= search->best_distance && face < search->best)) {
-        search->best_distance = distance;
-        search->best = face;
-    }
-}
-
-/* Searches a range, first the part in which the position lies. */
-static void search_range(struct search *search, uint32_t begin, uint32_t end)
-{
-    if (begin == end)
-        return;
-    uint32_t middle = begin + (end - begin) / 2, sample = search->tree->items[middle].sample;
-    uint8_t axis = search->tree->axis[middle];
-    double beyond = search->position[axis] - search->tree->samples[sample].center[axis];
-    visit(search, sample);
-    if (beyond < 0)
-        search_range(search, begin, middle);
-    else
-        search_range(search, middle + 1, end);
-    /* Rounding may make the distance of a sample less than that of the plane. */
-    if (fabs(beyond) > search->best_distance * (1 + 1e-12))
-        return;
-    if (beyond < 0)
-        search_range(search, middle + 1, end);
-    else
-        search_range(search, begin, middle);
-}
-
-/* Finds the nearest sample. */
-static const struct sample *nearest(struct search *search)
-{
-    search->best_distance = INFINITY;
-    search->best = HATCH_NO_SIDE;
-    search_range(search, 0, search->tree->count);
-    return &search->tree->samples[search->best];
+    const struct search *search = context;
+    double length = hatch_vec_distance(&search->samples->centers[3 * (size_t)sample], search->position);
+    return length * (hatch_vec_dot(search->samples->fits[sample].normal, search->normal) > 0 ? 1 : 3);
 }
 
 /* Gives every point the curvature of the nearest sample, projected into its own plane, in its own units. */
@@ -202,7 +118,8 @@ static void transfer(const struct hatch_surface *surface, const struct hatch_fra
         double scale = surface->components[surface->point_component[p]].scale;
         hatch_surface_position(surface, p, search->position);
         hatch_vec_copy(&frames->normal[(size_t)p * 3], search->normal);
-        const struct sample *sample = nearest(search);
+        uint32_t face = hatch_point_tree_nearest(&search->samples->tree, search->position, distance, search);
+        const struct sample *sample = &search->samples->fits[face];
         double *direction = &curvature->direction[(size_t)p * 3];
         double height = hatch_vec_dot(sample->principal.direction, search->normal);
         double side = hatch_vec_dot(sample->normal, search->normal) < 0 ? -1 : 1;
@@ -220,17 +137,16 @@ static void transfer(const struct hatch_surface *surface, const struct hatch_fra
 }
 
 static enum hatch_status make_samples(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct sample **samples, uint32_t *count,
-                                      struct hatch_err *err)
+                                      struct hatch_arena *scratch, struct samples *samples, struct hatch_err *err)
 {
     struct hatch_surface coarse;
     struct hatch_surface_notes notes;
     HATCH_TRY(hatch_surface_make(mesh, arena, scratch, &coarse, &notes, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, samples, coarse.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &samples->centers, 3 * (size_t)coarse.face_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &samples->fits, coarse.face_count, err));
     for (uint32_t f = 0; f < coarse.face_count; f++)
-        fit_face(&coarse, f, &(*samples)[f]);
-    *count = coarse.face_count;
-    return HATCH_OK;
+        fit_face(&coarse, f, &samples->centers[3 * (size_t)f], &samples->fits[f]);
+    return hatch_point_tree_make(samples->centers, coarse.face_count, scratch, &samples->tree, err);
 }
 
 enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, const struct hatch_frames *frames,
@@ -242,14 +158,10 @@ enum hatch_status hatch_curvature_coarse(const struct hatch_surface *surface, co
     HATCH_TRY(hatch_curvature_allocate(surface->point_count, arena, &made, err));
     /* The simplified surface lies in arena after the results and is freed again. */
     struct hatch_arena_mark mark = hatch_arena_mark(scratch), results = hatch_arena_mark(arena);
-    struct sample *samples;
-    struct tree tree;
-    uint32_t count;
-    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, &count, err);
-    if (status == HATCH_OK)
-        status = make_tree(samples, count, scratch, &tree, err);
+    struct samples samples;
+    enum hatch_status status = make_samples(coarse, arena, scratch, &samples, err);
     if (status == HATCH_OK) {
-        struct search search = {.tree = &tree};
+        struct search search = {.samples = &samples};
         transfer(surface, frames, &search, &made);
         *curvature = made;
     }

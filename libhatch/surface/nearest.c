@@ -1,29 +1,41 @@
 #include "surface/nearest.h"
 
 #include <assert.h>
-#include <math.h>
 
 #include "math/vector.h"
 
-uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3])
+enum hatch_status hatch_surface_points_make(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                            struct hatch_surface_points *points, struct hatch_err *err)
 {
-    uint32_t nearest = 0;
-    double least = INFINITY;
-    for (uint32_t c = 0; c < surface->component_count; c++) {
-        const struct hatch_component *component = &surface->components[c];
-        double local[3];
-        for (int k = 0; k < 3; k++)
-            local[k] = (position[k] - component->center[k]) / component->scale;
-        for (uint32_t i = 0; i < component->point_count; i++) {
-            uint32_t p = component->first_point + i;
-            double length = hatch_vec_distance(local, &surface->points[3 * (size_t)p]) * component->scale;
-            if (!(length < least))
-                continue;
-            least = length;
-            nearest = p;
-        }
-    }
-    return nearest;
+    double *positions;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &positions, 3 * (size_t)surface->point_count, err));
+    for (uint32_t p = 0; p < surface->point_count; p++)
+        hatch_surface_position(surface, p, &positions[3 * (size_t)p]);
+    points->surface = surface;
+    return hatch_point_tree_make(positions, surface->point_count, arena, &points->tree, err);
+}
+
+struct search {
+    const struct hatch_surface *surface;
+    const double *position;
+};
+
+/* In the units of the component, which are more exact far from the origin than the positions. */
+static double distance(const void *context, uint32_t point)
+{
+    const struct search *search = context;
+    const struct hatch_component *component = &search->surface->components[search->surface->point_component[point]];
+    double local[3];
+    for (int k = 0; k < 3; k++)
+        local[k] = (search->position[k] - component->center[k]) / component->scale;
+    return hatch_vec_distance(local, &search->surface->points[3 * (size_t)point]) * component->scale;
+}
+
+uint32_t hatch_surface_nearest(const struct hatch_surface_points *points, const double position[3])
+{
+    const struct search search = {points->surface, position};
+    uint32_t nearest = hatch_point_tree_nearest(&points->tree, position, distance, &search);
+    return nearest == HATCH_POINT_NONE ? 0 : nearest;
 }
 
 void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t vertex_count, uint32_t *points)

@@ -2,11 +2,21 @@
 #ifndef HATCH_SURFACE_NEAREST_H
 #define HATCH_SURFACE_NEAREST_H
 
+#include "math/point_tree.h"
 #include "surface/surface.h"
 
-/* Returns the point nearest to a position in mesh units; of equally near points, the one with the lowest number. Tests
- * every point. */
-uint32_t hatch_surface_nearest(const struct hatch_surface *surface, const double position[3]);
+/* The points of a surface, for searches. */
+struct hatch_surface_points {
+    const struct hatch_surface *surface;
+    struct hatch_point_tree tree; /* of their positions in mesh units */
+};
+
+/* Makes it in arena; the surface is kept by reference. */
+enum hatch_status hatch_surface_points_make(const struct hatch_surface *surface, struct hatch_arena *arena,
+                                            struct hatch_surface_points *points, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns the point nearest to a position in mesh units; of equally near points, the one with the lowest number. */
+uint32_t hatch_surface_nearest(const struct hatch_surface_points *points, const double position[3]);
 
 /* Finds, for each vertex of the mesh, the lowest-numbered point made from it.
  *   vertex_count  of the mesh

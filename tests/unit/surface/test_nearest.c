@@ -1,5 +1,6 @@
 #include <string.h>
 
+#include "base/random.h"
 #include "math/vector.h"
 #include "meshes.h"
 #include "surface_check.h"
@@ -13,15 +14,69 @@ static struct hatch_mesh two_triangles(void)
     return mesh_of(at[0], 7, corners, 2);
 }
 
+static struct hatch_surface_points points_of(const struct hatch_surface *surface)
+{
+    struct hatch_surface_points points;
+    HATCH_TEST_OK(hatch_surface_points_make(surface, &keep, &points, &err), &err);
+    return points;
+}
+
+/* Tests every point. */
+static uint32_t nearest_of_all(const struct hatch_surface *surface, const double position[3])
+{
+    uint32_t nearest = 0;
+    double least = INFINITY;
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        const struct hatch_component *component = &surface->components[surface->point_component[p]];
+        double local[3], length;
+        for (int k = 0; k < 3; k++)
+            local[k] = (position[k] - component->center[k]) / component->scale;
+        length = hatch_vec_distance(local, &surface->points[3 * (size_t)p]) * component->scale;
+        if (length < least) {
+            least = length;
+            nearest = p;
+        }
+    }
+    return nearest;
+}
+
+/* Components of different units, one far from the origin, whose points a float just tells apart; positions in and
+ * around them, half of them on a coarse grid, where many points are equally near. */
+START_TEST(the_search_finds_the_nearest_of_all)
+{
+    struct hatch_mesh parts[3] = {bare_shape(HATCH_SHAPE_PLANE, 800), bare_shape(HATCH_SHAPE_TORUS, 700),
+                                  bare_shape(HATCH_SHAPE_SPHERE, 300)};
+    move(&parts[1], 5, 3);
+    move(&parts[2], 0.5f, 9000);
+    struct hatch_mesh mesh = both(&parts[0], &parts[1]);
+    mesh = both(&mesh, &parts[2]);
+    struct hatch_surface surface = surface_of(&mesh);
+    struct hatch_surface_points points = points_of(&surface);
+    for (uint32_t i = 0; i < 3000; i++) {
+        double position[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            position[k] = 16 * (double)hatch_random_unit(1, k, i) - 8;
+            position[k] = i % 2 ? position[k] : round(4 * position[k]) / 4;
+        }
+        position[0] += i % 3 ? 0 : 9000;
+        ck_assert_uint_eq(hatch_surface_nearest(&points, position), nearest_of_all(&surface, position));
+    }
+    const double nowhere[3] = {0, NAN, 0}, beyond[3] = {INFINITY, 0, 0};
+    ck_assert_uint_eq(hatch_surface_nearest(&points, nowhere), 0);
+    ck_assert_uint_eq(hatch_surface_nearest(&points, beyond), 0);
+}
+END_TEST
+
 START_TEST(every_point_is_nearest_to_itself)
 {
     struct hatch_mesh mesh =
         shape_with(HATCH_SHAPE_TORUS, (struct hatch_shape_options){.faces = 500, .jitter = 0.5f, .seed = 1});
     struct hatch_surface surface = surface_of(&mesh);
+    struct hatch_surface_points points = points_of(&surface);
     for (uint32_t p = 0; p < surface.point_count; p++) {
         double position[3];
         hatch_surface_position(&surface, p, position);
-        ck_assert_uint_eq(hatch_surface_nearest(&surface, position), p);
+        ck_assert_uint_eq(hatch_surface_nearest(&points, position), p);
     }
 }
 END_TEST
@@ -32,10 +87,11 @@ START_TEST(distances_are_measured_in_mesh_units)
     static const double between[3] = {25, 0, 0}, beyond[3] = {64, 3, 0};
     struct hatch_mesh mesh = two_triangles();
     struct hatch_surface surface = surface_of(&mesh);
+    struct hatch_surface_points points = points_of(&surface);
     double position[3];
-    hatch_surface_position(&surface, hatch_surface_nearest(&surface, between), position);
+    hatch_surface_position(&surface, hatch_surface_nearest(&points, between), position);
     ck_assert_double_eq_tol(position[0], 1, 1e-9);
-    hatch_surface_position(&surface, hatch_surface_nearest(&surface, beyond), position);
+    hatch_surface_position(&surface, hatch_surface_nearest(&points, beyond), position);
     ck_assert_double_eq_tol(position[0], 100, 1e-9);
     ck_assert_double_eq_tol(position[1], 0, 1e-9);
 }
@@ -65,6 +121,7 @@ static Suite *suite(void)
     Suite *made = suite_create("nearest");
     TCase *tests = tcase_create("nearest");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, the_search_finds_the_nearest_of_all);
     tcase_add_test(tests, every_point_is_nearest_to_itself);
     tcase_add_test(tests, distances_are_measured_in_mesh_units);
     tcase_add_test(tests, every_used_vertex_has_a_point);
