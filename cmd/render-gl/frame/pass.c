@@ -40,10 +40,11 @@ void frame_pass_blend_output(uint32_t output, enum frame_blend blend)
 
 static void set_depth(enum frame_depth depth)
 {
-    static const GLenum ways[] = {GL_ALWAYS, GL_GREATER, GL_EQUAL, GL_GREATER, GL_LESS};
+    static const GLenum ways[] = {GL_ALWAYS, GL_GREATER, GL_EQUAL, GL_GREATER, GL_LESS, GL_ALWAYS};
     enable(GL_DEPTH_TEST, depth != FRAME_DEPTH_NONE);
     glDepthFunc(ways[depth]);
-    glDepthMask(depth == FRAME_DEPTH_NEARER || depth == FRAME_DEPTH_LOWER ? GL_TRUE : GL_FALSE);
+    bool writes = depth == FRAME_DEPTH_NEARER || depth == FRAME_DEPTH_LOWER || depth == FRAME_DEPTH_REPLACE;
+    glDepthMask(writes ? GL_TRUE : GL_FALSE);
 }
 
 void frame_pass_begin(const struct frame_pass *pass)

@@ -26,7 +26,8 @@ enum frame_depth {
     FRAME_DEPTH_NEARER, /* draws what is nearer, and writes depth */
     FRAME_DEPTH_EQUAL,  /* draws what has equal depth; does not write it */
     FRAME_DEPTH_BEFORE, /* draws what is nearer; does not write depth */
-    FRAME_DEPTH_LOWER   /* draws what has a lower depth, and writes it; for shadow maps */
+    FRAME_DEPTH_LOWER,  /* draws what has a lower depth, and writes it; for shadow maps */
+    FRAME_DEPTH_REPLACE /* no test; depth is written, 0 too */
 };
 
 struct frame_pass {

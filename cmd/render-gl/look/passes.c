@@ -46,7 +46,7 @@ enum hatch_status look_pass_run(struct look_drawing drawing, const struct look_p
     bool sets_depth = !target && !drawing.look->paints; /* a picture has its depth */
     const struct frame_pass screen = {.name = pass->name,
                                       .target = target ? target : &frame->request.canvas->samples,
-                                      .depth = sets_depth ? FRAME_DEPTH_NEARER : FRAME_DEPTH_NONE};
+                                      .depth = sets_depth ? FRAME_DEPTH_REPLACE : FRAME_DEPTH_NONE};
     if (uniforms && (uniforms->along[0] || uniforms->along[1]))
         glProgramUniform2iv(program->name, UNIFORM_A, 1, uniforms->along);
     if (uniforms && uniforms->radius > 0)
