@@ -113,12 +113,18 @@ static struct solids_form wanted_form(const struct look *look, uint32_t side)
                                 .blend = ranks && blend == HATCH_ZOOM_LINEAR ? HATCH_ZOOM_RANK : blend};
 }
 
+static bool is_same_form(const struct solids_form *form, const struct solids_form *other)
+{
+    return form->period_px == other->period_px && form->samples == other->samples && form->grey == other->grey &&
+           form->pairs == other->pairs && form->blend == other->blend;
+}
+
+/* Uploads the textures unless they are there in the form that the look and the options want. */
 static enum hatch_status upload(struct look *look, uint32_t side, struct cmd_args *args, struct hatch_err *err)
 {
     const struct solids_form form = wanted_form(look, side);
     struct solids fresh;
-    if (look->solids.count && form.grey == look->form.grey && form.blend == look->form.blend &&
-        form.pairs == look->form.pairs)
+    if (look->solids.count && is_same_form(&form, &look->form))
         return HATCH_OK;
     HATCH_TRY(solids_upload(&look->files, &form, cmd_pool(args), &args->scratch, &fresh, err));
     solids_free(&look->solids);
@@ -174,18 +180,19 @@ static void set_block(struct look *look, const struct frame *frame)
     gpu_block_update(&look->block_buffer, BLOCK_TECHNIQUE, &look->block, sizeof look->block);
 }
 
-enum hatch_status look_draw(struct look *look, struct frame *frame, struct hatch_err *err)
+enum hatch_status look_draw(struct look *look, struct frame *frame, struct cmd_args *args, struct hatch_err *err)
 {
+    HATCH_TRY(upload(look, frame->request.canvas->side, args, err));
     set_block(look, frame);
     solids_use(&look->solids);
     return look_passes_draw(look, frame, err);
 }
 
-enum hatch_status look_paint(struct look *look, struct frame *frame, struct hatch_err *err)
+enum hatch_status look_paint(struct look *look, struct frame *frame, struct cmd_args *args, struct hatch_err *err)
 {
     if (frame->near.found.items)
         HATCH_TRY(frame_cut_near(frame, HATCH_NEAR_REST, err));
-    return look_draw(look, frame, err);
+    return look_draw(look, frame, args, err);
 }
 
 void look_free(struct look *look)

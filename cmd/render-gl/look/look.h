@@ -76,11 +76,16 @@ void look_choose(struct look *look, enum look_kind kind);
 enum hatch_status look_prepare(struct look *look, struct frame *frame, const struct hatch_view *view, double height_px,
                                uint32_t side, struct cmd_args *args, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws the items of the scene into the canvas of the frame, between frame_begin and frame_end. */
-enum hatch_status look_draw(struct look *look, struct frame *frame, struct hatch_err *err) HATCH_MUST_USE;
+/* Draws the items of the scene into the canvas of the frame, between frame_begin and frame_end. Makes the textures anew
+ * where --solid-size has changed.
+ * HATCH_LIMIT when main memory or the GPU's memory does not suffice. */
+enum hatch_status look_draw(struct look *look, struct frame *frame, struct cmd_args *args,
+                            struct hatch_err *err) HATCH_MUST_USE;
 
-/* Paints the canvas of the frame over as a watercolour, after a technique has drawn ink on paper there. */
-enum hatch_status look_paint(struct look *look, struct frame *frame, struct hatch_err *err) HATCH_MUST_USE;
+/* Paints the canvas of the frame over as a watercolour, after a technique has drawn ink on paper there; else like
+ * look_draw. */
+enum hatch_status look_paint(struct look *look, struct frame *frame, struct cmd_args *args,
+                             struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns how far outside a tile drawing influences it, in pixels (look/passes.c). */
 uint32_t look_reach_px(enum look_kind kind);

@@ -22,7 +22,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
 static enum hatch_status draw(struct technique_context *context, struct technique_instance *instance,
                               struct hatch_err *err)
 {
-    return look_draw(instance->state, context->frame, err);
+    return look_draw(instance->state, context->frame, context->args, err);
 }
 
 static uint32_t reach_px(const struct technique_instance *instance)

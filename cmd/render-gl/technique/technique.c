@@ -87,7 +87,7 @@ enum hatch_status technique_draw(struct technique_context *context, struct techn
     HATCH_TRY(begin(context, instance, request, err));
     HATCH_TRY((technique->draw ? technique->draw : shaded_draw)(context, instance, err));
     if (look)
-        HATCH_TRY(look_paint(look, context->frame, err));
+        HATCH_TRY(look_paint(look, context->frame, context->args, err));
     return frame_end(context->frame, !(technique->features & TECHNIQUE_NO_COLOR), err);
 }
 

@@ -9,7 +9,7 @@ same_as_still() {
     name=$1 option=$2 first=$3 middle=$4 last=$5
     shift 5
     case "$*" in
-    *rptam* | *gouraud*) map= ;;
+    *rptam* | *gouraud* | *solid*) map= ;;
     *) map="--tam map.exr" ;;
     esac
     draw="render-gl teapot.glb --size 64x48 --samples 1 $map $*"
@@ -38,6 +38,10 @@ same_as_still line-width line-width 1 2 4 -t tam
 same_as_still from from -20:0 10:20 40:40 -t tam --uv-scale 8
 same_as_still fov fov 10 30 50 -t tam --uv-scale 8 --camera 1,2,6:0,0,0
 same_as_still zoom zoom 0.5 1 2 -t rptam
+perl "$TOP/tests/support/solid/make.pl" 16 waves:4 >waves.ktx2
+for look in plain binary watercolor collage; do
+    same_as_still "solid-size, $look" solid-size 16 128 1024 -t solid --solid waves.ktx2 --look $look
+done
 same_as_still "deep zoom" zoom 1 256 65536 -t rptam
 
 # Two options at once, on a turntable.
