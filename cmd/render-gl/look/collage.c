@@ -11,12 +11,13 @@
 #define WIDEST 1.4 /* greatest width of a border, relative to the usual (collage/bands.frag) */
 
 enum { PIXELS, AWAY, CORES, NEAREST, JOIN, PASTE, PASS_COUNT };
-static const struct look_pass passes[PASS_COUNT] = {[PIXELS] = {"pixels", "collage/pixels.frag", {GL_RGBA16F}, true},
-                                                    [AWAY] = {"borders", "collage/away.frag", {GL_RGBA16F}, true},
-                                                    [CORES] = {"cores", "collage/cores.frag", {GL_RGBA16F}, true},
-                                                    [NEAREST] = {"cores", "collage/nearest.frag", {GL_RGBA16F}, true},
-                                                    [JOIN] = {"join", "collage/join.frag", {GL_RGBA16F}, true},
-                                                    [PASTE] = {"paste", "collage/paste.frag", {0}, false}};
+static const struct look_pass passes[PASS_COUNT] = {
+    [PIXELS] = {"pixels", "collage/pixels.frag", {GL_RGBA16F}, true, LOOK_NUMBER},
+    [AWAY] = {"borders", "collage/away.frag", {GL_RGBA16F}, true, LOOK_ALONG | LOOK_RADIUS},
+    [CORES] = {"cores", "collage/cores.frag", {GL_RGBA16F}, true, LOOK_RADIUS},
+    [NEAREST] = {"cores", "collage/nearest.frag", {GL_RGBA16F}, true, LOOK_RADIUS | LOOK_NUMBER},
+    [JOIN] = {"join", "collage/join.frag", {GL_RGBA16F}, true, LOOK_RADIUS | LOOK_NUMBER},
+    [PASTE] = {"paste", "collage/paste.frag", {0}, false, LOOK_NUMBER}};
 
 static struct frame_shading shading_of_papers(const struct look *look)
 {

@@ -1,5 +1,6 @@
 #include "render-gl/look/passes.h"
 
+#include <assert.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -47,11 +48,12 @@ enum hatch_status look_pass_run(struct look_drawing drawing, const struct look_p
     const struct frame_pass screen = {.name = pass->name,
                                       .target = target ? target : &frame->request.canvas->samples,
                                       .depth = sets_depth ? FRAME_DEPTH_REPLACE : FRAME_DEPTH_NONE};
-    if (uniforms && (uniforms->along[0] || uniforms->along[1]))
+    assert(uniforms || !pass->uniforms);
+    if (pass->uniforms & LOOK_ALONG)
         glProgramUniform2iv(program->name, UNIFORM_A, 1, uniforms->along);
-    if (uniforms && uniforms->radius > 0)
+    if (pass->uniforms & LOOK_RADIUS)
         glProgramUniform1f(program->name, UNIFORM_B, (float)uniforms->radius);
-    if (uniforms && uniforms->number)
+    if (pass->uniforms & LOOK_NUMBER)
         glProgramUniform1i(program->name, UNIFORM_C, uniforms->number);
     frame_pass_begin(&screen);
     frame_pass_screen(program);

@@ -4,11 +4,19 @@
 
 #include "render-gl/look/look.h"
 
+/* Uniforms of a pass; bits. */
+enum look_uniform {
+    LOOK_ALONG = 1,  /* UNIFORM_A */
+    LOOK_RADIUS = 2, /* UNIFORM_B */
+    LOOK_NUMBER = 4  /* UNIFORM_C */
+};
+
 /* A pass over the image. */
 struct look_pass {
     const char *name, *fragment;
     GLenum outputs[3]; /* formats of its transient target; 0: it draws into the canvas */
     bool pixels;       /* the target has texels for pixels; false: for samples */
+    uint32_t uniforms; /* bits of enum look_uniform: those that its shader has */
 };
 
 /* A frame that is drawn in a look. */
@@ -17,11 +25,11 @@ struct look_drawing {
     struct frame *frame;
 };
 
-/* Uniforms of a pass; those that its shader does not have are left zeroed. */
+/* Values of the uniforms of a pass; those that its shader does not have are not read. */
 struct look_uniforms {
-    GLint along[2]; /* UNIFORM_A: direction */
-    double radius;  /* UNIFORM_B: a length in texels of the pass */
-    GLint number;   /* UNIFORM_C */
+    GLint along[2]; /* direction */
+    double radius;  /* a length in texels of the pass */
+    GLint number;
 };
 
 /* Compiles the programs of `count` passes. */

@@ -9,10 +9,10 @@
 
 enum { WASH, BLUR, PAINT, SPREAD, PASS_COUNT };
 static const struct look_pass passes[PASS_COUNT] = {
-    [WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F, GL_RGBA16F}, true},
-    [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}, true},
-    [PAINT] = {"paint", "solid/watercolor.frag", {GL_RGBA16F}, true},
-    [SPREAD] = {"spread", "solid/spread.frag", {0}, false}};
+    [WASH] = {"wash", "solid/wash.frag", {GL_RGBA16F, GL_RGBA16F, GL_RGBA16F}, true, 0},
+    [BLUR] = {"blur", "solid/blur.frag", {GL_RGBA16F}, true, LOOK_ALONG | LOOK_RADIUS},
+    [PAINT] = {"paint", "solid/watercolor.frag", {GL_RGBA16F}, true, 0},
+    [SPREAD] = {"spread", "solid/spread.frag", {0}, false, 0}};
 
 enum hatch_status look_watercolor_prepare(const struct look *look, struct frame *frame, struct hatch_err *err)
 {

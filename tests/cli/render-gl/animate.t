@@ -42,6 +42,7 @@ perl "$TOP/tests/support/solid/make.pl" 16 waves:4 >waves.ktx2
 for look in plain binary watercolor collage; do
     same_as_still "solid-size, $look" solid-size 16 128 1024 -t solid --solid waves.ktx2 --look $look
 done
+same_as_still border border 6 3 0 -t solid --solid waves.ktx2 --look collage
 same_as_still "deep zoom" zoom 1 256 65536 -t rptam
 
 # Two options at once, on a turntable.
