@@ -12,11 +12,11 @@
 
 enum { PIXELS, AWAY, CORES, NEAREST, JOIN, PASTE, PASS_COUNT };
 static const struct look_pass passes[PASS_COUNT] = {
-    [PIXELS] = {"pixels", "collage/pixels.frag", {GL_RGBA16F}, true, LOOK_NUMBER},
-    [AWAY] = {"borders", "collage/away.frag", {GL_RGBA16F}, true, LOOK_ALONG | LOOK_RADIUS},
-    [CORES] = {"cores", "collage/cores.frag", {GL_RGBA16F}, true, LOOK_RADIUS},
-    [NEAREST] = {"cores", "collage/nearest.frag", {GL_RGBA16F}, true, LOOK_RADIUS | LOOK_NUMBER},
-    [JOIN] = {"join", "collage/join.frag", {GL_RGBA16F}, true, LOOK_RADIUS | LOOK_NUMBER},
+    [PIXELS] = {"pixels", "collage/pixels.frag", {GL_RGBA32F}, true, LOOK_NUMBER},
+    [AWAY] = {"borders", "collage/away.frag", {GL_RGBA32F}, true, LOOK_ALONG | LOOK_RADIUS},
+    [CORES] = {"cores", "collage/cores.frag", {GL_RGBA32F}, true, LOOK_RADIUS},
+    [NEAREST] = {"cores", "collage/nearest.frag", {GL_RGBA32F}, true, LOOK_RADIUS | LOOK_NUMBER},
+    [JOIN] = {"join", "collage/join.frag", {GL_RGBA32F}, true, LOOK_RADIUS | LOOK_NUMBER},
     [PASTE] = {"paste", "collage/paste.frag", {0}, false, LOOK_NUMBER}};
 
 static struct frame_shading shading_of_papers(const struct look *look)
@@ -85,7 +85,7 @@ enum hatch_status look_collage_draw(struct look_drawing drawing, struct hatch_er
     const struct look_uniforms uniforms = {.number = (GLint)canvas->side};
     struct gpu_target_form form = {.width = canvas->samples.form.width,
                                    .height = canvas->samples.form.height,
-                                   .outputs = {GL_RG16F},
+                                   .outputs = {GL_RG32F},
                                    .depth = GL_DEPTH_COMPONENT32F};
     const struct gpu_target *strips, *away, *papers;
     HATCH_TRY(look_draw_items(drawing, &form, &drawing.look->shading, &drawing.look->shader, &strips, err));

@@ -14,4 +14,22 @@ done
 $draw sphere.glb --ground 4 --look watercolor -o bare.png
 $draw sphere.glb --ground 4 --look watercolor --haloes 8 -o haloes.png
 is "watercolor: an object before the ground has one" "$(cmp -s bare.png haloes.png; echo $?)" 1
+
+# Two balls side by side, which meet, and a number of others inside the first one, between the two in their order: none
+# of these is seen, and the picture is that of two balls, with a border where they meet.
+meshgen sphere --faces 200 -o ball.glb
+unpack ball.glb ball
+for count in 0 31 127 4095; do
+    perl -MJSON::PP -0777 -pe '
+        BEGIN { $hidden = shift }
+        my $scene = decode_json($_);
+        $scene->{nodes} = [map { {mesh => 0, translation => [$_ > $hidden ? 1.9 : 0, 0, 0],
+            $_ > 0 && $_ <= $hidden ? (scale => [.1, .1, .1]) : ()} } 0 .. $hidden + 1];
+        $scene->{scenes} = [{nodes => [0 .. $hidden + 1]}];
+        $_ = encode_json($scene)' $count ball.gltf >balls$count.gltf
+    $draw balls$count.gltf --look collage --bands 1 --from 0:0 -o balls$count.png
+done
+for count in 31 127 4095; do
+    ok "collage: a border between objects whose numbers differ by $((count + 1))" cmp balls0.png balls$count.png
+done
 finish

@@ -1,9 +1,11 @@
-// Numbers of the strips of paper that a collage is made of: of an item and of a band of tone. 0: no strip.
+// Numbers of the strips of paper that a collage is made of: of an item and of a band of tone. 0: no strip. Floats of 32
+// bits hold them exactly.
 #define STRIP_BANDS 16
+#define STRIP_ITEMS 1000000
 
 float strip_number(int item, int band)
 {
-    return float(item % 32 * STRIP_BANDS + band + 1);
+    return float(item % STRIP_ITEMS * STRIP_BANDS + band + 1);
 }
 
 float strip_band(float strip)
