@@ -9,6 +9,7 @@
 /* A distribution of values, 0 .. 1. */
 struct spread {
     double mean, deviation;
+    double least, most;
     double below[BINS + 1]; /* share of values below i / BINS */
 };
 
@@ -85,6 +86,8 @@ void hatch_zoom_blend_at(const struct hatch_texels *mips, enum hatch_zoom_blend 
 static void add(struct spread *spread, double value)
 {
     double clamped = fmin(fmax(value, 0), 1);
+    spread->least = fmin(spread->least, clamped);
+    spread->most = fmax(spread->most, clamped);
     spread->mean += clamped;
     spread->deviation += clamped * clamped;
     spread->below[1 + (size_t)fmin(clamped * BINS, BINS - 1)]++;
@@ -105,7 +108,7 @@ static void spread_of_texels(const uint8_t *texels, const struct hatch_solid *sh
                              struct spread *spread)
 {
     size_t count = hatch_solid_count(shape);
-    *spread = (struct spread){.mean = 0};
+    *spread = (struct spread){.least = 1};
     for (size_t i = 0; i < count; i++)
         add(spread, texels[i * shape->channels + channel] / 255.0);
     finish(spread, (double)count);
@@ -150,7 +153,7 @@ static void spread_of_blend(const struct samples *samples, enum hatch_zoom_blend
 {
     uint32_t from = level - samples->level >= 1;
     double share = level - samples->level - from;
-    *spread = (struct spread){.mean = 0};
+    *spread = (struct spread){.least = 1};
     for (uint32_t i = 0; i < POINTS; i++) {
         double fine = samples->fine[from][i][channel], coarse = samples->coarse[from][i][channel];
         fine += share * (samples->fine[from + 1][i][channel] - fine);
@@ -168,7 +171,8 @@ static double share_below(const struct spread *spread, double value)
     return spread->below[bin] + (at - (double)bin) * (spread->below[bin + 1] - spread->below[bin]);
 }
 
-/* Returns the value below which there is a share of the values. */
+/* Returns the value below which there is a share of the values: for all of them the greatest, although the bins behind
+ * it have the same share below them. */
 static double value_at(const struct spread *spread, double share)
 {
     size_t low = 0, high = BINS;
@@ -180,7 +184,8 @@ static double value_at(const struct spread *spread, double share)
             high = middle;
     }
     double step = spread->below[low + 1] - spread->below[low];
-    return ((double)low + (step > 0 ? fmin((share - spread->below[low]) / step, 1) : 0.5)) / BINS;
+    double value = ((double)low + (step > 0 ? fmin((share - spread->below[low]) / step, 1) : 0.5)) / BINS;
+    return fmin(fmax(value, spread->least), spread->most);
 }
 
 static double changed(enum hatch_zoom_blend blend, const struct spread *base, const struct spread *now, double value)

@@ -240,6 +240,27 @@ START_TEST(tables_give_back_mean_and_contrast)
 }
 END_TEST
 
+/* A texture from 51 to 204, in few values or in all: no blended value is changed to one that it does not have. */
+START_TEST(the_distribution_of_a_texture_ends_with_its_extremes)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    struct hatch_zoom_table table;
+    make_noise(1);
+    for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
+        solid.texels[i] = (uint8_t)(51 + (_i ? solid.texels[i] / 85 * 51 : solid.texels[i] * 3 / 5));
+    make_zoom(2 * SIZE, HATCH_ZOOM_HISTOGRAM, &zoom, &mips);
+    HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, -1, &keep, &scratch, &table, &err), &err);
+    for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
+        const uint16_t *entries = table.entries[0][step];
+        for (uint32_t i = 0; i < HATCH_ZOOM_VALUES; i++)
+            ck_assert(entries[i] >= 51 * 257 && entries[i] <= 204 * 257);
+        ck_assert_uint_eq(entries[0], 51 * 257);
+        ck_assert_uint_eq(entries[HATCH_ZOOM_VALUES - 1], 204 * 257);
+    }
+}
+END_TEST
+
 /* Also where the surface shows coarser levels, and levels between. */
 START_TEST(ranks_cover_what_tones_ask_for)
 {
@@ -336,6 +357,7 @@ static Suite *suite(void)
     tcase_add_test(tests, flat_textures_are_the_same_at_every_depth);
     tcase_add_loop_test(tests, a_cycle_ends_where_the_next_begins, 0, 2);
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
+    tcase_add_loop_test(tests, the_distribution_of_a_texture_ends_with_its_extremes, 0, 2);
     tcase_add_test(tests, a_union_takes_ranks);
     tcase_add_test(tests, a_union_shows_the_marks_of_two_octaves);
     tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 10);
