@@ -83,6 +83,10 @@ static void read_style(struct job *job)
     if (settings && hatch_solid_style_parse(cmd_split_settings(&job->args, settings), &job->style, &err) != HATCH_OK)
         cmd_usage("--set: %s", err.text);
     cmd_name_style(path, job->style.name);
+    struct hatch_solid_style fitted = job->style;
+    const char *lowered = hatch_solid_style_fit(&fitted, (uint32_t)size);
+    if (lowered)
+        cmd_note("%s: lowered to the most that %d texels along a side can show", lowered, (int)size);
 }
 
 /* Refuses a texture that memory cannot hold, before it is made: its texels, mip levels and file in one arena, values of

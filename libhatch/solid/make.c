@@ -80,7 +80,9 @@ static enum hatch_status make(const struct hatch_solid_options *options, struct 
                               struct hatch_solid *solid, struct hatch_err *err)
 {
     struct making m = {.options = options, .solid = solid};
-    struct solid_job job = {options->style, options->size, options->seed, options->pool, scratch, scratch};
+    struct hatch_solid_style style = *options->style;
+    hatch_solid_style_fit(&style, options->size);
+    struct solid_job job = {&style, options->size, options->seed, options->pool, scratch, scratch};
     size_t count = (size_t)options->size * options->size * options->size;
     uint8_t *ranks = NULL;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &m.values, count, err));

@@ -15,7 +15,8 @@ struct hatch_solid_options {
     const struct hatch_progress *progress; /* may be NULL */
 };
 
-/* Makes a solid texture: grey, or coloured if the style has colours.
+/* Makes a solid texture: grey, or coloured if the style has colours. Its numbers fit its size
+ * (hatch_solid_style_fit).
  *   solid  out, in arena; the same for any number of threads
  * HATCH_LIMIT, before the work begins, when the memory for the values of all texels does not suffice. */
 enum hatch_status hatch_solid_from_style(const struct hatch_solid_options *options, struct hatch_arena *arena,

@@ -63,29 +63,30 @@ struct number_key {
     double low, high;
     double multiple; /* values are multiples of this; 0: any number */
     size_t offset;   /* in struct hatch_solid_style */
+    uint32_t texels; /* values count things along a side, each of which takes at least this many; 0: any value */
 };
 
 #define AT(field) offsetof(struct hatch_solid_style, field)
 static const struct number_key number_keys[] = {
-    {"contrast", ALL, 1, 0.1, 10, 0, AT(contrast)},
-    {"scale", NOISE | BIT(WOOD) | BIT(WORLEY), 1, 1, 128, 1, AT(scale)},
-    {"octaves", NOISE, 1, 1, 8, 1, AT(octaves)},
-    {"gain", NOISE, 1, 0.1, 1, 0, AT(gain)},
-    {"rings", BIT(WOOD), 1, 1, 64, 1, AT(rings)},
-    {"veins", BIT(MARBLE), 3, -32, 32, 1, AT(veins)},
-    {"warp", BIT(WOOD) | BIT(MARBLE), 1, 0, 16, 0, AT(warp)},
-    {"grain", BIT(WOOD) | BIT(PAPER), 1, 0, 1, 0, AT(grain)},
-    {"fibers", BIT(WOOD), 1, 4, 128, 1, AT(fibers)},
-    {"sharpness", BIT(MARBLE), 1, 1, 16, 0, AT(sharpness)},
-    {"jitter", BIT(WORLEY), 1, 0, 1, 0, AT(jitter)},
-    {"jitter", BIT(STROKES), 1, 0, 90, 0, AT(jitter)},
-    {"dots", BIT(STIPPLE), 1, 2, 64, 1, AT(dots)},
-    {"vary", BIT(STIPPLE) | BIT(CANVAS), 1, 0, 1, 0, AT(vary)},
-    {"length", BIT(STROKES), 1, 0.01, 0.75, 0, AT(length)},
-    {"width", BIT(STROKES), 1, 0.005, 0.1, 0, AT(width)},
-    {"density", BIT(STROKES), 1, 2, 16, 0, AT(density)},
-    {"grow", BIT(STROKES), 1, 0.01, 1, 0, AT(grow)},
-    {"threads", BIT(CANVAS), 1, 2, 128, 2, AT(threads)},
+    {"contrast", ALL, 1, 0.1, 10, 0, AT(contrast), 0},
+    {"scale", NOISE | BIT(WOOD) | BIT(WORLEY), 1, 1, 128, 1, AT(scale), 2},
+    {"octaves", NOISE, 1, 1, 8, 1, AT(octaves), 0},
+    {"gain", NOISE, 1, 0.1, 1, 0, AT(gain), 0},
+    {"rings", BIT(WOOD), 1, 1, 64, 1, AT(rings), 2},
+    {"veins", BIT(MARBLE), 3, -32, 32, 1, AT(veins), 0},
+    {"warp", BIT(WOOD) | BIT(MARBLE), 1, 0, 16, 0, AT(warp), 0},
+    {"grain", BIT(WOOD) | BIT(PAPER), 1, 0, 1, 0, AT(grain), 0},
+    {"fibers", BIT(WOOD), 1, 4, 128, 1, AT(fibers), 1},
+    {"sharpness", BIT(MARBLE), 1, 1, 16, 0, AT(sharpness), 0},
+    {"jitter", BIT(WORLEY), 1, 0, 1, 0, AT(jitter), 0},
+    {"jitter", BIT(STROKES), 1, 0, 90, 0, AT(jitter), 0},
+    {"dots", BIT(STIPPLE), 1, 2, 64, 1, AT(dots), 0},
+    {"vary", BIT(STIPPLE) | BIT(CANVAS), 1, 0, 1, 0, AT(vary), 0},
+    {"length", BIT(STROKES), 1, 0.01, 0.75, 0, AT(length), 0},
+    {"width", BIT(STROKES), 1, 0.005, 0.1, 0, AT(width), 0},
+    {"density", BIT(STROKES), 1, 2, 16, 0, AT(density), 0},
+    {"grow", BIT(STROKES), 1, 0.01, 1, 0, AT(grow), 0},
+    {"threads", BIT(CANVAS), 1, 2, 128, 2, AT(threads), 4},
 };
 enum { NUMBER_KEYS = sizeof number_keys / sizeof *number_keys };
 
@@ -209,6 +210,21 @@ static const struct word_key {
     {"direction", BIT(STROKES), read_direction},
 };
 enum { WORD_KEYS = sizeof word_keys / sizeof *word_keys };
+
+const char *hatch_solid_style_fit(struct hatch_solid_style *style, uint32_t size)
+{
+    const char *lowered = NULL;
+    for (const struct number_key *key = number_keys; key < number_keys + NUMBER_KEYS; key++) {
+        if (!key->texels || !(key->kinds & 1u << style->kind))
+            continue;
+        float *value = (float *)((char *)style + key->offset), most = (float)(size / key->texels);
+        if (*value <= most)
+            continue;
+        *value = most;
+        lowered = lowered ? lowered : key->name;
+    }
+    return lowered;
+}
 
 static enum hatch_status fail_key(struct hatch_text key, const struct reading *r, struct hatch_err *err)
 {

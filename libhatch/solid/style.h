@@ -76,6 +76,12 @@ bool hatch_solid_equalizes(const struct hatch_solid_style *style);
 /* Returns whether the textures of a style have no direction: its kind has none, or its strokes point anywhere. */
 bool hatch_solid_is_isotropic(const struct hatch_solid_style *style);
 
+/* Lowers the numbers of cells, rings, fibres and threads to those that texels can show: of cells and rings one for two
+ * texels, of fibres one for each, of threads one for four. With more, noise and threads would be the same in all
+ * texels. style  of a kind size   texels along a side, a power of two, at least 8 Returns the first key that it has
+ * lowered, or NULL. */
+const char *hatch_solid_style_fit(struct hatch_solid_style *style, uint32_t size);
+
 /* Parses the text of a style.
  *   style  in: zeroed for a file, whose first key is its kind; for lines that follow a file: its style; out: the style,
  *          unchanged on failure

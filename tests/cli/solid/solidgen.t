@@ -52,6 +52,13 @@ is "each value occurs equally often" "$(cat uneven)" ""
 solidgen --style stipple --size 32 --set 'equalize no' -o raw.ktx2
 ok "equalize no keeps the values" test "$(texels raw.ktx2 | sort -u | wc -l)" -lt 250
 
+# Cells of noise take two texels at least.
+solidgen --set 'scale 16' --size 32 -o most.ktx2
+try solidgen --set 'scale 64' --size 32 -v -o lowered.ktx2
+is "a scale beyond the texels: message" "$(head -n 1 .err)" \
+    "solidgen: scale: lowered to the most that 32 texels along a side can show"
+ok "and texture" cmp most.ktx2 lowered.ktx2
+
 printf 'kind worley\nscale 4 # cells\ndistance f2-f1\n' >cells.solid
 printf 'kind strokes\n' >strewn.solid
 solidgen --style ./strewn.solid --size 16 -o strewn.ktx2

@@ -133,6 +133,27 @@ static double crossings(const struct hatch_solid *solid, uint32_t axis)
     return sum / SIZE;
 }
 
+/* Noise is 0 at the corners of its cells, and threads are alike in all texels, where there are too many of them. */
+START_TEST(textures_have_no_finer_features_than_their_texels_show)
+{
+    static const char *const styles[][2] = {
+        {"kind perlin\nscale 64", "kind perlin\nscale 16"},
+        {"kind turbulence\nscale 128\noctaves 3", "kind turbulence\nscale 16\noctaves 1"},
+        {"kind marble\nscale 64", "kind marble\nscale 16"},
+        {"kind paper\nscale 64", "kind paper\nscale 16"},
+        {"kind worley\nscale 64", "kind worley\nscale 16"},
+        {"kind wood\nscale 64\nfibers 128\nrings 64", "kind wood\nscale 16\nfibers 32\nrings 16"},
+        {"kind canvas\nthreads 64\nvary 0", "kind canvas\nthreads 8\nvary 0"}};
+    struct hatch_solid finer = make_solid(styles[_i][0], SIZE, 1, NULL),
+                       finest = make_solid(styles[_i][1], SIZE, 1, NULL);
+    ck_assert_mem_eq(finer.texels, finest.texels, TEXELS);
+    double away = 0; /* from steps between independent values */
+    for (uint32_t axis = 0; axis < 3; axis++)
+        away = fmax(away, fabs(crossings(&finer, axis) - 256.0 / 3));
+    ck_assert_double_gt(away, 1.5);
+}
+END_TEST
+
 START_TEST(strokes_run_in_their_direction)
 {
     static const char *const lines[] = {"1 0 0", "0 1 0", "0 0 1"};
@@ -219,6 +240,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, textures_are_uniform, 0, SMOOTH);
     tcase_add_loop_test(tests, textures_continue_over_the_border, 0, SMOOTH);
     tcase_add_loop_test(tests, threads_do_not_change_textures_and_seeds_do, 0, SMOOTH);
+    tcase_add_loop_test(tests, textures_have_no_finer_features_than_their_texels_show, 0, 7);
     tcase_add_test(tests, worley_is_the_distance_from_the_points);
     tcase_add_test(tests, marble_without_warp_is_a_cosine);
     tcase_add_test(tests, contrast_and_colors_apply_to_the_values);
