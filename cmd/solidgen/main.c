@@ -90,19 +90,22 @@ static void read_style(struct job *job)
 }
 
 /* Refuses a texture that memory cannot hold, before it is made: its texels, mip levels and file in one arena, values of
- * all texels in the other.
- *   value_bytes  bytes for each texel in the other */
-static void check_memory(const struct job *job, uint32_t channels, uint32_t value_bytes)
+ * all texels in the other, and strokes or points.
+ *   value_bytes  bytes for each texel in the other
+ *   more_bytes   of the strokes or points */
+static void check_memory(const struct job *job, uint32_t channels, uint32_t value_bytes, uint64_t more_bytes)
 {
-    uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, values = value_bytes * texels;
+    uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, values = value_bytes * texels + more_bytes;
     uint64_t file = channels * texels * (cmd_is_exr_path(job->args.output) ? 3 : 1), kept = channels * texels + file;
     uint64_t most = kept > values ? kept : values;
     most += most / 7 + MORE_BYTES; /* with the coarser levels */
     struct hatch_err err;
     if (most <= job->args.max_memory)
         return;
-    cmd_die(NULL, (hatch_fail(&err, HATCH_LIMIT, "--size %d needs %.0f MB of memory, --max-memory allows %.0f MB",
-                              (int)size, (double)most / BYTES_PER_MB, (double)job->args.max_memory / BYTES_PER_MB),
+    bool many = more_bytes > most / 2;
+    cmd_die(NULL, (hatch_fail(&err, HATCH_LIMIT, "%s--size %d %s %.0f MB of memory, --max-memory allows %.0f MB",
+                              many ? "the strokes or points of the style and " : "", (int)size, many ? "need" : "needs",
+                              (double)most / BYTES_PER_MB, (double)job->args.max_memory / BYTES_PER_MB),
                    &err));
 }
 
@@ -118,7 +121,8 @@ static void make_from_style(struct job *job)
                                             .pool = cmd_pool(&job->args),
                                             .progress = &progress};
     /* A value of each texel and, to equalize them, its rank. */
-    check_memory(job, job->style.color_count ? 3 : 1, sizeof(float) + hatch_solid_equalizes(&job->style));
+    check_memory(job, job->style.color_count ? 3 : 1, sizeof(float) + hatch_solid_equalizes(&job->style),
+                 hatch_solid_style_bytes(&job->style, (uint32_t)size));
     cmd_check(hatch_solid_from_style(&how, &job->args.keep, &job->args.scratch, &job->solid, &err), NULL, &err);
     job->maker = job->style.name;
 }
@@ -128,7 +132,7 @@ static void make_from_exemplar(struct job *job)
 {
     struct hatch_image image;
     solidgen_read_exemplar(&job->args, &exemplar, (uint32_t)size, &image);
-    check_memory(job, image.channel_count, 0); /* hatch_synthesis_make tries what it needs */
+    check_memory(job, image.channel_count, 0, 0); /* hatch_synthesis_make tries what it needs */
     solidgen_synthesize(&job->args, &exemplar, (uint32_t)size, &image, &job->solid);
     job->maker = solidgen_methods[exemplar.method];
 }

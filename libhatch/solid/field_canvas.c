@@ -39,6 +39,6 @@ enum hatch_status solid_canvas_field(const struct solid_job *job, struct solid_f
     hatch_noise_make(job->seed, &state->noise);
     state->unevenness =
         hatch_noise_octaves_make(&state->noise, job->seed, STREAM_THREADS, cells, job->size / 2, 2, 0.6f);
-    *field = (struct solid_field){canvas, state};
+    *field = (struct solid_field){canvas, state, 0};
     return HATCH_OK;
 }

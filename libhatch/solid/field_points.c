@@ -35,8 +35,8 @@ enum hatch_status solid_points_field(const struct solid_job *job, struct solid_f
     if (worley)
         HATCH_TRY(hatch_solid_points_jitter(side, style->jitter, job->seed, job->arena, &state->points, err));
     else
-        HATCH_TRY(hatch_solid_points_spread(side * side * side, style->vary, job->seed, job->pool, job->arena,
+        HATCH_TRY(hatch_solid_points_spread(side * side * side, style->vary, job->seed, job->pool, NULL, job->arena,
                                             job->scratch, &state->points, err));
-    *field = (struct solid_field){distance, state};
+    *field = (struct solid_field){distance, state, 0};
     return HATCH_OK;
 }

@@ -44,6 +44,6 @@ enum hatch_status solid_wood_field(const struct solid_job *job, struct solid_fie
     state->years = hatch_noise_octaves_make(&state->noise, job->seed, STREAM_YEARS, years, max, 2, 0.5f);
     state->fibers = hatch_noise_octaves_make(&state->noise, job->seed, STREAM_FIBERS, fine, max, 2, 0.6f);
     state->pores = hatch_noise_octaves_make(&state->noise, job->seed, STREAM_PORES, fine, max, 1, 1);
-    *field = (struct solid_field){wood, state};
+    *field = (struct solid_field){wood, state, 0};
     return HATCH_OK;
 }

@@ -4,6 +4,7 @@
 
 #include "solid/equalize.h"
 #include "solid/field.h"
+#include "solid/points.h"
 
 #define BATCHES 64u /* after each of which progress is reported */
 
@@ -66,7 +67,8 @@ static enum hatch_status fill(struct making *m, const struct solid_job *job, uin
     uint32_t rows = options->size * options->size, batch = rows < BATCHES ? rows : rows / BATCHES;
     HATCH_TRY(prepare(job, &m->field, err));
     for (m->first_row = 0; m->first_row < rows; m->first_row += batch) {
-        hatch_progress_report(options->progress, (double)m->first_row / rows);
+        double share = (double)m->first_row / rows;
+        hatch_progress_report(options->progress, m->field.prepared + (1 - m->field.prepared) * share);
         hatch_parallel_for(options->pool, batch, fill_row, m);
     }
     if (ranks)
@@ -82,13 +84,22 @@ static enum hatch_status make(const struct hatch_solid_options *options, struct 
     struct making m = {.options = options, .solid = solid};
     struct hatch_solid_style style = *options->style;
     hatch_solid_style_fit(&style, options->size);
-    struct solid_job job = {&style, options->size, options->seed, options->pool, scratch, scratch};
+    struct solid_job job = {&style, options->size, options->seed, options->pool, options->progress, scratch, scratch};
     size_t count = (size_t)options->size * options->size * options->size;
     uint8_t *ranks = NULL;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &m.values, count, err));
     if (hatch_solid_equalizes(options->style))
         HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &ranks, count, err));
     return fill(&m, &job, ranks, err);
+}
+
+uint64_t hatch_solid_style_bytes(const struct hatch_solid_style *style, uint32_t size)
+{
+    struct hatch_solid_style fitted = *style;
+    hatch_solid_style_fit(&fitted, size);
+    double side = (double)(fitted.kind == HATCH_SOLID_WORLEY ? fitted.scale : fitted.dots);
+    return fitted.kind == HATCH_SOLID_STROKES ? solid_strokes_bytes(&fitted)
+                                              : HATCH_SOLID_POINT_BYTES * (uint64_t)(side * side * side);
 }
 
 enum hatch_status hatch_solid_from_style(const struct hatch_solid_options *options, struct hatch_arena *arena,

@@ -15,6 +15,10 @@ struct hatch_solid_options {
     const struct hatch_progress *progress; /* may be NULL */
 };
 
+/* Returns how many bytes of scratch hatch_solid_from_style needs, about, for the strokes or points of a style, besides
+ * the values of the texels: 0 for kinds that have none. size  of struct hatch_solid */
+uint64_t hatch_solid_style_bytes(const struct hatch_solid_style *style, uint32_t size);
+
 /* Makes a solid texture: grey, or coloured if the style has colours. Its numbers fit its size
  * (hatch_solid_style_fit).
  *   solid  out, in arena; the same for any number of threads

@@ -151,7 +151,8 @@ static void repel(void *context, uint32_t task)
     }
 }
 
-static enum hatch_status spread(uint32_t count, uint64_t seed, struct hatch_pool *pool, struct hatch_arena *scratch,
+static enum hatch_status spread(uint32_t count, uint64_t seed, struct hatch_pool *pool,
+                                const struct hatch_progress *progress, struct hatch_arena *scratch,
                                 struct hatch_solid_points *points, struct hatch_err *err)
 {
     struct repelling r = {.points = points, .spacing = (float)(1 / cbrt(count))};
@@ -161,21 +162,23 @@ static enum hatch_status spread(uint32_t count, uint64_t seed, struct hatch_pool
         sort(r.moved, points);
         uint32_t cell_count = points->cells * points->cells * points->cells;
         hatch_parallel_for(pool, (cell_count + TASK_CELLS - 1) / TASK_CELLS, repel, &r);
+        hatch_progress_report(progress, (round + 1.0) / ROUNDS);
     }
     sort(r.moved, points);
     return HATCH_OK;
 }
 
 enum hatch_status hatch_solid_points_spread(uint32_t count, float vary, uint64_t seed, struct hatch_pool *pool,
-                                            struct hatch_arena *arena, struct hatch_arena *scratch,
-                                            struct hatch_solid_points *points, struct hatch_err *err)
+                                            const struct hatch_progress *progress, struct hatch_arena *arena,
+                                            struct hatch_arena *scratch, struct hatch_solid_points *points,
+                                            struct hatch_err *err)
 {
     struct hatch_solid_points made = {.count = count, .cells = 1, .factor_min = 1 - vary / 2};
     while ((made.cells + 1) * (made.cells + 1) * (made.cells + 1) <= count)
         made.cells++;
     HATCH_TRY(allocate(&made, arena, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = spread(count, seed, pool, scratch, &made, err);
+    enum hatch_status status = spread(count, seed, pool, progress, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     HATCH_TRY(status);
     for (uint32_t i = 0; i < count; i++)

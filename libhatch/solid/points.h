@@ -3,6 +3,7 @@
 #define HATCH_SOLID_POINTS_H
 
 #include "base/parallel.h"
+#include "base/progress.h"
 
 /* Points sorted into cells. */
 struct hatch_solid_points {
@@ -23,12 +24,16 @@ enum hatch_status hatch_solid_points_jitter(uint32_t side, float jitter, uint64_
 
 /* Makes points that keep away from each other: an additive recurrence, whose first points are about as well spread as
  * all of them, then rounds in which near points repel each other.
- *   count   1 .. 2^20
- *   vary    factors are random in 1 - vary / 2 .. 1 + vary / 2
- *   points  out, in arena */
+ *   count     1 .. 2^26
+ *   vary      factors are random in 1 - vary / 2 .. 1 + vary / 2
+ *   progress  may be NULL
+ *   points    out, in arena */
 enum hatch_status hatch_solid_points_spread(uint32_t count, float vary, uint64_t seed, struct hatch_pool *pool,
-                                            struct hatch_arena *arena, struct hatch_arena *scratch,
-                                            struct hatch_solid_points *points, struct hatch_err *err) HATCH_MUST_USE;
+                                            const struct hatch_progress *progress, struct hatch_arena *arena,
+                                            struct hatch_arena *scratch, struct hatch_solid_points *points,
+                                            struct hatch_err *err) HATCH_MUST_USE;
+
+#define HATCH_SOLID_POINT_BYTES 36u /* that each takes, with its cell, while they are made */
 
 /* Finds the two smallest distances from a place to points and their copies in the cubes around, each times the factor
  * of its point.

@@ -117,6 +117,11 @@ enough=$((5 * 2097152 + 5 * 2097152 / 7 + 1048576))
 ok "as much memory as a texture takes is enough" solidgen --style perlin --size 128 --max-memory $enough -o exact.ktx2
 says "one byte less is not" 5 1 "solidgen: --size 128 needs 13 MB of memory, --max-memory allows 13 MB" \
     solidgen --style perlin --size 128 --max-memory $((enough - 1)) -o x
+many='width 0.005; length 0.01; density 16'
+says "more strokes than the memory holds" 5 1 "solidgen: the strokes or points of the style and --size 64\
+ need 6489 MB of memory, --max-memory allows 4295 MB" solidgen --style strokes --set "$many" -o x
+[ -z "$SANITIZE" ] && ms=$(milliseconds 50 solidgen --style strokes --set "$many" -o x) || ms=0
+ok "are refused before any work ($ms ms)" test "$ms" -le 50
 says "an unknown ending" 2 2 "solidgen: x.png: the ending is that of another format: want .ktx2 or\
  .exr" solidgen -o x.png
 ok "no output is left" test ! -e x

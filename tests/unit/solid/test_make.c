@@ -216,6 +216,35 @@ START_TEST(mip_levels_are_means)
 }
 END_TEST
 
+struct reports {
+    uint32_t count;
+    double last;
+};
+
+static void note_share(void *context, double share)
+{
+    struct reports *reports = context;
+    ck_assert_double_ge(share, reports->last);
+    reports->last = share;
+    reports->count++;
+}
+
+/* 15,000 strokes and 64 rows: the strokes are most of the work, and more than the rows are reported. */
+START_TEST(strokes_are_reported_as_they_are_made)
+{
+    struct hatch_solid_style style = {0};
+    struct hatch_solid solid;
+    struct reports reports = {0};
+    const struct hatch_progress progress = {note_share, &reports};
+    const struct hatch_solid_options options = {.style = &style, .size = 8, .seed = 1, .progress = &progress};
+    HATCH_TEST_OK(parse_style("kind strokes\nwidth 0.03\nlength 0.25\ndensity 3", &style), &err);
+    HATCH_TEST_OK(hatch_solid_from_style(&options, &keep, &scratch, &solid, &err), &err);
+    ck_assert_uint_gt(reports.count, 64 + 12);
+    ck_assert_double_lt(reports.last, 1);
+    ck_assert_uint_gt(hatch_solid_style_bytes(&style, 8), 15000 * HATCH_SOLID_POINT_BYTES);
+}
+END_TEST
+
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_err *error)
 {
@@ -247,6 +276,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_run_in_their_direction);
     tcase_add_test(tests, directions_have_their_tones);
     tcase_add_test(tests, canvas_is_woven_along_all_axes);
+    tcase_add_test(tests, strokes_are_reported_as_they_are_made);
     tcase_add_test(tests, mip_levels_are_means);
     tcase_add_test(tests, textures_survive_every_failed_allocation);
     suite_add_tcase(suite, tests);

@@ -49,7 +49,7 @@ START_TEST(nearest_points_are_those_of_an_exhaustive_search)
     }
     static const uint32_t counts[] = {1, 2, 30, 500};
     for (int i = 0; i < 4; i++) {
-        HATCH_TEST_OK(hatch_solid_points_spread(counts[i], 1, 5, NULL, &keep, &scratch, &points, &err), &err);
+        HATCH_TEST_OK(hatch_solid_points_spread(counts[i], 1, 5, NULL, NULL, &keep, &scratch, &points, &err), &err);
         check_nearest(60);
     }
 }
@@ -96,7 +96,7 @@ START_TEST(spread_points_keep_their_distance)
 {
     static const uint32_t counts[] = {8, 100, 1000, 2744};
     for (uint64_t i = 0; i < 4; i++) {
-        HATCH_TEST_OK(hatch_solid_points_spread(counts[i], 0, i, NULL, &keep, &scratch, &points, &err), &err);
+        HATCH_TEST_OK(hatch_solid_points_spread(counts[i], 0, i, NULL, NULL, &keep, &scratch, &points, &err), &err);
         ck_assert_uint_eq(points.count, counts[i]);
         ck_assert_uint_eq(points.first[points.cells * points.cells * points.cells], counts[i]);
         ck_assert_float_gt(least_distance(), 0.7f); /* of random points: about 0.1 of 1000 */
@@ -108,7 +108,7 @@ END_TEST
 START_TEST(points_stand_in_their_cells_and_keep_their_numbers)
 {
     uint32_t seen[300] = {0};
-    HATCH_TEST_OK(hatch_solid_points_spread(300, 0.5f, 1, NULL, &keep, &scratch, &points, &err), &err);
+    HATCH_TEST_OK(hatch_solid_points_spread(300, 0.5f, 1, NULL, NULL, &keep, &scratch, &points, &err), &err);
     for (uint32_t cell = 0; cell < points.cells * points.cells * points.cells; cell++)
         for (uint32_t i = points.first[cell]; i < points.first[cell + 1]; i++) {
             uint32_t y = hatch_solid_cell(points.at[i][1], points.cells);
@@ -126,8 +126,8 @@ START_TEST(threads_do_not_change_points)
     struct hatch_pool *pool;
     hatch_arena_init(&arena, 1 << 20);
     HATCH_TEST_OK(hatch_pool_make(3, &arena, &pool, &err), &err);
-    HATCH_TEST_OK(hatch_solid_points_spread(700, 0.5f, 1, NULL, &keep, &scratch, &one, &err), &err);
-    HATCH_TEST_OK(hatch_solid_points_spread(700, 0.5f, 1, pool, &keep, &scratch, &points, &err), &err);
+    HATCH_TEST_OK(hatch_solid_points_spread(700, 0.5f, 1, NULL, NULL, &keep, &scratch, &one, &err), &err);
+    HATCH_TEST_OK(hatch_solid_points_spread(700, 0.5f, 1, pool, NULL, &keep, &scratch, &points, &err), &err);
     ck_assert_mem_eq(one.at, points.at, 700 * sizeof *one.at);
     ck_assert_mem_eq(one.factors, points.factors, 700 * sizeof *one.factors);
     hatch_pool_free(pool);
@@ -138,7 +138,7 @@ END_TEST
 static enum hatch_status spread(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                                 struct hatch_err *error)
 {
-    return hatch_solid_points_spread(50, 0, 1, NULL, arena, temporary, context, error);
+    return hatch_solid_points_spread(50, 0, 1, NULL, NULL, arena, temporary, context, error);
 }
 
 START_TEST(points_survive_every_failed_allocation)
