@@ -1,9 +1,8 @@
 /* hatchstat tones FILE: measures errors of tone of a volume, a threshold texture, exact runs or a map with few
  * columns. */
-#include <string.h>
-
 #include "shared/map.h"
 #include "image/block_compress.h"
+#include "io/exr/exr.h"
 #include "io/texture/container.h"
 #include "measure/tone_figures.h"
 #include "subject.h"
@@ -79,8 +78,7 @@ static void open_texture(struct cmd_args *args, const char *name, struct hatch_b
 static void open_subject(struct cmd_args *args, const char *path, struct subject *subject)
 {
     struct hatch_bytes file = cmd_read(args, path);
-    static const uint8_t exr[] = {0x76, 0x2f, 0x31, 0x01};
-    if (file.size < sizeof exr || memcmp(file.data, exr, sizeof exr) != 0) {
+    if (!hatch_exr_is(file)) {
         open_texture(args, cmd_input_name(path), file, subject);
         return;
     }

@@ -97,6 +97,63 @@ enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch
     return HATCH_OK;
 }
 
+static enum hatch_status check_shape(uint32_t width, uint32_t height, uint32_t depth, struct hatch_err *err)
+{
+    if (width != height || (depth > 1 && width != depth))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, want a cube or a square", width, height, depth);
+    if (!is_size(width))
+        return hatch_fail(err, HATCH_BAD_INPUT, "%u texels along a side, want a power of two from %u to %u", width,
+                          HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX);
+    return HATCH_OK;
+}
+
+bool hatch_solid_is_slices(const struct hatch_mipmap *parts, uint32_t count)
+{
+    return count > 1 && strcmp(parts[0].name, "slice.000") == 0;
+}
+
+/* Copies a slice.
+ *   names  a letter for each channel of the solid texture */
+static enum hatch_status copy_slice(const struct hatch_image *image, uint32_t slice, const char *names,
+                                    struct hatch_solid *solid, struct hatch_err *err)
+{
+    size_t count = (size_t)solid->size * solid->size;
+    if (image->width != solid->size || image->height != solid->size)
+        return hatch_fail(err, HATCH_BAD_INPUT, "slice %u: %ux%u texels, the first one has %ux%u", slice, image->width,
+                          image->height, solid->size, solid->size);
+    for (uint32_t c = 0; c < solid->channels; c++) {
+        int from = hatch_image_channel(image, (const char[]){names[c], '\0'});
+        if (from < 0)
+            return hatch_fail(err, HATCH_BAD_INPUT, "slice %u: no channel %c, want Y, or R, G and B", slice, names[c]);
+        for (size_t i = 0; i < count; i++)
+            solid->texels[(slice * count + i) * solid->channels + c] =
+                hatch_unorm8(image->pixels[i * image->channel_count + (size_t)from]);
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_solid_of_slices(const struct hatch_mipmap *parts, uint32_t count, struct hatch_arena *arena,
+                                        struct hatch_solid *solid, struct hatch_err *err)
+{
+    const struct hatch_image *first = &parts[0].levels[0];
+    const struct hatch_attribute *isotropic = hatch_mipmap_attribute(&parts[0], HATCH_SOLID_KEY_ISOTROPIC);
+    const char *names = hatch_image_channel(first, "Y") >= 0 ? "Y" : "RGB";
+    struct hatch_solid made;
+    HATCH_TRY(check_shape(first->width, first->height, count, err));
+    struct hatch_arena_mark mark = hatch_arena_mark(arena);
+    HATCH_TRY(hatch_solid_make(arena, first->width, (uint32_t)strlen(names), &made, err));
+    enum hatch_status status = HATCH_OK;
+    for (uint32_t slice = 0; slice < count && status == HATCH_OK; slice++)
+        status = copy_slice(&parts[slice].levels[0], slice, names, &made, err);
+    if (status != HATCH_OK) {
+        hatch_arena_rewind(arena, mark);
+        return status;
+    }
+    made.isotropic = isotropic && isotropic->type == HATCH_ATTRIBUTE_TEXT && strcmp(isotropic->text, "yes") == 0;
+    *solid = made;
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct hatch_arena *arena,
                                    struct hatch_solid *solid, struct hatch_err *err)
 {
@@ -106,12 +163,7 @@ enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct ha
                           texture->layers);
     if (texture->code != HATCH_TEXELS_PLAIN || texture->channels == 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "texels of a format other than R8, RGB8 and RGBA8");
-    if (texture->width != texture->height || (depth > 1 && texture->width != depth))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%ux%ux%u texels, want a cube or a square", texture->width,
-                          texture->height, depth);
-    if (!is_size(texture->width))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%u texels along a side, want a power of two from %u to %u",
-                          texture->width, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX);
+    HATCH_TRY(check_shape(texture->width, texture->height, depth, err));
     if (texture->channels != 4) {
         *solid = (struct hatch_solid){
             .size = texture->width, .channels = texture->channels, .texels = texture->texels[0], .depth = depth};

@@ -59,6 +59,16 @@ enum hatch_status hatch_solid_of_image(const struct hatch_image *image, struct h
 enum hatch_status hatch_solid_mips(const struct hatch_solid *solid, struct hatch_arena *arena,
                                    struct hatch_texels *texture, struct hatch_err *err) HATCH_MUST_USE;
 
+/* Returns whether the parts of an OpenEXR file are the slices of a texture (solid(5)). */
+bool hatch_solid_is_slices(const struct hatch_mipmap *parts, uint32_t count);
+
+/* Makes the solid texture whose slices are these parts, in their order.
+ *   solid  out: in arena, with hatch:isotropic
+ * HATCH_BAD_INPUT, with the reason, when they are no cube of one of the sizes, or when their channels are neither Y nor
+ * R, G and B; HATCH_LIMIT when the memory does not suffice. */
+enum hatch_status hatch_solid_of_slices(const struct hatch_mipmap *parts, uint32_t count, struct hatch_arena *arena,
+                                        struct hatch_solid *solid, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Takes the solid texture from a texture that a file held.
  *   solid  out: its finest level, by reference; in arena if the texture had alpha, which is left out
  * HATCH_BAD_INPUT, with the reason, when it is neither a cube nor a square of plain texels with one, three or four

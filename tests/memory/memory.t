@@ -37,6 +37,7 @@ mkdir in
     strokegen -g 0.1 -l 1 torus.glb -o sparse.glb
     seedgen -n 16 -l 2 -o two.seeds
     solidgen -n 8 -o solid.ktx2
+    solidgen -n 8 -o solid.exr
 ) || exit 1
 
 tab=$(printf '\t')

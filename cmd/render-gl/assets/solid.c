@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "image/color.h"
+#include "io/exr/exr.h"
 #include "io/foreign/foreign.h"
 #include "io/texture/container.h"
 #include "render-gl/assets/texture.h"
@@ -16,17 +17,42 @@
 
 #define STYLE_SIZE 64 /* texels along a side of the texture of a style */
 
+static void read_picture(struct cmd_args *args, const char *path, struct hatch_bytes file, struct hatch_solid *solid)
+{
+    struct hatch_image image;
+    struct hatch_err err;
+    const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
+    cmd_check(hatch_image_read_any(file, path, plugin, &args->keep, &args->scratch, &image, &err), name, &err);
+    cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
+}
+
+/* Reads the slices of an OpenEXR file. Returns false if its parts are none. */
+static bool read_slices(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_solid *solid)
+{
+    struct hatch_arena arena;
+    struct hatch_mipmap *parts;
+    struct hatch_err err;
+    uint32_t count;
+    hatch_arena_init(&arena, args->max_memory);
+    cmd_check(hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err), name, &err);
+    bool slices = hatch_solid_is_slices(parts, count);
+    if (slices)
+        cmd_check(hatch_solid_of_slices(parts, count, &args->keep, solid, &err), name, &err);
+    hatch_arena_free(&arena);
+    return slices;
+}
+
 static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)
 {
     struct hatch_texels texels;
-    struct hatch_image image;
     struct hatch_err err;
     const char *const *keys, *isotropic;
-    const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
+    const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
+    if (hatch_exr_is(file) && read_slices(args, name, file, solid))
+        return;
     if (!tone_texture_is(file)) {
-        cmd_check(hatch_image_read_any(file, path, plugin, &args->keep, &args->scratch, &image, &err), name, &err);
-        cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
+        read_picture(args, path, file, solid);
         return;
     }
     cmd_check(hatch_ktx2_read(file, &args->keep, &texels, &err), name, &err);

@@ -3,9 +3,14 @@
 #ifndef HATCH_IO_EXR_EXR_H
 #define HATCH_IO_EXR_EXR_H
 
+#include <stdbool.h>
+
 #include "base/bytes.h"
 #include "base/parallel.h"
 #include "image/image.h"
+
+/* Returns whether a file begins as OpenEXR files do. */
+bool hatch_exr_is(struct hatch_bytes file);
 
 /* Reads every part. Supported are scanlines and tiles; a single level and mip-maps; no compression, RLE, ZIPS, ZIP and
  * PIZ; and 1 to 8 channels of type HALF, FLOAT or UINT. Channels are ordered R, G, B, Y, A, then the others in file

@@ -419,7 +419,7 @@ static enum hatch_status read_parts(const struct reading *r, struct hatch_pool *
     return HATCH_OK;
 }
 
-static bool is_exr(struct hatch_bytes file)
+bool hatch_exr_is(struct hatch_bytes file)
 {
     static const uint8_t magic[] = {0x76, 0x2f, 0x31, 0x01};
     return file.size >= sizeof magic && memcmp(file.data, magic, sizeof magic) == 0;
@@ -431,7 +431,7 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *poo
 {
     struct hatch_err own;
     struct reading r = {.stream = {.file = file}, .arena = arena, .scratch = scratch, .err = err ? err : &own};
-    if (!is_exr(file))
+    if (!hatch_exr_is(file))
         return hatch_fail(r.err, HATCH_BAD_INPUT, file.size ? "not an OpenEXR file" : "empty");
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     exr_result_t result = hatch_exr_open_read(&r.stream, &r.context);

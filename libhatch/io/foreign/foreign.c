@@ -173,12 +173,12 @@ enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct hatch_image *image, struct hatch_err *err)
 {
-    static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, exr[] = {0x76, 0x2f, 0x31, 0x01};
+    static const uint8_t png[] = {0x89, 'P', 'N', 'G'};
     if (file.size < sizeof png)
         return hatch_fail(err, HATCH_BAD_INPUT, "%zu bytes: too short for an image", file.size);
     if (memcmp(file.data, png, sizeof png) == 0)
         return hatch_png_read(file, arena, scratch, image, err);
-    if (memcmp(file.data, exr, sizeof exr) == 0)
+    if (hatch_exr_is(file))
         return read_exr(file, arena, scratch, image, err);
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     enum hatch_status status = read_by_plugin(file, name, plugin, arena, scratch, image, err);

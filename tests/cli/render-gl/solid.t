@@ -233,6 +233,20 @@ for texture in perlin.ktx2 perlin,stipple; do
     ok "$texture, aligned, is another picture" test "$(cmp -l usual.png aligned.png 2>/dev/null | wc -l)" -gt 1000
 done
 
+# The two formats of a solid texture are drawn alike, also on a mesh without texture coordinates.
+for style in wood perlin; do
+    solidgen --style $style --size 16 -o $style.exr
+    $draw bare.obj --solid $style.ktx2 -o usual.png
+    $draw bare.obj --solid $style.exr -o slices.png
+    ok "$style of an OpenEXR file" cmp usual.png slices.png
+done
+tamvol -q --tones 8 map.exr -o volume.exr
+try $draw --solid volume.exr -o picture.png
+is "an OpenEXR file of tamvol" "$status $(cat .err)" "3 render-gl: volume.exr: 64x64x8 texels, want a cube or a square"
+head -c 3000 wood.exr >cut.exr
+try $draw --solid cut.exr -o picture.png
+is "slices that are cut off" "$status $(grep -c '^render-gl: cut.exr: .' .err) $(wc -l <.err)" "3 1 1"
+
 # The inks of objects, the pipeline, and a lapped surface with a 2D texture.
 try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks red,nocolor -o picture.png
 is "an ink that is no colour" "$status $(head -n 1 .err)" \

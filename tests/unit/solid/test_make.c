@@ -216,6 +216,48 @@ START_TEST(mip_levels_are_means)
 }
 END_TEST
 
+/* Makes a texture of n slices of a and the rest of b, as the parts of an OpenEXR file. */
+static enum hatch_status join(struct hatch_image *a, uint32_t n, struct hatch_image *b, struct hatch_solid *solid)
+{
+    struct hatch_mipmap parts[8] = {{.name = "slice.000"}};
+    for (uint32_t i = 0; i < 8; i++) {
+        parts[i].level_count = 1;
+        parts[i].levels = i < n ? a : b;
+    }
+    hatch_mipmap_set_text(&parts[0], HATCH_SOLID_KEY_ISOTROPIC, "yes");
+    ck_assert(hatch_solid_is_slices(parts, 8));
+    ck_assert(!hatch_solid_is_slices(parts + 1, 7));
+    return hatch_solid_of_slices(parts, 8, &keep, solid, &err);
+}
+
+START_TEST(slices_are_a_cube)
+{
+    struct hatch_image grey, colored, wide, large;
+    struct hatch_solid solid;
+    HATCH_TEST_OK(hatch_image_make(&keep, 8, 8, "YA", &grey, &err), &err);
+    HATCH_TEST_OK(hatch_image_make(&keep, 8, 8, "RGB", &colored, &err), &err);
+    HATCH_TEST_OK(hatch_image_make(&keep, 16, 8, "Y", &wide, &err), &err);
+    HATCH_TEST_OK(hatch_image_make(&keep, 16, 16, "Y", &large, &err), &err);
+    grey.pixels[2 * 5] = 200 / 255.0f;
+    colored.pixels[3 * 5 + 2] = 1;
+    HATCH_TEST_OK(join(&grey, 8, &grey, &solid), &err);
+    ck_assert_uint_eq(solid.channels, 1);
+    ck_assert_uint_eq(solid.texels[64 + 5], 200);
+    ck_assert(solid.isotropic);
+    HATCH_TEST_OK(join(&colored, 8, &colored, &solid), &err);
+    ck_assert_uint_eq(solid.channels, 3);
+    ck_assert_uint_eq(solid.texels[3 * (7 * 64 + 5) + 2], 255);
+    ck_assert_int_eq(join(&grey, 3, &colored, &solid), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "slice 3: no channel Y, want Y, or R, G and B");
+    ck_assert_int_eq(join(&colored, 3, &grey, &solid), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "slice 3: no channel R, want Y, or R, G and B");
+    ck_assert_int_eq(join(&grey, 7, &wide, &solid), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "slice 7: 16x8 texels, the first one has 8x8");
+    ck_assert_int_eq(join(&large, 8, &large, &solid), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "16x16x8 texels, want a cube or a square");
+}
+END_TEST
+
 struct reports {
     uint32_t count;
     double last;
@@ -276,6 +318,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_run_in_their_direction);
     tcase_add_test(tests, directions_have_their_tones);
     tcase_add_test(tests, canvas_is_woven_along_all_axes);
+    tcase_add_test(tests, slices_are_a_cube);
     tcase_add_test(tests, strokes_are_reported_as_they_are_made);
     tcase_add_test(tests, mip_levels_are_means);
     tcase_add_test(tests, textures_survive_every_failed_allocation);
