@@ -1,5 +1,6 @@
 /* hatchstat frames A B ...: measures flicker in a sequence of pictures; the report has one row per picture. */
 #include <math.h>
+#include <string.h>
 
 #include "filter/difference.h"
 #include "subject.h"
@@ -16,55 +17,82 @@ struct figures {
     double mean, change, pop, pop_low;
 };
 
-struct ring {
+/* A sequence of pictures, of which HELD are in memory at once. */
+struct sequence {
+    struct cmd_args *args;
+    bool srgb;
+    bool wide;                /* pictures are converted to RGBA: not all have the same channels */
+    struct hatch_image piped; /* that of standard input, which cannot be read again, in RGBA; zeroed: not read */
     struct hatch_arena arenas[HELD];
     struct hatch_image images[HELD];
 };
 
-static struct hatch_image *load(struct cmd_args *args, int index, bool srgb, struct ring *ring)
+static void read_one(struct sequence *sequence, const char *path, struct hatch_arena *arena, struct hatch_image *image)
 {
-    struct hatch_arena *arena = &ring->arenas[index % HELD];
-    struct hatch_image *image = &ring->images[index % HELD];
-    const char *path = args->operands[1 + index];
-    hatch_arena_free(arena);
-    hatch_arena_init(arena, args->max_memory);
-    stat_read_picture(args, path, srgb, arena, image);
-    const struct hatch_image *previous = &ring->images[(index + HELD - 1) % HELD];
-    struct hatch_err err;
-    if (index > 0 && (image->width != previous->width || image->height != previous->height ||
-                      image->channel_count != previous->channel_count)) {
-        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels of %u channels, the previous frame has %ux%u of %u",
-                   image->width, image->height, image->channel_count, previous->width, previous->height,
-                   previous->channel_count);
-        cmd_die(cmd_input_name(path), &err);
+    struct cmd_args *args = sequence->args;
+    bool piped = strcmp(path, "-") == 0;
+    if (piped && sequence->piped.pixels) {
+        *image = sequence->piped;
+        return;
     }
-    return image;
+    stat_read_picture(args, path, sequence->srgb, arena, image);
+    if (piped) {
+        sequence->piped = *image;
+        stat_widen(&args->keep, &sequence->piped);
+    }
+    if (sequence->wide)
+        stat_widen(arena, image);
 }
 
-static void measure(struct cmd_args *args, bool srgb, int count, struct figures *figures)
+/* Reads the picture at an index. Returns false if it has other channels than the one before. */
+static bool load(struct sequence *sequence, int index)
 {
-    struct ring ring = {0};
+    struct hatch_arena *arena = &sequence->arenas[index % HELD];
+    struct hatch_image *image = &sequence->images[index % HELD];
+    const struct hatch_image *previous = &sequence->images[(index + HELD - 1) % HELD];
+    const char *path = sequence->args->operands[1 + index];
     struct hatch_err err;
-    for (int i = 0; i < count; i++) {
-        struct hatch_image *image = load(args, i, srgb, &ring);
+    hatch_arena_free(arena);
+    hatch_arena_init(arena, sequence->args->max_memory);
+    read_one(sequence, path, arena, image);
+    if (index == 0)
+        return true;
+    if (image->width != previous->width || image->height != previous->height) {
+        hatch_fail(&err, HATCH_BAD_INPUT, "%ux%u pixels, the previous frame has %ux%u", image->width, image->height,
+                   previous->width, previous->height);
+        cmd_die(cmd_input_name(path), &err);
+    }
+    return image->channel_count == previous->channel_count;
+}
+
+/* Measures the pictures up to the first one that has other channels than the one before. Returns false if there is one.
+ */
+static bool measure(struct sequence *sequence, int count, struct figures *figures)
+{
+    struct hatch_err err;
+    bool alike = true;
+    for (int i = 0; i < count && (alike = load(sequence, i)); i++) {
+        struct hatch_image *images = sequence->images, *image = &images[i % HELD];
         struct hatch_difference difference;
         figures[i] = (struct figures){hatch_image_mean(image), NAN, NAN, NAN};
-        struct hatch_image *previous = &ring.images[(i + HELD - 1) % HELD];
+        struct hatch_image *previous = &images[(i + HELD - 1) % HELD];
         if (i >= 1) {
             hatch_image_difference(previous, image, &difference);
             figures[i].change = difference.mean;
         }
         if (i >= 2) { /* the second difference is written over the oldest frame, which is not needed again */
-            struct hatch_image *oldest = &ring.images[(i + HELD - 2) % HELD];
+            struct hatch_image *oldest = &images[(i + HELD - 2) % HELD];
             struct figures *middle = &figures[i - 1];
             middle->pop = hatch_image_second_difference(oldest, previous, image, oldest);
-            cmd_check(hatch_image_low_difference(oldest, NULL, POP_BOX_PX, &args->scratch, &middle->pop_low, &err),
-                      NULL, &err);
+            cmd_check(
+                hatch_image_low_difference(oldest, NULL, POP_BOX_PX, &sequence->args->scratch, &middle->pop_low, &err),
+                NULL, &err);
         }
         cmd_progress("frames", (double)(i + 1) / count);
     }
     for (int i = 0; i < HELD; i++)
-        hatch_arena_free(&ring.arenas[i]);
+        hatch_arena_free(&sequence->arenas[i]);
+    return alike;
 }
 
 static void put_row(struct cmd_report *report, const char *name, const struct figures *figures, double drift)
@@ -96,7 +124,11 @@ enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *
     struct hatch_err err;
     struct figures *figures;
     cmd_check(HATCH_ALLOC(&args->keep, &figures, (size_t)count, &err), NULL, &err);
-    measure(args, options->srgb, count, figures);
+    struct sequence sequence = {.args = args, .srgb = options->srgb};
+    if (!measure(&sequence, count, figures)) {
+        sequence.wide = true;
+        measure(&sequence, count, figures);
+    }
     struct cmd_report report;
     cmd_report_begin(&report, args, columns);
     for (int i = 0; i < count; i++)

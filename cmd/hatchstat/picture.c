@@ -29,7 +29,7 @@ static void as_rgba(const struct hatch_image *image, size_t texel, float *rgba)
     rgba[3] = channels % 2 == 0 ? from[channels - 1] : 1;
 }
 
-static void widen(struct hatch_arena *arena, struct hatch_image *image)
+void stat_widen(struct hatch_arena *arena, struct hatch_image *image)
 {
     struct hatch_err err;
     struct hatch_image wide;
@@ -49,6 +49,6 @@ void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_i
     }
     if (first->channel_count == image->channel_count)
         return;
-    widen(arena, first);
-    widen(arena, image);
+    stat_widen(arena, first);
+    stat_widen(arena, image);
 }

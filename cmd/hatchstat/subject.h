@@ -44,8 +44,10 @@ enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *o
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
                        struct hatch_image *image);
 
-/* Converts both images to RGBA when their channels differ: grey becomes equal red, green and blue, and a missing alpha
- * becomes 1. Ends the process when their sizes differ.
+/* Converts an image to RGBA, in arena: grey becomes equal red, green and blue, and a missing alpha becomes 1. */
+void stat_widen(struct hatch_arena *arena, struct hatch_image *image);
+
+/* Converts both images to RGBA when their channels differ. Ends the process when their sizes differ.
  *   path  path of image, for messages */
 void stat_make_alike(struct hatch_arena *arena, const char *path, struct hatch_image *first, struct hatch_image *image);
 

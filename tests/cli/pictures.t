@@ -55,6 +55,22 @@ is "frames: the pop at the second frame" "$(field pop <frames.tsv | cut -c 1-5 |
     "nan 0.568 nan 0.568"
 is "frames: the largest drift" "$(field drift <frames.tsv | tail -n 1)" 1
 
+# A sequence of grey and coloured pictures is measured in RGBA: opacity, which is 1, counts as a fourth channel.
+perl -e 'print pack("a2 V3 V3 v2 V6", "BM", 78, 0, 54, 40, 4, 2, 1, 24, 0, 24, 0, 0, 0, 0),
+    pack("C*", map { (30 * $_) x 3 } 4 .. 7, 0 .. 3)' >steps.bmp
+for order in "steps.pgm steps.ppm steps.pgm" "steps.ppm steps.ppm steps.pgm" "- steps.pgm steps.ppm" \
+    "steps.pgm steps.ppm -"; do
+    is "frames: no change between grey and colour, $order" \
+        "$(hatchstat frames $order <steps.bmp | awk -F'\t' 'NR > 1 {print $3, $4, $5, $6}' | paste -sd,)" \
+        "0 nan nan nan,0 0 0 0,0 0 nan nan,0 0 0 0"
+done
+awk 'BEGIN {print "P2\n16 16\n255"; for (i = 0; i < 256; i++) print 0}' >black.pgm
+hatchstat frames black.pgm grey.ppm white.ppm >mixed.tsv
+is "frames: means of grey and colour" "$(field mean <mixed.tsv | cut -c 1-5 | paste -sd' ')" "0.25 0.411 1 0.553"
+is "frames: pop of grey and colour" "$(field pop <mixed.tsv | cut -c 1-5 | paste -sd' ')" "nan 0.426 nan 0.426"
+try hatchstat frames black.pgm grey.ppm wide.ppm
+refused "frames: pictures of two sizes" 3 1
+
 # A 2 x 2 picture in formats that the plugin reads: red, green; blue, white.
 printf 'P6\n2 2\n255\n\377\0\0\0\377\0\0\0\377\377\377\377' >colours.ppm
 printf 'BM\106\0\0\0\0\0\0\0\066\0\0\0\050\0\0\0\2\0\0\0\2\0\0\0\1\0\030\0\0\0\0\0\020\0\0\0' >colours.bmp
