@@ -137,7 +137,7 @@ START_TEST(many_paths_at_one_place_are_tidied)
         HATCH_TEST_OK(hatch_vector_end(&builder, false, &err), &err);
     }
     struct hatch_vector_paths paths = hatch_vector_built(&builder), single, joined;
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&paths, 1e-4, &keep, &scratch, &single, &err), &err);
+    HATCH_TEST_OK(hatch_vector_drop_doubles(&paths, NULL, 1e-4, &keep, &scratch, &single, &err), &err);
     HATCH_TEST_OK(hatch_vector_join(&single, 1e-4, &keep, &scratch, &joined, &err), &err);
     ck_assert_uint_lt(joined.count, 2000);
     HATCH_TEST_OK(hatch_vector_simplify(&joined, 1e-3, 1e-9, &scratch, &err), &err);
