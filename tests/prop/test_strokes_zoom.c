@@ -81,7 +81,8 @@ START_TEST(near_strokes_are_those_of_a_far_view)
     begin_mesh(&mesh);
     for (int k = 0; k < 2; k++) /* a whole number of cycles of the pattern away, as seen from there */
         here[k] = floor(0.3 * bits) / bits + ldexp(there[k], -octaves[_i]);
-    const struct hatch_view from_far = view_of(there, 1.6), from_near = view_of(here, ldexp(1.6, -octaves[_i]));
+    /* so near that the plane fills the margin around the picture, too */
+    const struct hatch_view from_far = view_of(there, 1.2), from_near = view_of(here, ldexp(1.2, -octaves[_i]));
     draw(&from_far, &far);
     draw(&from_near, &near);
     for (uint32_t i = 0; i < far.count; i++) {

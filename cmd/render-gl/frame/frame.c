@@ -26,6 +26,17 @@ enum hatch_status frame_cut_near(struct frame *frame, enum hatch_near_places pla
     return near_begin(&frame->near, frame->scene, &options, &frame->view, err);
 }
 
+enum hatch_status frame_set_tile(struct frame *frame, const struct hatch_tile *tile, uint32_t side,
+                                 enum hatch_near_places places, struct hatch_err *err)
+{
+    frame->request.tile = tile;
+    if (frame->near.found.items)
+        HATCH_TRY(frame_cut_near(frame, places, err));
+    frame_block_set_view(&frame->block, &frame->view, tile, side);
+    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
+    return HATCH_OK;
+}
+
 enum hatch_status frame_begin(struct frame *frame, const struct frame_request *request, enum hatch_near_places places,
                               struct hatch_err *err)
 {

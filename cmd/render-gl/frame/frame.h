@@ -72,6 +72,14 @@ enum hatch_status frame_begin(struct frame *frame, const struct frame_request *r
 enum hatch_status frame_cut_near(struct frame *frame, enum hatch_near_places places,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
+/* Lets the passes that follow draw another tile of the same view: cuts near faces again for it, and writes the uniform
+ * block.
+ *   tile    kept by reference
+ *   side    samples along a side of a pixel
+ *   places  as for frame_begin */
+enum hatch_status frame_set_tile(struct frame *frame, const struct hatch_tile *tile, uint32_t side,
+                                 enum hatch_near_places places, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Draws haloes and averages the samples.
  *   haloes  false: no haloes are drawn, because the technique's output is not a colour */
 enum hatch_status frame_end(struct frame *frame, bool haloes, struct hatch_err *err) HATCH_MUST_USE;

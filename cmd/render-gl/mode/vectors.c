@@ -203,7 +203,7 @@ static void set_layers(const struct drawing *drawing, char (*names)[LAYER_NAME_B
         const uint32_t first = second ? LAYER_LIGHT : LAYER_STROKES;
         if (!lines && i - first >= drawing->stroke_layers[second])
             continue;
-        snprintf(names[i], sizeof names[i], "%s-%u", second ? "light" : "strokes", i - first + 1);
+        snprintf(names[i], sizeof names[i], second ? "light-%u" : "strokes-%u", i - first + 1);
         layer->name = i == LAYER_OUTLINES ? "outlines" : lines ? "hidden" : names[i];
         layer->look = lines ? NULL : drawing->look;
         layer->pen_mm = drawing->pen_mm;

@@ -191,18 +191,18 @@ START_TEST(slack_and_own_faces_keep_a_line_on_its_surface)
 }
 END_TEST
 
-/* The face hides the middle of a line, of which a part on each side is blank: it is not visible, and not hidden either. The
+/* The face hides the middle of a line, of which a part on each side is blank: it is neither visible nor hidden. The
  * blank part goes on behind the face, where it is hidden as the rest is. */
 START_TEST(a_blank_part_is_neither_visible_nor_hidden)
 {
     struct hatch_mesh face = square(0.5, 0, 0.1);
     static const struct hatch_vector_curve curve = {.count = 5};
     static const bool blank[] = {false, true, false, true, false};
-    struct hatch_vector_curves curves = {
-        .count = 1,
-        .curves = &curve,
-        .points = (const double[]){-0.9, 0, 0, -0.8, 0, 0, -0.3, 0, 0, 0.6, 0, 0, 0.7, 0, 0},
-        .blank = blank};
+    struct hatch_vector_curves curves = {.count = 1,
+                                         .curves = &curve,
+                                         .points =
+                                             (const double[]){-0.9, 0, 0, -0.8, 0, 0, -0.3, 0, 0, 0.6, 0, 0, 0.7, 0, 0},
+                                         .blank = blank};
     hide_behind(&face, &view_facing);
     see(&curves, &visible, &hidden);
     ck_assert_uint_eq(visible.count, 2);

@@ -242,8 +242,8 @@ START_TEST(dashes_begin_and_end_a_path)
 }
 END_TEST
 
-/* Two dashes and a gap shrink to half on a path; on a shorter one there is a single dash. A closed path shrinks one dash
- * and one gap. */
+/* Two dashes and a gap shrink to half on a path; on a shorter one there is a single dash. On a closed path, one dash
+ * and one gap shrink. */
 START_TEST(dashes_of_short_paths_are_shorter)
 {
     struct hatch_vector_paths from, to;

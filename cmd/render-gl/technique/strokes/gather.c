@@ -27,12 +27,13 @@ void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
  * drawings have a smaller canvas. tile   that tile count  out: number of fragments found, which may exceed the capacity
  * of the buffer */
 static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
-                                        const struct hatch_tile *tile, uint32_t *count, struct hatch_err *err)
+                                        uint32_t *count, struct hatch_err *err)
 {
     static const float far = 0;
     static const struct strokes_fragments_head none = {0};
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
+    const struct hatch_tile *tile = frame->request.tile;
     const struct gpu_target_form form = {
         .width = (uint32_t)tile->width, .height = (uint32_t)tile->height, .depth = GL_DEPTH_COMPONENT32F};
     const struct gpu_target *target;
@@ -68,31 +69,39 @@ static struct hatch_tile with_margin(const struct hatch_tile *tile, double most,
     return grown;
 }
 
-/* Draws the fragments, again with a larger buffer if they do not all find room. */
+/* Draws the fragments in the tile of the frame, again with a larger buffer if they do not all find room. */
+static enum hatch_status find_all(struct technique_context *context, struct technique_instance *instance,
+                                  uint32_t *count, struct hatch_err *err)
+{
+    struct strokes_state *state = instance->state;
+    for (;;) {
+        strokes_reserve(&state->fragments,
+                        sizeof(struct strokes_fragments_head) + STROKES_FRAGMENT_BYTES * state->capacity);
+        HATCH_TRY(gpu_check_memory(err, "%zu fragments of strokes", state->capacity));
+        HATCH_TRY(draw_fragments(context, instance, count, err));
+        if (*count <= state->capacity)
+            return HATCH_OK;
+        state->capacity = *count;
+    }
+}
+
+/* Draws the fragments, with a margin around the tile of the frame. */
 static enum hatch_status find_fragments(struct technique_context *context, struct technique_instance *instance,
                                         uint32_t *count, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
     const struct canvas *canvas = frame->request.canvas;
+    const struct hatch_tile *shown = frame->request.tile;
     if (state->capacity < (size_t)canvas->width * canvas->height)
         state->capacity = (size_t)canvas->width * canvas->height;
     state->margin_px = ceil(fmin(MARGIN_WIDTHS * state->width_px, instance->technique->reach_px(instance)));
-    const struct hatch_tile tile = with_margin(frame->request.tile, frame->size_max_px, &state->margin_px);
-    frame_block_set_view(&frame->block, &frame->view, &tile, 1);
-    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
-    for (;;) {
-        strokes_reserve(&state->fragments,
-                        sizeof(struct strokes_fragments_head) + STROKES_FRAGMENT_BYTES * state->capacity);
-        HATCH_TRY(gpu_check_memory(err, "%zu fragments of strokes", state->capacity));
-        HATCH_TRY(draw_fragments(context, instance, &tile, count, err));
-        if (*count <= state->capacity)
-            break;
-        state->capacity = *count;
-    }
-    frame_block_set_view(&frame->block, &frame->view, frame->request.tile, canvas->side);
-    gpu_block_update(&frame->block_buffer, BLOCK_FRAME, &frame->block, sizeof frame->block);
-    return HATCH_OK;
+    const struct hatch_tile grown = with_margin(shown, frame->size_max_px, &state->margin_px);
+    enum hatch_status status = frame_set_tile(frame, &grown, 1, instance->places, err);
+    if (status == HATCH_OK)
+        status = find_all(context, instance, count, err);
+    enum hatch_status back = frame_set_tile(frame, shown, canvas->side, instance->places, err);
+    return status == HATCH_OK ? back : status;
 }
 
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
