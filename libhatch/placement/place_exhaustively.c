@@ -30,13 +30,13 @@ static float added_darkness(const struct line *line, const struct hatch_brush *b
     float step_along = length / (float)along, step_across = width_px / (float)across;
     float back = ((float)along - 1) * 0.5f * step_along, aside = ((float)across - 1) * 0.5f * step_across;
     uint32_t mask = size - 1;
-    float sum = 0;
+    float curvature = line->bend_rad / length, sum = 0; /* 0 of lines, infinite or not a number of dots */
     for (uint32_t i = 0; i < along; i++) {
         uint32_t column = (2 * i + 1) * brush->width / (2 * along);
         float alpha = brush->cumulative[(size_t)(column + 1) * (brush->height + 1) - 1];
         float position = (float)i * step_along - back, lift = 0, reflectance = 0;
-        if (line->bend_rad != 0)
-            bend(line->bend_rad / length, &position, &lift);
+        if (isnormal(curvature))
+            bend(curvature, &position, &lift);
         for (uint32_t j = 0; j < across; j++) {
             float off = (float)j * step_across - aside + lift;
             float sample_x = (line->x + 8) * (float)size + position * line->cosine - off * line->sine;

@@ -44,18 +44,20 @@ static void add_pixel(const struct hatch_frame *f, const struct hatch_brush *bru
     out->along[out->count++] = t < 0 ? 0 : t > 1 ? 1 : t;
 }
 
-/* Adds a pixel of an arc; its positions along and across the stroke are polar coordinates.
+/* Adds a pixel of an arc; its positions along and across the stroke are polar coordinates. The distance from the centre
+ * of a long arc is not subtracted from its radius: both are large, and nearly equal.
  *   dx, dy  position relative to the middle of the arc, px */
 static void add_arc_pixel(const struct hatch_frame *f, const struct hatch_brush *brush, uint32_t at, float dx, float dy,
                           struct hatch_footprint *out)
 {
-    float reach = fabsf(f->radius), side = f->radius < 0 ? -1.0f : 1.0f;
-    float along = dx * f->cosine + dy * f->sine;
-    float inward = reach - (dy * f->cosine - dx * f->sine) * side;
-    float distance = sqrtf(along * along + inward * inward);
-    if (fabsf(reach - distance) >= f->half_width + 0.5f)
+    double reach = fabs(f->radius), side = f->radius < 0 ? -1 : 1;
+    double along = (double)(dx * f->cosine + dy * f->sine);
+    double inward = (double)(dy * f->cosine - dx * f->sine) * side; /* from the middle towards the centre */
+    double distance = sqrt(along * along + (reach - inward) * (reach - inward));
+    double across = (2 * reach * inward - inward * inward - along * along) / (reach + distance);
+    if (fabs(across) >= (double)f->half_width + 0.5)
         return;
-    add_pixel(f, brush, at, reach * (float)atan2((double)along, (double)inward), (reach - distance) * side, out);
+    add_pixel(f, brush, at, (float)(reach * atan2(along, reach - inward)), (float)(across * side), out);
 }
 
 static void draw_row(const struct hatch_brush *brush, const struct hatch_frame *f, uint32_t size_px, int32_t y,

@@ -25,7 +25,8 @@ enum hatch_status hatch_footprint_make(struct hatch_arena *arena, uint32_t size_
 
 /* Rasterises a stroke with a box filter of one pixel along and across, so that edges are anti-aliased and a stroke
  * thinner than a pixel keeps its ink. A pixel that the stroke covers more than once around the torus gets its largest
- * alpha; a path gives it the alpha of its nearest part.
+ * alpha; a path gives it the alpha of its nearest part. An arc whose middle is less than 1/64 px from its chord is
+ * drawn as a line.
  *   size_px                    width and height of the image, 1 .. that of hatch_footprint_make
  *   length_scale, width_scale  0 .. 1; 1 is the full stroke
  *   footprint                  out */

@@ -3,6 +3,14 @@
 #include "base/random.h"
 
 #define CAP_SAMPLES 8u
+#define SAGITTA_MIN (1.0 / 64) /* px: least distance of the middle of an arc from its chord */
+
+/* Returns the radius of an arc, px; 0: the stroke is drawn straight. */
+static double radius_of(const struct hatch_stroke *stroke, uint32_t size_px)
+{
+    double length_px = (double)stroke->length * size_px, bend = (double)stroke->bend_rad;
+    return !stroke->path && length_px * fabs(bend) / 8 >= SAGITTA_MIN ? length_px / bend : 0;
+}
 
 struct hatch_frame hatch_frame_make(const struct hatch_stroke *stroke, const struct hatch_brush *brush,
                                     uint32_t size_px, float length_scale, float width_scale)
@@ -14,7 +22,7 @@ struct hatch_frame hatch_frame_make(const struct hatch_stroke *stroke, const str
     f.sine = (float)sin((double)stroke->angle_rad);
     f.half_width = stroke->width_px * width_scale * 0.5f;
     f.half_length = stroke->length * (float)size_px * length_scale * 0.5f;
-    f.radius = stroke->bend_rad != 0 && !stroke->path ? stroke->length * (float)size_px / stroke->bend_rad : 0;
+    f.radius = radius_of(stroke, size_px);
     /* Caps extend a path beyond its end points; the length of other strokes includes them. */
     f.core = f.half_length - (stroke->path ? 0 : f.half_width);
     f.core = f.core > 0 ? f.core : 0;

@@ -8,7 +8,7 @@
 struct hatch_frame {
     float centre_x, centre_y;      /* px */
     float cosine, sine;            /* of the stroke's direction */
-    float radius;                  /* px, of an arc, negative for a negative bend; 0: straight */
+    double radius;                 /* px, of an arc, negative for a negative bend; 0: straight */
     float half_length, half_width; /* px */
     float core; /* px: half the length of the centre line; a round brush has its caps at the ends of this line */
     float per_length, per_width; /* 1 / px: converts px to 0 .. 1 along and across */

@@ -7,6 +7,11 @@ mkdir pencil
 echo 'brush stipple' >ink
 tamgen $small --style pencil -o again.exr
 ok "a folder does not hide an installed style of the same name" cmp pencil.exr again.exr
+ok "strokes may be bent very little" tamgen --size 256 --tones 3 --set 'bend 0 .001' -o /dev/null
+for bend in 0 1e-40; do
+    tamgen $small --method exhaustive --set "bend 0 $bend" -o bent$bend.exr
+done
+ok "and so little that they are straight, whatever the method" cmp bent0.exr bent1e-40.exr
 tamgen $small -o default.exr
 tamgen $small --style ./ink -o mine.exr
 ok "a style given as a path is a file" test "$(cksum <default.exr)" != "$(cksum <mine.exr)"

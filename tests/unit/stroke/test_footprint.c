@@ -243,6 +243,54 @@ START_TEST(a_striped_brush_keeps_its_mean_when_it_is_drawn_small)
 }
 END_TEST
 
+/* The offset of a long arc from its chord is the difference of two large numbers. A pixel, which is box-filtered,
+ * changes by no more than the centre line moves there, at most by the sagitta, and at the ends by what the edges turn:
+ * about bend. */
+START_TEST(a_slightly_bent_stroke_is_nearly_a_straight_one)
+{
+    static const float bends[] = {1e-42f, 1e-20f, 1e-7f, 1e-6f, 1e-5f, 2e-5f, 1e-4f, 1e-3f, 1.2e-3f, 2e-3f, 0.01f};
+    static float straight[SIZE * SIZE], bent[SIZE * SIZE];
+    for (uint32_t b = 0; b < 2 * sizeof bends / sizeof *bends; b++)
+        for (uint64_t i = 0; i < 10; i++) {
+            struct hatch_stroke stroke = stroke_at(0.5f, 0.5f, 0.9f * (float)SIZE, 2.5f, (float)i * 0.7f);
+            draw(stroke, &print);
+            to_picture(&print, straight);
+            stroke.bend_rad = b % 2 ? bends[b / 2] : -bends[b / 2];
+            float sagitta = stroke.length * (float)SIZE * bends[b / 2] / 8, most = 0;
+            ck_assert_double_eq_tol(draw(stroke, &print), 0.9 * SIZE * 2.5, 4);
+            to_picture(&print, bent);
+            for (uint32_t at = 0; at < SIZE * SIZE; at++)
+                most = fmaxf(most, fabsf(bent[at] - straight[at]));
+            ck_assert_float_le(most, sagitta + bends[b / 2] + 1e-4f);
+            if (sagitta < 1.0f / 64)
+                ck_assert_float_le(most, 0);
+        }
+}
+END_TEST
+
+/* The centre of gravity of a column of pixels under a level arc is that of the arc, x^2 / (2 radius) below its middle,
+ * where the width is a whole number of pixels. */
+START_TEST(a_slightly_bent_stroke_lies_on_its_arc)
+{
+    static const float bends[] = {2e-3f, 0.01f, 0.03f, -2e-3f, -0.03f};
+    for (uint32_t b = 0; b < sizeof bends / sizeof *bends; b++) {
+        struct hatch_stroke stroke = stroke_at(0.5f, 0.5f, 0.9f * (float)SIZE, 2, 0);
+        double ink[SIZE] = {0}, moment[SIZE] = {0};
+        stroke.bend_rad = bends[b];
+        draw(stroke, &print);
+        for (uint32_t i = 0; i < print.count; i++) {
+            ink[print.at[i] % SIZE] += (double)print.alpha[i];
+            moment[print.at[i] % SIZE] += (double)print.alpha[i] * (print.at[i] / SIZE + 0.5 - SIZE / 2);
+        }
+        for (uint32_t x = 8; x < SIZE - 8; x++) {
+            double from_middle = x + 0.5 - SIZE / 2, radius = 0.9 * SIZE / (double)bends[b];
+            ck_assert_double_eq_tol(ink[x], 2, 1e-3);
+            ck_assert_double_eq_tol(moment[x] / ink[x], from_middle * from_middle / (2 * radius), 1e-3);
+        }
+    }
+}
+END_TEST
+
 START_TEST(a_stroke_that_is_too_large_is_rejected)
 {
     struct hatch_footprint huge;
@@ -282,6 +330,8 @@ static Suite *suite(void)
     tcase_add_test(tests, growing_strokes_are_shorter_and_thinner);
     tcase_add_test(tests, along_runs_from_start_to_end);
     tcase_add_test(tests, a_striped_brush_keeps_its_mean_when_it_is_drawn_small);
+    tcase_add_test(tests, a_slightly_bent_stroke_is_nearly_a_straight_one);
+    tcase_add_test(tests, a_slightly_bent_stroke_lies_on_its_arc);
     tcase_add_test(tests, a_stroke_that_is_too_large_is_rejected);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
