@@ -71,8 +71,7 @@ void kept_pass_on(struct job *job, const char *path, bool all_levels, struct kep
             .seed = hatch_mipmap_attribute(column, HATCH_TAM_ATTR_SEED)->text,
             .style = hatch_mipmap_attribute(column, HATCH_TAM_ATTR_STYLE)->text,
             .growth = (float)hatch_mipmap_attribute(column, HATCH_TAM_ATTR_GROWTH)->number,
-            .whole = {whole_px, job->tones < whole || part.finer ? whole : 0, targets[whole - 1],
-                      (float)part.tolerance}};
+            .whole = {whole_px, whole, targets[whole - 1], (float)part.tolerance}};
         column->levels += part.finer;
         column->level_count -= part.finer;
         hatch_tam_set_metadata(&metadata, i, targets[i], column);

@@ -45,8 +45,8 @@ struct hatch_tam_strokes {
 };
 
 /* Checks nesting stroke by stroke: counts how often a stroke is missing from the images that should first hold it, one
- * on each of its levels. It is missing when a pixel of its footprint is lighter than the stroke alone would make it.
- * That darker columns contain it follows from lighter_pixels being 0.
+ * on each of its levels. It is missing when a pixel of its footprint is lighter than the stroke alone would make it
+ * and rounding by the map's tolerance. That darker columns contain it follows from lighter_pixels being 0.
  * HATCH_BAD_INPUT for a stroke of a column or level that the map does not have. */
 enum hatch_status hatch_measure_tam_nesting(const struct hatch_tam *tam, const struct hatch_tam_strokes *strokes,
                                             struct hatch_arena *scratch, uint64_t *missing,

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "measure/tam_figures.h"
 #include "placement/canvas.h"
+#include "tam/whole.h"
 
 /* Rounding error of reflectances, which are stored as halves: 11 bits. */
 #define HALF_STEP 0x1p-11f
@@ -25,16 +26,18 @@ static enum hatch_status white_canvas(const struct hatch_tam *tam, const struct 
     return hatch_canvas_make(&options, scratch, canvas, err);
 }
 
-/* Returns whether a pixel of the footprint is lighter in any channel than the stroke alone would make it. */
+/* Returns whether a pixel of the footprint is lighter in any channel than the stroke alone would make it and
+ * rounding. */
 static bool is_missing(const struct hatch_tam *tam, const struct hatch_canvas *canvas,
                        const struct hatch_stroke *stroke, const struct hatch_image *image)
 {
     const struct hatch_footprint *f = &canvas->footprint;
+    float off = HALF_STEP + hatch_tam_step_max((double)tam->whole.tolerance) / 2;
     float grey = (stroke->rgb[0] + stroke->rgb[1] + stroke->rgb[2]) / 3;
     for (uint32_t i = 0; i < f->count; i++)
         for (uint32_t c = 0; c < (tam->color ? 3 : 1); c++)
             if (image->pixels[(size_t)f->at[i] * image->channel_count + c] >
-                1 - f->alpha[i] * (1 - (tam->color ? stroke->rgb[c] : grey)) + HALF_STEP)
+                1 - f->alpha[i] * (1 - (tam->color ? stroke->rgb[c] : grey)) + off)
                 return true;
     return false;
 }

@@ -230,7 +230,7 @@ static enum hatch_status make_metadata(const struct filler *f, uint32_t columns,
     const struct hatch_fill_options *options = f->options;
     HATCH_TRY(hatch_column_metadata(f->style, columns / every, options->levels, options->seed, options->growth,
                                     f->arena, metadata, err));
-    if (columns < options->tones || options->whole_size_px > options->size_px)
+    if (columns < options->tones || options->whole_size_px > options->size_px || options->tolerance > 0)
         metadata->whole =
             (struct hatch_tam_whole){.size_px = options->whole_size_px ? options->whole_size_px : options->size_px,
                                      .tones = options->tones / every,

@@ -22,7 +22,7 @@ struct hatch_fill_options {
     uint32_t every;                  /* of those, only each every-th one is passed on, and the map has the columns of
                                         one of tones / every; divides tones and needed; 0: 1 */
     uint32_t whole_size_px;          /* size_px of the whole map of which this is a part; 0: the same */
-    float tolerance;                 /* that the map names if it is not whole: struct hatch_tam_whole */
+    float tolerance;                 /* that the map names: struct hatch_tam_whole; 0: it is whole, and not rounded */
     uint32_t levels;                 /* number of drawn levels, 1 upwards; the coarsest has at least 32 pixels */
     enum hatch_fill_method method;
     uint64_t seed; /* random seed */

@@ -18,7 +18,7 @@ struct hatch_tam_whole {
     uint32_t size_px; /* width of its finest level */
     uint32_t tones;   /* number of its columns; a map that is whole has as many */
     float darkest;    /* tone of its last column */
-    float tolerance;  /* mean difference of tone that was allowed, 0 .. 1; 0 where the map is whole */
+    float tolerance;  /* mean difference of tone that was allowed, 0 .. 1; 0: the map is whole, and not rounded */
 };
 
 /* The channels of every image are Y, or R, G and B (reflectance, 1 = paper, 0 = ink), followed by id and t if ids is
@@ -45,7 +45,7 @@ struct hatch_tam {
 #define HATCH_TAM_ATTR_OVERLAP "hatch:overlap" /* text: FLAT; missing where crossing strokes darken each other */
 #define HATCH_TAM_OVERLAP_FLAT "flat"
 #define HATCH_TAM_ATTR_STROKES "hatch:strokes" /* text: stroke script, in the last column of a map with ids */
-/* Of maps that are not whole */
+/* Of maps that are not whole, or rounded */
 #define HATCH_TAM_ATTR_WHOLE_SIZE "hatch:whole-size"
 #define HATCH_TAM_ATTR_WHOLE_TONES "hatch:whole-tones"
 #define HATCH_TAM_ATTR_WHOLE_TONE "hatch:whole-tone"
@@ -87,7 +87,7 @@ struct hatch_tam_metadata {
     const char *style;            /* name of the style */
     bool flat;                    /* as in struct hatch_tam */
     float growth;                 /* as in struct hatch_fill_options */
-    struct hatch_tam_whole whole; /* tones 0: the map is whole */
+    struct hatch_tam_whole whole; /* tones 0: the map is whole, and not rounded */
 };
 
 /* Sets the name and the attributes of a column, as tam(5) requires.

@@ -123,16 +123,22 @@ static double change_by(const struct hatch_image *image, const float *before, ui
     return change.count > 0 ? sqrt(change.squares / (double)change.count) : 0;
 }
 
+float hatch_tam_step_max(double tolerance)
+{
+    float step = STEP_MAX;
+    while ((double)step > 16 * tolerance && step >= STEP_MIN)
+        step /= 2;
+    return step >= STEP_MIN ? step : 0;
+}
+
 /* Returns the step for a level: the largest that changes little, or else that which changes least; 0: it is not
  * rounded. A finer step may change more than that of the column before, since what was rounded down there stays as
  * dark, while what was rounded up does not. */
 static float find_step(const struct hatch_image *image, const float *before, uint32_t channels, double tolerance)
 {
-    float step = STEP_MAX, best = 0;
+    float best = 0;
     double least = INFINITY;
-    while ((double)step > 16 * tolerance)
-        step /= 2;
-    for (; step >= STEP_MIN; step /= 2) {
+    for (float step = hatch_tam_step_max(tolerance); step >= STEP_MIN; step /= 2) {
         double change = change_by(image, before, channels, step);
         if (change <= tolerance / 2)
             return step;

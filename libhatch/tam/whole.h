@@ -33,10 +33,15 @@ enum hatch_status hatch_tam_whole_read(const char *const *key_values, uint32_t s
  *   tolerance  that the map then names */
 void hatch_tam_cut(struct hatch_tam *tam, uint32_t tones, uint32_t finer, double tolerance);
 
+/* Returns the largest step of hatch_tam_round, a power of 1/2: at most 1/8 and 16 times the tolerance; 0 for steps
+ * under 2^-11, the precision of a file, which are not made. A pixel gets lighter by at most half of a step.
+ *   tolerance  0 upwards */
+float hatch_tam_step_max(double tolerance);
+
 /* Rounds the reflectance of the drawn levels of a column, which then takes fewer bytes in a file. The step of a level
- * is a power of 1/2, at most 1/8 and 16 times the tolerance, by which means over blocks of 8 × 8 pixels that have ink
+ * is a power of 1/2, at most hatch_tam_step_max, by which means over blocks of 8 × 8 pixels that have ink
  * change by half of the tolerance at most (root mean square), unless a finer step would change more: pixels that the
- * column before has rounded down stay so. Under 2^-11, the precision of a file, nothing is rounded.
+ * column before has rounded down stay so.
  *   levels     number of drawn levels
  *   tolerance  mean difference of tone, over 0
  *   rounded    in: the column before as it was rounded, or paper; out: no pixel is lighter. The size and the channels

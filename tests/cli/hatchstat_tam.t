@@ -35,6 +35,30 @@ ok "the strokes of another map are counted as missing" test "$(cell missing last
 try hatchstat tam other.exr --strokes ink.tsv
 is "missing strokes are no failure without --check" "$status" 0
 
+
+# Maps by needs are rounded, and say by how much: one that lacks columns and levels, one that lacks nothing, a drawing's.
+# needs TOLERANCE DARKEST: prints needs of views that show nothing in particular
+needs() {
+    printf 'thing\tindex\tvalue\tunit\ntolerance\t0\t%s\t\nrelative\t0\t1\t\ndarkest\t0\t%s\ttone\n' "$1" "$2"
+    printf 'region-low\t0\t-1\t\nregion-low\t1\t-1\t\nregion-low\t2\t0\t\n'
+    printf 'region-side\t0\t.1875\t\nregion-side\t1\t.0625\t\nregion-side\t2\t0\t\nregion-cells\t0\t0\t\n'
+}
+needs .01 .7 >part.needs
+needs .009 1 >all.needs
+for of in part all; do
+    tamgen $size --needs $of.needs --strokes $of.tsv -o $of.exr
+    try hatchstat tam $of.exr --strokes $of.tsv --check
+    is "--check passes a rounded map ($of)" "$status $(cell missing last <.out)" "0 0"
+done
+try hatchstat tam part.exr --strokes all.tsv
+refused "not with strokes of columns that it lacks" 3 1
+tamgen $size --replay ink.tsv --needs all.needs --strokes drawing.tsv -o drawing.exr
+try hatchstat tam drawing.exr --strokes drawing.tsv
+is "nor does a rounded drawing miss strokes" "$(cell missing last <.out)" 0
+tamgen $size --seed 2 --needs all.needs -o others.exr
+try hatchstat tam others.exr --strokes all.tsv --check
+is "--check fails with the strokes of another rounded map" "$status" 1
+
 try hatchstat tam ink.exr --strokes ink.tsv --json
 is "JSON has all rows" "$(grep -c '"even4": ' .out)" 33
 is "unknown figures are null in JSON" "$(grep -c nan .out) $(grep '"all"' .out | grep -c '"level": null')" "0 1"

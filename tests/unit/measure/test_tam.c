@@ -4,6 +4,7 @@
 #include "fail_alloc.h"
 #include "measure/tam_figures.h"
 #include "placement/canvas.h"
+#include "tam/whole.h"
 #include "tam_map.h"
 
 static struct test_map map;
@@ -160,6 +161,37 @@ START_TEST(a_stroke_missing_from_one_image_is_found)
 }
 END_TEST
 
+/* Rounding to 1/8 makes pixels lighter by up to 1/16, to 1/32 by up to 1/64. White pixels are missing nonetheless. */
+START_TEST(no_stroke_is_missing_from_a_rounded_map)
+{
+    static const float tolerances[] = {0.1f, 0.01f, 0.002f};
+    map_style(_i ? "speckle" : "ink", NULL, &map);
+    map_fill(&map);
+    for (uint32_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
+        struct hatch_image levels[HATCH_MIP_LEVELS_MAX], *image = map.columns[0].levels;
+        struct hatch_mipmap rounded = map.columns[0];
+        rounded.levels = levels;
+        for (uint32_t level = 0; level < rounded.level_count; level++) {
+            HATCH_TEST_OK(hatch_image_make(&map_arena, image[level].width, image[level].height, _i ? "RGB" : "Y",
+                                           &levels[level], &map_err),
+                          &map_err);
+            for (uint32_t i = 0; i < image[level].width * image[level].height * (_i ? 3 : 1); i++)
+                levels[level].pixels[i] = 1;
+        }
+        map.columns[0].levels = levels;
+        ck_assert_uint_gt(missing(), 10);
+        map.columns[0].levels = image;
+        hatch_tam_round(&map.columns[0], map.tam.levels, (double)tolerances[k], &rounded);
+        map.columns[0].levels = levels;
+        map.tam.whole.tolerance = tolerances[k];
+        ck_assert_uint_eq(missing(), 0);
+        map.tam.whole.tolerance = 0;
+        ck_assert_uint_gt(missing(), 10);
+        map.columns[0].levels = image;
+    }
+}
+END_TEST
+
 /* A pixel of a coloured stroke that is white in one channel. */
 START_TEST(a_stroke_missing_from_one_channel_is_found)
 {
@@ -292,6 +324,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_flat_image_has_no_seam_and_no_spread);
     tcase_add_test(tests, the_spread_of_white_noise_falls_with_the_box_size);
     tcase_add_test(tests, a_stroke_missing_from_one_image_is_found);
+    tcase_add_loop_test(tests, no_stroke_is_missing_from_a_rounded_map, 0, 2);
     tcase_add_test(tests, a_stroke_missing_from_one_channel_is_found);
     tcase_add_test(tests, growing_strokes_nest);
     tcase_add_test(tests, a_script_of_another_map_is_refused);

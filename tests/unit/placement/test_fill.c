@@ -369,6 +369,16 @@ START_TEST(each_second_column_has_the_whole_maps_pixels)
 }
 END_TEST
 
+START_TEST(a_rounded_map_that_lacks_nothing_names_the_tolerance)
+{
+    map_style("ink", NULL, &map);
+    map.options.tolerance = 0.01f;
+    map_fill(&map);
+    ck_assert(hatch_tam_is_whole(&map.tam));
+    ck_assert_float_eq(map.tam.whole.tolerance, 0.01f);
+}
+END_TEST
+
 static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
 {
     (void)context, (void)tone, (void)column, (void)err;
@@ -441,6 +451,7 @@ static Suite *suite(void)
     tcase_add_test(tests, columns_tell_how_strokes_overlap);
     tcase_add_test(tests, strokes_have_their_column_and_level_in_drawing_order);
     tcase_add_loop_test(tests, each_second_column_has_the_whole_maps_pixels, 0, 2);
+    tcase_add_test(tests, a_rounded_map_that_lacks_nothing_names_the_tolerance);
     tcase_add_test(tests, directions_follow_the_style);
     tcase_add_test(tests, a_tone_without_directions_uses_all_of_them);
     tcase_add_test(tests, ids_are_those_of_the_strokes_that_cover_the_pixels);

@@ -210,6 +210,15 @@ START_TEST(reflectance_is_rounded_to_steps)
 }
 END_TEST
 
+START_TEST(no_step_exceeds_the_largest)
+{
+    static const double steps[][2] = {
+        {1, 0.125}, {0.0078125, 0.125}, {0.0078, 0.0625}, {0.001, 0x1p-6}, {0x1p-15, 0x1p-11}, {3e-5, 0}, {0, 0}};
+    for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
+        ck_assert_double_eq((double)hatch_tam_step_max(steps[k][0]), steps[k][1]);
+}
+END_TEST
+
 /* Of one grey, rounding changes the mean: its steps are finer. */
 START_TEST(one_grey_keeps_its_tone)
 {
@@ -249,6 +258,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_cut_map_names_the_whole);
     tcase_add_test(tests, its_keys_are_read_as_they_were_printed);
     tcase_add_test(tests, reflectance_is_rounded_to_steps);
+    tcase_add_test(tests, no_step_exceeds_the_largest);
     tcase_add_test(tests, one_grey_keeps_its_tone);
     tcase_add_test(tests, darker_columns_are_nowhere_lighter);
     tcase_add_loop_test(tests, a_volume_of_a_cut_map_has_the_first_slices_of_the_whole, 0, 2);
