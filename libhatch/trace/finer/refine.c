@@ -156,7 +156,10 @@ static enum hatch_status keep_half(struct keeping *keeping, uint32_t way, struct
     const struct hatch_trace_stroke *stroke = keeping->stroke;
     struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     uint32_t *order, count = 0;
-    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &order, tracer->piece_count, err));
+    for (uint32_t n = stroke->first[way]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next)
+        count++;
+    HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &order, count, err));
+    count = 0;
     for (uint32_t n = stroke->first[way]; n != HATCH_TRACE_NONE; n = tracer->pieces[n].next)
         order[count++] = n;
     for (uint32_t i = 0; i < count; i++) {
