@@ -87,6 +87,8 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
     double prescale = strongest > 0 ? 1 / strongest : 1;
     exposure->light_count = hatch_lights_fill(&scene->pose, &scene->bounds, view, &none, prescale, exposure->lights);
     for (uint32_t i = 0; i < scene->item_count; i++) {
+        if (scene->scene->nodes[scene->items[i].node].backdrop)
+            continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
         HATCH_TRY(add_item(exposure, scene, &scene->items[i], scratch, err));
         hatch_arena_rewind(scratch, mark);

@@ -1,4 +1,5 @@
-/* Auto exposure: the factor for the scene's lights at which the brightest twentieth of the lit vertices is white. */
+/* Auto exposure: the factor for the scene's lights at which the brightest twentieth of the lit vertices is white.
+ * Vertices of backdrops do not count. */
 #ifndef HATCH_VIEW_EXPOSURE_H
 #define HATCH_VIEW_EXPOSURE_H
 
