@@ -62,17 +62,20 @@ static void set_matrix(const struct lens *lens, float matrix[16])
             matrix[4 * c + r] = (float)rows[r][c];
 }
 
-/* Fits the map of a directional light to the extent of all items along the map's axes. */
+/* Fits the map of a directional light to the extent of the items along the map's axes. Backdrops, which may be much
+ * larger than the scene, do not widen it: there is light around it, and their shadows on the scene fall within. They
+ * only lengthen its range of depths. */
 static void fit(const struct hatch_unit_scene *scene, struct lens *lens)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < scene->item_count; i++)
         for (int corner = 0; corner < 8; corner++) {
             const struct hatch_item *item = &scene->items[i];
+            int first = scene->scene->nodes[item->node].backdrop ? 2 : 0;
             double point[3];
             for (int k = 0; k < 3; k++)
                 point[k] = corner >> k & 1 ? item->high[k] : item->low[k];
-            for (int k = 0; k < 3; k++) {
+            for (int k = first; k < 3; k++) {
                 low[k] = fmin(low[k], hatch_vec_dot(lens->axes[k], point));
                 high[k] = fmax(high[k], hatch_vec_dot(lens->axes[k], point));
             }

@@ -106,6 +106,51 @@ START_TEST(the_sun_casts_a_shadow_of_the_same_size)
 }
 END_TEST
 
+/* Opens a square above a plane that is a backdrop, as --ground is: two nodes of one mesh. The square leans by 45
+ * degrees to the right. half  half the side of the plane */
+static void begin_backdrop(float half)
+{
+    frame_arenas(&frame);
+    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.args.keep, &frame.scene, &frame.err), &frame.err);
+    struct hatch_node *nodes = HATCH_NEW(&frame.args.keep, struct hatch_node, 2, &frame.err);
+    for (int i = 0; i < 2; i++) {
+        nodes[i] = frame.scene.nodes[0];
+        nodes[i].backdrop = i == 1;
+        nodes[i].translation[2] = i ? 0.0f : (float)HEIGHT;
+        for (int k = 0; k < 3; k++)
+            nodes[i].scale[k] = i ? half : (float)HALF;
+    }
+    nodes[0].rotation[1] = (float)sin(atan(1) / 2);
+    nodes[0].rotation[3] = (float)cos(atan(1) / 2);
+    frame.scene.nodes = nodes;
+    frame.scene.node_count = 2;
+    frame_open_scene(NULL, &frame_unit, NULL, &frame);
+}
+
+/* The size of the ground does not blur a shadow on it, nor does the ground let light through from below. */
+START_TEST(a_large_ground_has_the_same_shadows)
+{
+    double widths[2];
+    for (int large = 0; large < 2; large++) {
+        float row[SIZE];
+        begin_backdrop(large ? 100.0f : 2.0f);
+        struct hatch_key_light *light = &frame.shown.style.light;
+        *light = (struct hatch_key_light){.replaces = true, .azimuth_rad = atan(1)};
+        set_shadows(0.01);
+        draw_row(row);
+        int middle = pixel_at(-HEIGHT);
+        double lit = (double)row[pixel_at(0.5)] - AMBIENT;
+        widths[large] = crossing(row, middle, 1, AMBIENT + 0.9 * lit) - crossing(row, middle, 1, AMBIENT + 0.1 * lit);
+        light->azimuth_rad = atan2(1, -0.27); /* from the right, and a little from below */
+        draw_row(row);
+        ck_assert_double_eq_tol((double)row[pixel_at(0)], AMBIENT, 1.0 / 255);
+        frame_finish(&frame);
+    }
+    ck_assert_msg(widths[1] <= widths[0] + 1.0 / SIZE, "the edge is %g wide instead of %g", widths[1], widths[0]);
+}
+END_TEST
+
 #define LAMP_X 0.9
 #define LAMP_HEIGHT 1.5
 
@@ -263,6 +308,7 @@ static Suite *suite(void)
     Suite *made = suite_create("render shadow");
     TCase *tests = tcase_create("shadow");
     tcase_add_test(tests, the_sun_casts_a_shadow_of_the_same_size);
+    tcase_add_test(tests, a_large_ground_has_the_same_shadows);
     tcase_add_test(tests, lamps_cast_larger_shadows);
     tcase_add_test(tests, lights_beyond_the_limit_cast_no_shadows);
     tcase_add_test(tests, lit_surfaces_do_not_shadow_themselves);
