@@ -16,12 +16,31 @@ static void set_directional(struct hatch_unit_light *light, const double to_ligh
         light->direction[k] = (float)(to_light[k] / length);
 }
 
+/* Computes scale and offset of the cosine that make the falloff of a light's cone: 1 everywhere except for a spot. */
+static void find_cone(const struct hatch_light *from, double cone[2])
+{
+    double outer = cos((double)from->outer_cone_rad), inner = cos((double)from->inner_cone_rad);
+    bool spot = from->type == HATCH_LIGHT_SPOT;
+    cone[0] = spot ? 1.0 / fmax(inner - outer, 1e-3) : 0.0;
+    cone[1] = spot ? -outer / fmax(inner - outer, 1e-3) : 1.0;
+}
+
+/* Returns the share of a lamp's light that cone and range leave at the scene's centre, as light_at in the shader
+ * light.glsl computes it.
+ *   along  cosine of the angle between the lamp's axis and the direction to the centre
+ *   reach  distance of the lamp in ranges; 0: the range is unlimited */
+static double share_at_center(const double cone[2], double along, double reach)
+{
+    double spot = fmin(fmax(along * cone[0] + cone[1], 0), 1), square = reach * reach;
+    return spot * spot * fmin(fmax(1 - square * square, 0), 1);
+}
+
 /* Fills a light except for its strength, and returns the strength. */
 static double set_scene_light(struct hatch_unit_light *light, const struct hatch_light *from, const double world[16],
                               const struct hatch_bounds *bounds)
 {
     double power = (double)from->intensity * (double)hatch_color_luminance(from->color);
-    double away[3] = {world[8], world[9], world[10]}, at[3];
+    double away[3] = {world[8], world[9], world[10]}, at[3], cone[2];
     if (from->type == HATCH_LIGHT_DIRECTIONAL) {
         set_directional(light, away);
         return power;
@@ -29,21 +48,19 @@ static double set_scene_light(struct hatch_unit_light *light, const struct hatch
     hatch_bounds_to_unit(bounds, world + 12, at);
     power = power / bounds->radius / bounds->radius;
     double distance = hatch_vec_length(at), range = (double)from->range / bounds->radius;
+    double length = hatch_vec_length(away);
+    find_cone(from, cone);
     if (!(distance < FAR_AWAY)) {
         set_directional(light, at);
-        return range > 0 && range <= distance ? 0.0 : power / distance / distance;
+        double along = length > 0 ? hatch_vec_dot(away, at) / length / distance : 0;
+        return power / distance / distance * share_at_center(cone, along, range > 0 ? distance / range : 0);
     }
-    double length = hatch_vec_length(away);
     *light = (struct hatch_unit_light){.position = {(float)at[0], (float)at[1], (float)at[2], 1.0f},
-                                       .cone = {0.0f, 1.0f, 0.0f, (float)(1 / (FAR_AWAY * FAR_AWAY))}};
+                                       .cone = {(float)cone[0], (float)cone[1],
+                                                range > 0 ? (float)(1.0 / (range * range)) : 0.0f,
+                                                (float)(1 / (FAR_AWAY * FAR_AWAY))}};
     for (int k = 0; k < 3; k++)
         light->direction[k] = length > 0 ? (float)(-away[k] / length) : 0.0f;
-    if (from->type == HATCH_LIGHT_SPOT) {
-        double outer = cos((double)from->outer_cone_rad), inner = cos((double)from->inner_cone_rad);
-        light->cone[0] = (float)(1.0 / fmax(inner - outer, 1e-3));
-        light->cone[1] = (float)(-outer / fmax(inner - outer, 1e-3));
-    }
-    light->cone[2] = range > 0 ? (float)(1.0 / (range * range)) : 0.0f;
     return power;
 }
 

@@ -96,6 +96,43 @@ START_TEST(a_spot_has_a_cone)
 }
 END_TEST
 
+/* Just within and just beyond 1000 radii, where a spot becomes directional, the light that reaches the scene's centre
+ * is the same: the squared share of the cone, in cosines of the angle between the spot's axis and the centre, and what
+ * the range of 1500 radii leaves. */
+START_TEST(a_far_spot_keeps_its_cone_and_range)
+{
+    static const struct hatch_key_light key = {.replaces = false};
+    static const double angles[] = {0, 0.2, 0.4, 0.5, 0.7, 3};
+    const struct hatch_light lamp = {.type = HATCH_LIGHT_SPOT,
+                                     .color = {1, 1, 1},
+                                     .intensity = 5e7f,
+                                     .range = 7500,
+                                     .inner_cone_rad = 0.3f,
+                                     .outer_cone_rad = 0.6f};
+    struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
+    for (size_t i = 0; i < sizeof angles / sizeof *angles; i++) {
+        double share = fmin(fmax((cos(angles[i]) - cos(0.6)) / (cos(0.3) - cos(0.6)), 0), 1);
+        for (int far = 0; far < 2; far++) {
+            const float distance = far ? 1001 : 999, at[3] = {10, 20, 30 + 5 * distance};
+            light_plane(lamp, at);
+            scene.nodes[1].rotation[0] = (float)sin(angles[i] / 2);
+            scene.nodes[1].rotation[3] = (float)cos(angles[i] / 2);
+            hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+            ck_assert_uint_eq(hatch_lights_fill(&unit.pose, &bounds, &view_facing, &key, 1, lights), 1);
+            ck_assert_float_eq(lights[0].position[3], far ? 0 : 1);
+            double square = (double)distance * (double)distance, got = (double)lights[0].direction[3];
+            if (!far) {
+                double cosine = -(double)lights[0].direction[2], ratio = square * (double)lights[0].cone[2];
+                double spot = fmin(fmax(cosine * (double)lights[0].cone[0] + (double)lights[0].cone[1], 0), 1);
+                got *= spot * spot * (1 - ratio * ratio) / square;
+            }
+            double want = 5e7 / 25 / square * share * share * (1 - pow((double)distance / 1500, 4));
+            ck_assert_msg(fabs(got - want) <= 1e-4, "%g from the axis, far %d: %g, not %g", angles[i], far, got, want);
+        }
+    }
+}
+END_TEST
+
 START_TEST(lights_beyond_the_limit_are_counted)
 {
     static const struct hatch_key_light key = {.replaces = false};
@@ -133,8 +170,8 @@ START_TEST(the_exposure_makes_a_lit_plane_white)
 }
 END_TEST
 
-/* The scene's plane leans by 60 degrees and has half the light; a backdrop with the same vertices, as --ground is, faces
- * the light. */
+/* The scene's plane leans by 60 degrees and has half the light; a backdrop with the same vertices, as --ground is,
+ * faces the light. */
 START_TEST(the_exposure_leaves_out_backdrops)
 {
     const double bin = exp2(1.0 / 16), want = 1 / 4.0;
@@ -195,6 +232,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_key_light_turns_with_the_camera);
     tcase_add_test(tests, a_point_light_is_scaled_with_the_scene);
     tcase_add_test(tests, a_spot_has_a_cone);
+    tcase_add_test(tests, a_far_spot_keeps_its_cone_and_range);
     tcase_add_test(tests, lights_beyond_the_limit_are_counted);
     tcase_add_test(tests, the_exposure_makes_a_lit_plane_white);
     tcase_add_test(tests, the_exposure_leaves_out_backdrops);
