@@ -213,10 +213,19 @@ void material_upload(struct cmd_args *args, const char *file, bool visible, uint
         upload_item(&decoding, i, visible);
 }
 
+static bool is_used(const struct scene *scene, GLuint base_texture)
+{
+    for (uint32_t i = 0; i < scene->unit.item_count; i++)
+        if (scene->items[i].base_texture == base_texture)
+            return true;
+    return false;
+}
+
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct scene *scene)
 {
     static const enum hatch_wrap wrap[2] = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT};
-    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch), kept = hatch_arena_mark(&args->keep);
+    GLuint made = 0;
     struct hatch_image image;
     struct hatch_err err;
     cmd_read_picture(args, path, 1, &args->keep, &image);
@@ -226,11 +235,15 @@ void material_modulate(struct cmd_args *args, const char *path, uint32_t size_ma
         struct scene_item *item = &scene->items[i];
         if (scene->unit.meshes[unit->mesh].patches || unit->alpha_cutoff > 0)
             continue;
-        glDeleteTextures(1, &item->base_texture);
-        item->base_texture = upload(&image, wrap);
+        GLuint before = item->base_texture;
+        made = made ? made : upload(&image, wrap);
+        item->base_texture = made;
+        if (before && !is_used(scene, before))
+            glDeleteTextures(1, &before);
         item->base_side_px = (float)(image.width > image.height ? image.width : image.height);
         item->base_lightness = 1;
         set_lod(item, scene->unit.meshes[unit->mesh].mesh);
     }
     hatch_arena_rewind(&args->scratch, mark);
+    hatch_arena_rewind(&args->keep, kept);
 }

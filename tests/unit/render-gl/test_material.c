@@ -1,4 +1,6 @@
 /* Items that use a texture in the same way share it on the GPU; others have one of their own. */
+#include <unistd.h>
+
 #include "io/png/png.h"
 #include "render-gl/scene/material.h"
 #include "render_frame.h"
@@ -11,7 +13,7 @@ struct use {
     uint32_t same; /* index of the first item that uses it in the same way */
 };
 
-enum { USES = 10, SIDE = 16 };
+enum { USES = 10, SIDE = 16, KEPT = 6 };
 
 static const struct use uses[USES] = {
     {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0}, {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 1},
@@ -36,8 +38,11 @@ static struct hatch_texture make_texture(uint32_t width)
     return (struct hatch_texture){file.data, file.size};
 }
 
-static void make_scene(void)
+/* Opens a scene of an item for each of the uses, with their textures. */
+static void begin_uses(void)
 {
+    static const struct hatch_patch_mesh patches = {0};
+    frame_arenas(&frame);
     struct hatch_arena *keep = &frame.args.keep;
     struct hatch_scene *scene = &frame.scene;
     struct hatch_mesh mesh = frame_plane(&frame, 2);
@@ -63,17 +68,21 @@ static void make_scene(void)
     }
     scene->textures[0] = make_texture(SIDE);
     scene->textures[1] = make_texture(2 * SIDE);
+    frame_open_scene(NULL, &frame_unit, NULL, &frame);
+    for (uint32_t i = 0; i < USES; i++)
+        frame.on_gpu.unit.meshes[i].patches = uses[i].patches ? &patches : NULL;
+}
+
+static void check_unchanged(struct hatch_arena_mark before)
+{
+    struct hatch_arena_mark after = hatch_arena_mark(&frame.args.keep);
+    ck_assert(after.block == before.block && after.block_used == before.block_used);
 }
 
 START_TEST(items_share_textures_that_they_use_alike)
 {
-    static const struct hatch_patch_mesh patches = {0};
-    frame_arenas(&frame);
-    make_scene();
-    frame_open_scene(NULL, &frame_unit, NULL, &frame);
+    begin_uses();
     struct scene *scene = &frame.on_gpu;
-    for (uint32_t i = 0; i < USES; i++)
-        scene->unit.meshes[i].patches = uses[i].patches ? &patches : NULL;
     material_upload(&frame.args, "test", true, frame.context.size_max_px, scene);
     for (uint32_t i = 0; i < USES; i++) {
         const struct scene_item *item = &scene->items[i];
@@ -92,11 +101,46 @@ START_TEST(items_share_textures_that_they_use_alike)
 }
 END_TEST
 
+/* With a lower cutoff, items of the first texture have no holes, and get the picture. One of two that share a name
+ * keeps its holes, and therefore the name. */
+START_TEST(one_picture_replaces_the_textures_of_items_without_holes)
+{
+    char path[] = "/tmp/test_material_XXXXXX";
+    begin_uses();
+    const struct hatch_texture file = make_texture(4 * SIDE);
+    int descriptor = mkstemp(path);
+    ck_assert(descriptor >= 0 && write(descriptor, file.data, file.size) == (ssize_t)file.size);
+    close(descriptor);
+    struct scene *scene = &frame.on_gpu;
+    for (uint32_t i = 0; i < USES; i++)
+        if (uses[i].texture == 0 && i != KEPT)
+            scene->unit.items[i].alpha_cutoff = 0.25f;
+    material_upload(&frame.args, "test", true, frame.context.size_max_px, scene);
+    GLuint shared = scene->items[KEPT].base_texture, alone = scene->items[2].base_texture;
+    ck_assert_uint_eq(scene->items[0].base_texture, shared);
+    struct hatch_arena_mark before = hatch_arena_mark(&frame.args.keep);
+    material_modulate(&frame.args, path, frame.context.size_max_px, scene);
+    remove(path);
+    check_unchanged(before);
+    for (uint32_t i = 0; i < USES; i++) {
+        const struct scene_item *item = &scene->items[i];
+        bool kept = uses[i].patches || i == KEPT || uses[i].texture == 1;
+        ck_assert_msg((item->base_texture == scene->items[0].base_texture) == !kept, "item %u", i);
+        ck_assert(glIsTexture(item->base_texture));
+        ck_assert_float_eq(item->base_side_px, !kept ? 4 * SIDE : uses[i].texture ? 2 * SIDE : SIDE);
+    }
+    ck_assert_uint_eq(scene->items[KEPT].base_texture, shared);
+    ck_assert(!glIsTexture(alone));
+    frame_finish(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render material");
     TCase *tests = tcase_create("material");
     tcase_add_test(tests, items_share_textures_that_they_use_alike);
+    tcase_add_test(tests, one_picture_replaces_the_textures_of_items_without_holes);
     suite_add_tcase(suite, tests);
     return suite;
 }
