@@ -72,6 +72,7 @@ static enum hatch_status fit(struct hatch_image *image, uint32_t size_max_px, st
     return HATCH_OK;
 }
 
+/* Decodes a texture into args->keep. */
 static void read_texture(struct cmd_args *args, const char *file, const struct hatch_scene *scene, uint32_t number,
                          struct hatch_image *image)
 {
@@ -87,7 +88,7 @@ static void read_texture(struct cmd_args *args, const char *file, const struct h
 GLuint material_normals(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
                         const struct hatch_normal_map *normals, uint32_t size_max_px)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch), kept = hatch_arena_mark(&args->keep);
     struct hatch_image image;
     struct hatch_err err;
     read_texture(args, file, scene, normals->at.texture, &image);
@@ -101,6 +102,7 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
     cmd_check(fit(&image, size_max_px, &args->scratch, &err), file, &err);
     GLuint made = upload(&image, normals->at.wrap);
     hatch_arena_rewind(&args->scratch, mark);
+    hatch_arena_rewind(&args->keep, kept);
     return made;
 }
 
@@ -124,8 +126,8 @@ struct decoding {
 static void decode(const struct decoding *decoding, const struct hatch_material *material, bool outline,
                    struct scene_item *item)
 {
-    struct hatch_arena *scratch = &decoding->args->scratch;
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_arena *scratch = &decoding->args->scratch, *keep = &decoding->args->keep;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch), kept = hatch_arena_mark(keep);
     struct hatch_image image;
     struct hatch_err err;
     read_texture(decoding->args, decoding->file, decoding->scene->unit.scene, material->base.texture, &image);
@@ -137,6 +139,7 @@ static void decode(const struct decoding *decoding, const struct hatch_material 
     item->base_side_px = (float)(image.width > image.height ? image.width : image.height);
     item->base_alpha = smallest_alpha(&image);
     hatch_arena_rewind(scratch, mark);
+    hatch_arena_rewind(keep, kept);
 }
 
 /* Returns an earlier item that uses the same texture in the same way, or NULL. */
@@ -190,20 +193,37 @@ static void upload_item(const struct decoding *decoding, uint32_t index, bool vi
     set_lod(item, &mesh->mesh);
 }
 
+static float decode_smallest_alpha(struct cmd_args *args, const char *file, const struct hatch_scene *scene,
+                                   uint32_t texture)
+{
+    struct hatch_arena_mark kept = hatch_arena_mark(&args->keep);
+    struct hatch_image image;
+    read_texture(args, file, scene, texture, &image);
+    float least = smallest_alpha(&image);
+    hatch_arena_rewind(&args->keep, kept);
+    return least;
+}
+
 void material_find_holes(struct cmd_args *args, const char *file, struct hatch_unit_scene *unit)
 {
+    const struct hatch_scene *scene = unit->scene;
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+    float *alphas; /* per texture; less than 0: unknown yet */
+    struct hatch_err err;
+    cmd_check(HATCH_ALLOC(&args->scratch, &alphas, scene->texture_count, &err), file, &err);
+    for (uint32_t i = 0; i < scene->texture_count; i++)
+        alphas[i] = -1;
     for (uint32_t i = 0; i < unit->item_count; i++) {
         struct hatch_item *item = &unit->items[i];
-        uint32_t material = unit->scene->meshes[item->mesh].material;
-        uint32_t texture = material == HATCH_NONE ? HATCH_NONE : unit->scene->materials[material].base.texture;
-        struct hatch_arena_mark mark = hatch_arena_mark(&args->keep);
-        struct hatch_image image;
+        uint32_t material = scene->meshes[item->mesh].material;
+        uint32_t texture = material == HATCH_NONE ? HATCH_NONE : scene->materials[material].base.texture;
         if (texture == HATCH_NONE || !(item->alpha_cutoff > 0))
             continue;
-        read_texture(args, file, unit->scene, texture, &image);
-        item->cut_out = smallest_alpha(&image) < item->alpha_cutoff;
-        hatch_arena_rewind(&args->keep, mark);
+        if (alphas[texture] < 0)
+            alphas[texture] = decode_smallest_alpha(args, file, scene, texture);
+        item->cut_out = alphas[texture] < item->alpha_cutoff;
     }
+    hatch_arena_rewind(&args->scratch, mark);
 }
 
 void material_upload(struct cmd_args *args, const char *file, bool visible, uint32_t size_max_px, struct scene *scene)

@@ -14,8 +14,8 @@
  *   size_max_px  larger images are halved until they fit */
 void material_upload(struct cmd_args *args, const char *file, bool visible, uint32_t size_max_px, struct scene *scene);
 
-/* Sets cut_out of the items whose texture has holes. Needs no context. Exits with a message on an image that cannot be
- * read. */
+/* Sets cut_out of the items whose texture has holes; decodes each texture once. Needs no context. Exits with a message
+ * on an image that cannot be read. */
 void material_find_holes(struct cmd_args *args, const char *file, struct hatch_unit_scene *unit);
 
 /* Replaces the base texture of every item that has neither patches nor holes by one image, which they share, to be used

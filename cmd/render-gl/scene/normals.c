@@ -48,6 +48,18 @@ static const struct hatch_normal_map *map_of(const struct scene *scene, uint32_t
     return normals->used && scene_texcoords(&mesh->mesh, normals->at.texcoord) ? normals : NULL;
 }
 
+/* Returns the normal map of an earlier item that uses the same texture in the same way, or 0. */
+static GLuint find_same_map(const struct scene *scene, uint32_t index, const struct hatch_normal_map *wanted)
+{
+    for (uint32_t i = 0; i < index; i++) {
+        const struct hatch_normal_map *has = scene->items[i].normals ? map_of(scene, i) : NULL;
+        if (has && has->at.texture == wanted->at.texture && has->at.wrap[0] == wanted->at.wrap[0] &&
+            has->at.wrap[1] == wanted->at.wrap[1])
+            return scene->items[i].normals;
+    }
+    return 0;
+}
+
 enum hatch_status normals_set(struct scene *scene, uint32_t index, const struct hatch_normal_map *normals,
                               GLuint texture, struct hatch_arena *arena, struct hatch_arena *scratch,
                               struct hatch_err *err)
@@ -77,7 +89,9 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
         struct hatch_err err;
         if (!normals)
             continue;
-        GLuint texture = material_normals(args, file, scene->unit.scene, normals, size_max_px);
+        GLuint texture = find_same_map(scene, i, normals);
+        if (!texture)
+            texture = material_normals(args, file, scene->unit.scene, normals, size_max_px);
         cmd_check(normals_set(scene, i, normals, texture, &args->keep, &args->scratch, &err), file, &err);
     }
 }

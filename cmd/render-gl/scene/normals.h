@@ -12,7 +12,7 @@ struct scene_tangent {
     float texcoord[2]; /* where the normal map is read */
 };
 
-/* Uploads the normal maps and tangent frames of all items whose materials have a normal map. Call before
+/* Uploads the normal maps, each once, and tangent frames of all items whose materials have a normal map. Call before
  * scene_set_pose. Exits with a message on an image that cannot be read.
  *   file         the scene's name, for messages
  *   size_max_px  larger images are halved until they fit */
@@ -20,7 +20,7 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
 
 /* Gives an item a normal map and uploads its tangent frames.
  *   item     index in scene->items
- *   texture  the normal map; the item owns it from now on
+ *   texture  the normal map; the items that are given it own it from now on
  *   arena    holds the tangent frames at rest; must live as long as the scene */
 enum hatch_status normals_set(struct scene *scene, uint32_t item, const struct hatch_normal_map *normals,
                               GLuint texture, struct hatch_arena *arena, struct hatch_arena *scratch,

@@ -38,7 +38,7 @@ struct scene_mesh {
     GLuint charts;          /* number of each vertex's chart, or of its patch; 0: not made */
 };
 
-/* Vertex arrays, buffers and textures of an item. */
+/* Vertex arrays, buffers and textures of an item. Items may share textures. */
 struct scene_item {
     GLuint vertex_array;              /* vertex array with the mesh's indices */
     GLuint surface_array;             /* vertex array with surface_indices; 0: the mesh is not lapped */

@@ -3,6 +3,7 @@
 
 #include "io/png/png.h"
 #include "render-gl/scene/material.h"
+#include "render-gl/scene/normals.h"
 #include "render_frame.h"
 
 /* How an item uses a texture. */
@@ -83,7 +84,9 @@ START_TEST(items_share_textures_that_they_use_alike)
 {
     begin_uses();
     struct scene *scene = &frame.on_gpu;
+    struct hatch_arena_mark before = hatch_arena_mark(&frame.args.keep);
     material_upload(&frame.args, "test", true, frame.context.size_max_px, scene);
+    check_unchanged(before);
     for (uint32_t i = 0; i < USES; i++) {
         const struct scene_item *item = &scene->items[i];
         ck_assert_int_eq(item->base_texture != 0, uses[i].texture != HATCH_NONE);
@@ -135,12 +138,71 @@ START_TEST(one_picture_replaces_the_textures_of_items_without_holes)
 }
 END_TEST
 
+/* Returns the number of allocations in args.keep while holes are found. */
+static uint64_t find_holes(void)
+{
+    const uint64_t many = 1000000;
+    struct hatch_arena_mark before = hatch_arena_mark(&frame.args.keep);
+    hatch_arena_fail_after(&frame.args.keep, many);
+    material_find_holes(&frame.args, "test", &frame.on_gpu.unit);
+    uint64_t made = many - frame.args.keep.fail_countdown;
+    hatch_arena_fail_after(&frame.args.keep, 0);
+    check_unchanged(before);
+    return made;
+}
+
+/* Without a context, too, each texture is decoded once, and nothing of it is kept. */
+START_TEST(holes_are_found_by_the_least_alpha)
+{
+    begin_uses();
+    struct hatch_unit_scene *unit = &frame.on_gpu.unit;
+    unit->items[0].alpha_cutoff = 0.5f;
+    unit->items[4].alpha_cutoff = 0;
+    uint64_t all = find_holes();
+    for (uint32_t i = 0; i < USES; i++)
+        ck_assert_int_eq(unit->items[i].cut_out, i != 0 && i != 4 && uses[i].texture != HATCH_NONE);
+    for (uint32_t i = 0; i < USES; i++)
+        if (i != 2 && i != 9)
+            unit->items[i].alpha_cutoff = 0;
+    ck_assert_uint_eq(find_holes(), all); /* one item of each texture */
+    frame_finish(&frame);
+}
+END_TEST
+
+/* Items whose normal maps are the same texture with the same wrapping share it. The texels are not kept. */
+START_TEST(items_share_normal_maps)
+{
+    begin_uses();
+    struct scene *scene = &frame.on_gpu;
+    for (uint32_t i = 0; i < USES; i++) {
+        frame.scene.materials[i].normals.at = frame.scene.materials[i].base;
+        frame.scene.materials[i].normals.used = true;
+        frame.scene.materials[i].normals.strength = 1;
+    }
+    struct hatch_arena_mark before = hatch_arena_mark(&frame.args.keep);
+    const struct hatch_normal_map *map = &frame.scene.materials[0].normals;
+    GLuint alone = material_normals(&frame.args, "test", &frame.scene, map, frame.context.size_max_px);
+    glDeleteTextures(1, &alone);
+    check_unchanged(before);
+    normals_upload(&frame.args, "test", frame.context.size_max_px, scene);
+    for (uint32_t i = 0; i < USES; i++)
+        for (uint32_t k = 0; k < i; k++) {
+            const struct use *a = &uses[i], *b = &uses[k];
+            bool same = a->texture == b->texture && a->wrap[0] == b->wrap[0] && a->wrap[1] == b->wrap[1];
+            ck_assert_msg((scene->items[i].normals == scene->items[k].normals) == same, "items %u and %u", k, i);
+        }
+    frame_finish(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render material");
     TCase *tests = tcase_create("material");
     tcase_add_test(tests, items_share_textures_that_they_use_alike);
     tcase_add_test(tests, one_picture_replaces_the_textures_of_items_without_holes);
+    tcase_add_test(tests, holes_are_found_by_the_least_alpha);
+    tcase_add_test(tests, items_share_normal_maps);
     suite_add_tcase(suite, tests);
     return suite;
 }
