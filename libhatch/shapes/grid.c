@@ -70,7 +70,8 @@ static uint64_t point_number(const struct hatch_grid *grid, uint32_t row, uint32
     return (uint64_t)row * (grid->columns + 1) + column;
 }
 
-/* Displacement of a grid point by jitter, in grid steps: at most a quarter, so that no triangle can turn over. */
+/* Displacement of a grid point by jitter, in grid steps: at most a quarter, so that triangles do not turn over in the
+ * grid. */
 static double jitter_offset(double jitter, uint64_t seed, uint64_t stream, uint64_t point)
 {
     return jitter * 0.5 * ((double)hatch_random_unit(seed, stream, point) - 0.5);
@@ -90,7 +91,8 @@ static void parameters(const struct hatch_grid *grid, const struct hatch_shape_o
     } else if (inner_row && inner_column && options->jitter > 0) {
         uint64_t point = point_number(grid, row, column);
         double jitter = (double)options->jitter;
-        i += jitter_offset(jitter, options->seed, stream_of(stream, MOVE_U), point);
+        /* The chord of a long column may cut below a curved surface by more than a row is wide. */
+        i += jitter_offset(jitter / fmax((double)options->stretch, 1), options->seed, stream_of(stream, MOVE_U), point);
         j += jitter_offset(jitter, options->seed, stream_of(stream, MOVE_V), point);
         /* Above a piece's first row the step is that of the previous piece. */
         if (j < 0 && at.piece > 0)

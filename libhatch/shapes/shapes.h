@@ -43,7 +43,8 @@ enum hatch_shape_uv {
 struct hatch_shape_options {
     uint32_t faces; /* approximate number, 2 .. HATCH_SHAPE_FACES_MAX; the grid has whole rows */
     float jitter; /* 0 .. 1: inner vertices move over the surface by up to jitter times a quarter of a grid step in each
-                     direction (no triangle turns over), and diagonals are chosen at random */
+                     direction, along u divided by stretch, and diagonals are chosen at random. No triangle turns over
+                     where triangles are small against the radius of curvature */
     float stretch; /* 1 .. 16: ratio of the sides of a grid cell, along u and along v; 0: 1 */
     float noise;   /* 0 .. 1: standard deviation of a displacement along the normal, in mean edge lengths; normals stay
                       those of the smooth surface, poles are not displaced */
