@@ -1,8 +1,10 @@
 #include "view/exposure.h"
 
+#include "math/vector.h"
+
 #define BRIGHTEST_SHARE 0.05
 
-/* Histogram of vertices by the logarithm of their light: STEPS bins per octave. */
+/* Histogram of the surface by the logarithm of the light at its vertices: STEPS bins per octave. */
 #define STEPS 16
 #define OCTAVES 200
 #define BINS (OCTAVES * STEPS)
@@ -10,8 +12,8 @@
 struct exposure {
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
     uint32_t light_count;
-    uint64_t bins[BINS];
-    uint64_t lit; /* number of vertices in all bins */
+    double bins[BINS];
+    double lit; /* area in all bins */
 };
 
 /* Returns the diffuse light that one light gives to a point, computed like light_at in the shader light.glsl. */
@@ -40,7 +42,7 @@ static double diffuse_light(const struct hatch_unit_light *light, const double p
     return strength * fmax(facing, 0);
 }
 
-static void add_vertex(struct exposure *exposure, const double point[3], const float normal[3])
+static void add_vertex(struct exposure *exposure, const double point[3], const float normal[3], double area)
 {
     double sum = 0;
     for (uint32_t i = 0; i < exposure->light_count; i++)
@@ -48,30 +50,46 @@ static void add_vertex(struct exposure *exposure, const double point[3], const f
     double bin = floor((log2(sum) + OCTAVES / 2) * STEPS);
     if (!(bin >= 0 && bin < BINS))
         return;
-    exposure->bins[(int)bin]++;
-    exposure->lit++;
+    exposure->bins[(int)bin] += area;
+    exposure->lit += area;
+}
+
+/* Adds a third of the area of each face to those of its vertices. */
+static void add_areas(const struct hatch_mesh *mesh, const double *positions, double *areas)
+{
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *at = mesh->indices + 3 * f;
+        double normal[3];
+        hatch_vec_triangle(positions + 3 * (size_t)at[0], positions + 3 * (size_t)at[1], positions + 3 * (size_t)at[2],
+                           normal);
+        for (int k = 0; k < 3; k++)
+            areas[at[k]] += hatch_vec_length(normal) / 6;
+    }
 }
 
 static enum hatch_status add_item(struct exposure *exposure, const struct hatch_unit_scene *scene,
                                   const struct hatch_item *item, struct hatch_arena *scratch, struct hatch_err *err)
 {
-    size_t count = scene->meshes[item->mesh].surface->vertex_count;
-    double *positions;
+    const struct hatch_mesh *mesh = scene->meshes[item->mesh].surface;
+    size_t count = mesh->vertex_count;
+    double *positions, *areas;
     float *normals;
     HATCH_TRY(HATCH_ALLOC(scratch, &positions, 3 * count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &normals, 3 * count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &areas, count, err));
     hatch_item_surface(scene, item, positions, normals);
+    add_areas(mesh, positions, areas);
     for (size_t v = 0; v < count; v++)
-        add_vertex(exposure, positions + 3 * v, normals + 3 * v);
+        add_vertex(exposure, positions + 3 * v, normals + 3 * v, areas[v]);
     return HATCH_OK;
 }
 
-/* Returns the light that BRIGHTEST_SHARE of the lit vertices exceed. */
+/* Returns the light that BRIGHTEST_SHARE of the lit surface exceeds. */
 static double white_point(const struct exposure *exposure)
 {
-    double remaining = BRIGHTEST_SHARE * (double)exposure->lit;
+    double remaining = BRIGHTEST_SHARE * exposure->lit;
     int bin = BINS - 1;
-    while (bin > 0 && (remaining -= (double)exposure->bins[bin]) > 0)
+    while (bin > 0 && (remaining -= exposure->bins[bin]) > 0)
         bin--;
     return exp2((bin + 0.5) / STEPS - OCTAVES / 2);
 }
@@ -93,7 +111,7 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
         HATCH_TRY(add_item(exposure, scene, &scene->items[i], scratch, err));
         hatch_arena_rewind(scratch, mark);
     }
-    *factor = exposure->lit ? prescale / white_point(exposure) : 1;
+    *factor = exposure->lit > 0 ? prescale / white_point(exposure) : 1;
     return HATCH_OK;
 }
 

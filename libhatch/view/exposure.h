@@ -1,16 +1,16 @@
-/* Auto exposure: the factor for the scene's lights at which the brightest twentieth of the lit vertices is white.
- * Vertices of backdrops do not count. */
+/* Auto exposure: the factor for the scene's lights at which the brightest twentieth of the lit surface is white.
+ * Backdrops do not count. */
 #ifndef HATCH_VIEW_EXPOSURE_H
 #define HATCH_VIEW_EXPOSURE_H
 
 #include "view/light.h"
 #include "scene/unit_scene.h"
 
-/* Computes the exposure from the diffuse light of the scene's lights at the present pose, without shadows. A light
- * counts only through the vertices that it lights: strong lights that are out of range or turned away have no
- * influence.
+/* Computes the exposure from the diffuse light of the scene's lights at the present pose, without shadows. A vertex
+ * counts with a third of the area of the faces around it, a light only through the vertices that it lights: strong
+ * lights that are out of range or turned away have no influence.
  *   view      orients the key light of a scene without lights
- *   exposure  out: over 0; 1 if no vertex is lit */
+ *   exposure  out: over 0; 1 if nothing is lit */
 enum hatch_status hatch_auto_exposure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
                                       struct hatch_arena *scratch, double *exposure,
                                       struct hatch_err *err) HATCH_MUST_USE;

@@ -192,6 +192,36 @@ START_TEST(the_exposure_leaves_out_backdrops)
 }
 END_TEST
 
+/* The scene's plane leans by 60 degrees and has half the light. A plane that faces the light has a hundredth of its
+ * area, but many more vertices. */
+START_TEST(the_exposure_counts_areas)
+{
+    const double bin = exp2(1.0 / 16), want = 1 / 4.0;
+    double exposure;
+    light_plane(sun, nowhere);
+    struct hatch_mesh dense = shape_of(HATCH_SHAPE_PLANE, 5000);
+    struct hatch_node *nodes = HATCH_NEW(&keep, struct hatch_node, 3, &err);
+    struct hatch_scene_mesh *meshes = HATCH_NEW(&keep, struct hatch_scene_mesh, 2, &err);
+    memcpy(nodes, scene.nodes, 2 * sizeof *nodes);
+    meshes[0] = meshes[1] = scene.meshes[0];
+    meshes[1].mesh = dense;
+    nodes[2] = nodes[0];
+    nodes[2].first_mesh = 1;
+    for (int k = 0; k < 3; k++)
+        nodes[2].scale[k] = 0.1f;
+    nodes[0].rotation[0] = 0.5f;
+    nodes[0].rotation[3] = sqrtf(0.75f);
+    scene.nodes = nodes;
+    scene.meshes = meshes;
+    scene.node_count = 3;
+    scene.mesh_count = 2;
+    HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    HATCH_TEST_OK(hatch_auto_exposure(&unit, &view_facing, &scratch, &exposure, &err), &err);
+    ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
+}
+END_TEST
+
 /* The light of a vertex that is 2^-99.97 of the strongest light, of a normal almost across it, is in the histogram's
  * first bin; what is darker does not count as lit. */
 START_TEST(the_exposure_of_grazing_light_is_known_down_to_the_first_bin)
@@ -236,6 +266,7 @@ static Suite *suite(void)
     tcase_add_test(tests, lights_beyond_the_limit_are_counted);
     tcase_add_test(tests, the_exposure_makes_a_lit_plane_white);
     tcase_add_test(tests, the_exposure_leaves_out_backdrops);
+    tcase_add_test(tests, the_exposure_counts_areas);
     tcase_add_test(tests, the_exposure_of_grazing_light_is_known_down_to_the_first_bin);
     tcase_add_test(tests, the_exposure_of_a_plane_lit_from_behind_is_one);
     suite_add_tcase(made, tests);
