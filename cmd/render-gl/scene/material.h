@@ -20,8 +20,9 @@ void material_find_holes(struct cmd_args *args, const char *file, struct hatch_u
 
 /* Replaces the base texture of every item that has neither patches nor holes by one image, which they share, to be used
  * as tone (as for the globe in Webb et al. 2002, §3.2). Textures that no item uses any more are deleted. Exits with a
- * message on an image that cannot be read. path         path of the image size_max_px  larger images are halved until
- * they fit */
+ * message on an image that cannot be read.
+ *   path         path of the image
+ *   size_max_px  larger images are halved until they fit */
 void material_modulate(struct cmd_args *args, const char *path, uint32_t size_max_px, struct scene *scene);
 
 /* Decodes and uploads a normal map without colour conversion. Exits with a message on an image that cannot be read or
