@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "shared/field.h"
+#include "base/keys.h"
 #include "lapped_param.h"
 #include "mesh/splits.h"
 
@@ -83,25 +84,19 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
     return HATCH_OK;
 }
 
-/* Gives each corner a class: the first corner that has the same vertex and the same texture coordinates.
+/* Gives each corner a class: the number of its texture coordinates.
  *   texcoords  2 per corner
- *   last       scratch, zero per vertex; becomes 1 + the newest class at the vertex, the head of a list
- *   before     scratch, zero per corner; becomes, for a class, 1 + the class after it in this list, 0 at the end
+ *   places     numbers the different texture coordinates, whose bits are the keys
  *   class_of   out: per corner */
-static void find_classes(const struct hatch_surface *surface, const float *texcoords, uint32_t *last, uint32_t *before,
-                         uint32_t *class_of)
+static enum hatch_status find_classes(const float *texcoords, size_t corner_count, struct hatch_keys *places,
+                                      uint32_t *class_of, struct hatch_err *err)
 {
-    for (uint32_t c = 0; c < 3 * surface->face_count; c++) {
-        uint32_t vertex = surface->corner_vertex[c], found = last[vertex];
-        while (found > 0 &&
-               memcmp(&texcoords[2 * (size_t)(found - 1)], &texcoords[2 * (size_t)c], 2 * sizeof *texcoords) != 0)
-            found = before[found - 1];
-        if (found == 0) {
-            before[c] = last[vertex];
-            found = last[vertex] = c + 1;
-        }
-        class_of[c] = found - 1;
+    for (size_t c = 0; c < corner_count; c++) {
+        uint64_t key;
+        memcpy(&key, &texcoords[2 * c], sizeof key);
+        HATCH_TRY(hatch_keys_number(places, key, &class_of[c], err));
     }
+    return HATCH_OK;
 }
 
 /* Splits the vertices of a mesh so that each has one position in the atlas, and adds TEXCOORD_0. */
@@ -114,11 +109,11 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     size_t corners = 3 * (size_t)surface->face_count;
     struct hatch_splits splits;
     float *uv;
-    uint32_t *last, *before, *class_of;
-    HATCH_TRY(HATCH_ALLOC(scratch, &last, source.vertex_count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &before, corners, err));
+    struct hatch_keys places;
+    uint32_t *class_of;
     HATCH_TRY(HATCH_ALLOC(scratch, &class_of, corners, err));
-    find_classes(surface, texcoords, last, before, class_of);
+    HATCH_TRY(hatch_keys_make(scratch, &places, err));
+    HATCH_TRY(find_classes(texcoords, corners, &places, class_of, err));
     HATCH_TRY(hatch_splits_make(surface->corner_vertex, class_of, corners, source.vertex_count, scratch, &splits, err));
     HATCH_TRY(
         hatch_mesh_gather(&source, splits.origin, splits.count, surface->face_count, &args->keep, &made->mesh, err));
@@ -126,7 +121,7 @@ static enum hatch_status split(struct cmd_args *args, const struct work *work, c
     memcpy(made->mesh.indices, splits.indices, corners * sizeof *splits.indices);
     for (size_t v = 0; v < splits.count; v++)
         if (splits.class_at[v] != HATCH_NO_CLASS)
-            memcpy(&uv[2 * v], &texcoords[2 * (size_t)splits.class_at[v]], 2 * sizeof *uv);
+            memcpy(&uv[2 * v], &places.keys[splits.class_at[v]], 2 * sizeof *uv);
     return HATCH_OK;
 }
 

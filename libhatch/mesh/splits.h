@@ -1,4 +1,4 @@
-/* Splits vertices so that all face corners that use a vertex have the same class. A class is any number that the caller
+/* Splits vertices so that all face corners that use a vertex have the same class. A class is a number that the caller
  * gives to corners that may share a vertex. */
 #ifndef HATCH_MESH_SPLITS_H
 #define HATCH_MESH_SPLITS_H
@@ -15,9 +15,10 @@ struct hatch_splits {
     uint32_t *indices;  /* per corner: its vertex */
 };
 
-/* Splits vertices. The class of the first corner that uses a vertex keeps the old index.
+/* Splits vertices. The class of the first corner that uses a vertex keeps the old index; copies
+ * are numbered in the order of the first corners that use them. Takes time proportional to the corners and vertices.
  *   vertex    per corner
- *   class_of  per corner; not HATCH_NO_CLASS
+ *   class_of  per corner; below corner_count + vertex_count
  *   splits    out: its arrays are in scratch */
 enum hatch_status hatch_splits_make(const uint32_t *vertex, const uint32_t *class_of, size_t corner_count,
                                     uint32_t vertex_count, struct hatch_arena *scratch, struct hatch_splits *splits,
