@@ -183,11 +183,13 @@ static void blur(const struct hatch_surface *surface, const double *area, double
     }
 }
 
-/* Returns the diagonal of the whole mesh's bounding box, in the mesh's units. */
-static double diagonal_of(const struct hatch_surface *surface)
+/* Returns the diagonal of the bounding box of consecutive components, in the mesh's units.
+ *   end  the component after the last one */
+static double diagonal_of(const struct hatch_surface *surface, uint32_t first, uint32_t end)
 {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, at[3];
-    for (uint32_t p = 0; p < surface->point_count; p++) {
+    const struct hatch_component *last = &surface->components[end - 1];
+    for (uint32_t p = surface->components[first].first_point; p < last->first_point + last->point_count; p++) {
         hatch_surface_position(surface, p, at);
         for (int i = 0; i < 3; i++) {
             low[i] = fmin(low[i], at[i]);
@@ -235,26 +237,52 @@ static double radius_to_contain(const struct hatch_patch_domain *domain, const s
            (2 * outline->core_min);
 }
 
+/* Chooses the target radii of a component.
+ *   whole  radius of a patch on a flat part as a share of the mesh's diagonal, in the component's units
+ *   own    the same as a share of the diagonal of the component's body */
 static void choose_radii(struct hatch_patch_domain *domain, const struct hatch_outline *outline,
-                         const struct hatch_lapped_options *options, const double *area)
+                         const struct hatch_lapped_options *options, const double *area,
+                         const struct hatch_component *component, double whole, double own)
+{
+    for (uint32_t i = 0; i < component->face_count; i++) {
+        uint32_t f = component->first_face + i;
+        double most = radius_of_faces(FACES_MAX, area[f]);
+        /* On a small body beside a large one, even CURVED_MIN of the whole may exceed FACES_MAX: without options->size,
+         * the radius that shrinks is therefore at most that of FACES_MAX, or the body's own if that is larger. */
+        double flat = options->size > 0 ? whole : fmin(whole, fmax(own, most));
+        double turning = options->curved * CURVED_GAIN * domain->turning_rate[f] * flat;
+        double radius = flat * fmax(CURVED_MIN, 1 / sqrt(1 + turning * turning));
+        double faces_min = FACES_MIN * long_face_factor(domain, f, area[f]);
+        if (options->size > 0)
+            radius = fmax(radius, fmin(whole, radius_of_faces(FACES_MIN, area[f])));
+        else
+            radius = fmin(fmax(radius, radius_of_faces(faces_min, area[f])), fmin(most, SIZE_FACTOR_MAX * whole));
+        domain->target_radius[f] = fmax(radius, radius_to_contain(domain, outline, f));
+    }
+}
+
+/* Returns the component after the last one that belongs to the same body as a component. */
+static uint32_t end_of_body(const struct hatch_surface *surface, uint32_t component)
+{
+    uint32_t end = component;
+    while (end < surface->component_count && surface->components[end].body == surface->components[component].body)
+        end++;
+    return end;
+}
+
+/* Chooses the target radii of all faces. */
+static void choose_all_radii(struct hatch_patch_domain *domain, const struct hatch_outline *outline,
+                             const struct hatch_lapped_options *options, const double *area)
 {
     const struct hatch_surface *surface = domain->surface;
-    double diagonal = diagonal_of(surface);
     double share = options->size > 0 ? options->size : DEFAULT_SIZE;
-    for (uint32_t c = 0; c < surface->component_count; c++) {
-        const struct hatch_component *component = &surface->components[c];
-        double whole = share * diagonal / component->scale / 2;
-        for (uint32_t i = 0; i < component->face_count; i++) {
-            uint32_t f = component->first_face + i;
-            double turning = options->curved * CURVED_GAIN * domain->turning_rate[f] * whole;
-            double radius = whole * fmax(CURVED_MIN, 1 / sqrt(1 + turning * turning));
-            double faces_min = FACES_MIN * long_face_factor(domain, f, area[f]);
-            if (options->size > 0)
-                radius = fmax(radius, fmin(whole, radius_of_faces(FACES_MIN, area[f])));
-            else
-                radius = fmin(fmax(radius, radius_of_faces(faces_min, area[f])),
-                              fmin(radius_of_faces(FACES_MAX, area[f]), SIZE_FACTOR_MAX * whole));
-            domain->target_radius[f] = fmax(radius, radius_to_contain(domain, outline, f));
+    double whole = share * diagonal_of(surface, 0, surface->component_count) / 2;
+    for (uint32_t c = 0, end; c < surface->component_count; c = end) {
+        end = end_of_body(surface, c);
+        double own = share * diagonal_of(surface, c, end) / 2;
+        for (uint32_t i = c; i < end; i++) {
+            const struct hatch_component *component = &surface->components[i];
+            choose_radii(domain, outline, options, area, component, whole / component->scale, own / component->scale);
         }
     }
 }
@@ -294,7 +322,7 @@ enum hatch_status hatch_patch_domain_make(const struct hatch_lapped_input *input
             made.turning_rate[f] = sqrt(made.turning_rate[f]);
             made.edge_length[f] = sqrt(area[f] * EDGE_SQUARED);
         }
-        choose_radii(&made, input->outline, options, area);
+        choose_all_radii(&made, input->outline, options, area);
         *domain = made;
     }
     hatch_arena_rewind(scratch, mark);

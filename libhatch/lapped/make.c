@@ -7,8 +7,8 @@
 /* Share of the target radius below which a patch is postponed. */
 #define RADIUS_SHARE_MIN 0.5
 
-/* When texture coordinates were computed this many times per face of the surface, later patches have at most FACES_LATE
- * faces: around a point of thousands of faces, each patch would take most of them in vain. */
+/* When texture coordinates were computed this many times per face of a component, its later patches have at most
+ * FACES_LATE faces: around a point of thousands of faces, each patch would take most of them in vain. */
 #define SOLVED_MAX 64
 #define FACES_LATE 64u
 
@@ -34,7 +34,10 @@ struct making {
     uint32_t shown_count, newly_covered_count, shown_capacity, newly_covered_capacity;
     uint32_t *renumbered, renumbered_capacity; /* per local vertex: its number in the stored patch, or UINT32_MAX */
     struct hatch_lapped totals;
-    uint32_t covered; /* number of faces that patches cover */
+    uint32_t covered;                        /* number of faces that patches cover */
+    const struct hatch_component *component; /* the present one */
+    uint64_t component_solved;               /* solved_faces of its patches */
+    uint32_t faces_max;                      /* largest number of faces of one patch before a component is limited */
 };
 
 static enum hatch_status reserve_arrays(struct making *making, struct hatch_err *err)
@@ -166,12 +169,20 @@ static void postpone(struct making *making, uint32_t seed_face)
     }
 }
 
-/* Limits later patches to FACES_LATE faces. */
+static void start_component(struct making *making, uint32_t component)
+{
+    making->component = &making->domain.surface->components[component];
+    making->component_solved = 0;
+    making->domain.faces_max = making->faces_max;
+    hatch_order_start_component(&making->order, component);
+}
+
+/* Limits later patches of the component to FACES_LATE faces. */
 static void limit_later(struct making *making)
 {
-    uint32_t *most = making->growth.start_faces_max;
+    uint32_t *most = &making->growth.start_faces_max[making->component->first_face];
     making->domain.faces_max = FACES_LATE;
-    for (uint32_t f = 0; f < making->domain.surface->face_count; f++)
+    for (uint32_t f = 0; f < making->component->face_count; f++)
         most[f] = most[f] < FACES_LATE ? most[f] : FACES_LATE;
 }
 
@@ -181,7 +192,8 @@ static enum hatch_status make_patch(struct making *making, uint32_t seed_face, d
     double radius_min = making->order.filling_gaps ? 0 : RADIUS_SHARE_MIN * making->domain.target_radius[seed_face];
     HATCH_TRY(hatch_patch_make(&making->growth, &making->solver, making->options, seed_face, radius_min, &notes, err));
     making->totals.solved_faces += notes.solved_faces;
-    if (making->totals.solved_faces > SOLVED_MAX * (uint64_t)making->domain.surface->face_count &&
+    making->component_solved += notes.solved_faces;
+    if (making->component_solved > SOLVED_MAX * (uint64_t)making->component->face_count &&
         making->domain.faces_max > FACES_LATE)
         limit_later(making);
     if (notes.given_up) {
@@ -204,7 +216,7 @@ static enum hatch_status make_all(struct making *making, struct hatch_err *err)
 {
     const struct hatch_surface *surface = making->domain.surface;
     for (uint32_t c = 0; c < surface->component_count; c++) {
-        hatch_order_start_component(&making->order, c);
+        start_component(making, c);
         for (;;) {
             uint32_t seed_face;
             HATCH_TRY(hatch_order_next(&making->order, &seed_face, err));
@@ -249,6 +261,7 @@ static enum hatch_status prepare(struct making *making, const struct hatch_lappe
     struct hatch_arena *arena = making->arena;
     uint32_t face_count = input->surface->face_count;
     HATCH_TRY(hatch_patch_domain_make(input, making->options, pool, arena, arena, &making->domain, err));
+    making->faces_max = making->domain.faces_max;
     HATCH_TRY(hatch_core_coverage_make(input->outline, face_count, arena, &making->coverage, err));
     const uint8_t *covered = making->coverage.covered;
     HATCH_TRY(hatch_growth_make(&making->domain, input->outline, covered, arena, &making->growth, err));

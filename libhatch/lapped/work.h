@@ -23,7 +23,7 @@ struct hatch_patch_domain {
     uint8_t *singular;     /* per face: 1 where the field has an index */
     int8_t *matching; /* per side: the sign that makes the direction of the face behind it agree with this face's, times
                          2 where the two are within 60°, else times 1; 0 where no patch may cross */
-    uint32_t faces_max; /* largest number of faces of one patch */
+    uint32_t faces_max; /* largest number of faces of one patch; hatch_lapped_make lowers it in costly components */
 };
 
 /* Prepares a surface for patches; the result is the same for any number of threads. The arrays live in arena. */
