@@ -30,8 +30,10 @@ struct lapped_param_part {
 
 /* Removes the old texture coordinates of the scene, and the tangents and textures that depend on them; warns of the
  * textures. Normal maps stay, and so do their tangents; their texture coordinates become TEXCOORD_2. A scene that
- * lapped-param has made is an error. */
-void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene);
+ * lapped-param has made is an error.
+ *   atlas  whether meshes get an atlas, with which materials keep their alpha; for patches they become opaque, or
+ *          invisible if their alpha is below their cutoff */
+void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, struct hatch_scene *scene);
 
 /* Covers a mesh with patches; fills the members of part from made on. */
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,

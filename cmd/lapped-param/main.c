@@ -194,7 +194,7 @@ int main(int argc, char **argv)
 
     cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
     cmd_warn_up(cmd_input_name(input), &scene);
-    lapped_param_clear(&args, name, &scene);
+    lapped_param_clear(&args, name, atlas, &scene);
     if (needs_path) {
         cmd_read_needs_and_regions(&args, needs_path, &needs);
         cmd_fit_meshes(&args, input, needs_path, &needs, &scene);

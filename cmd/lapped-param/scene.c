@@ -57,7 +57,20 @@ static void keep_normals(struct cmd_args *args, const char *name, struct hatch_s
     scene->texture_count = count;
 }
 
-void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+/* Adapts the alpha of a material to its meshes. Patches need alpha for blending, so a material whose alpha is below its
+ * cutoff becomes invisible, and all others become opaque. With an atlas the alpha stays; the holes of a texture that is
+ * left out close.
+ *   textured  the material has a texture, which is left out */
+static void set_alpha(struct hatch_material *material, bool atlas, bool textured)
+{
+    bool visible = material->base_color[3] >= material->alpha_cutoff;
+    if (!atlas)
+        material->base_color[3] = visible ? 1 : 0;
+    if (!atlas || (textured && visible))
+        material->alpha_cutoff = 0;
+}
+
+void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, struct hatch_scene *scene)
 {
     struct hatch_err err;
     bool *textured;
@@ -78,10 +91,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, struct hatch_sc
         struct hatch_material *material = &scene->materials[m];
         count += textured[m];
         material->base.texture = HATCH_NONE;
-        /* Patches need alpha for blending, so a material whose alpha is below its cutoff becomes invisible, and all
-         * others become opaque. */
-        material->base_color[3] = material->base_color[3] < material->alpha_cutoff ? 0 : 1;
-        material->alpha_cutoff = 0;
+        set_alpha(material, atlas, textured[m]);
     }
     keep_normals(args, name, scene);
     if (count > 0)

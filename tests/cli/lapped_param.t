@@ -99,6 +99,21 @@ is "an atlas has every face, none of them mirrored or degenerate" \
     "$(mesh_column faces torus.glb) $(mesh_column points torus.glb) 1 0 0"
 try lapped-param atlas.glb -o /dev/null
 is "an atlas can be lapped" $status 0
+# alpha NAME ALPHA MODE TEXTURE: makes NAME.glb, an atlas of a torus with this alpha, alpha mode and texture
+alpha() {
+    sed 's/"primitives":\[{/&"material":0,/
+        s/,"accessors"/,"materials":[{"alphaMode":"'"$3"'","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,'"$2"']'"$4"'}}],"textures":[{"source":0}],"images":[{"bufferView":0,"mimeType":"image\/png"}]&/' \
+        torus_unpacked.gltf >$1.gltf
+    lapped-param -q --atlas $1.gltf -o $1.glb
+    grep -ao '"baseColorFactor":[^]]*]\|"alphaMode":"[A-Z]*"' $1.glb | cut -d: -f2 | sort | xargs
+}
+unpack torus.glb torus_unpacked
+is "with an atlas a transparent material stays transparent" "$(alpha glass 0.25 BLEND '')" "BLEND [1,1,1,0.25]"
+is "with an atlas an invisible material stays invisible" "$(alpha hidden 0.25 MASK '')" "MASK [1,1,1,0.25]"
+is "a texture that is left out makes nothing visible" \
+    "$(alpha covered 0.25 MASK ',"baseColorTexture":{"index":0}')" "MASK [1,1,1,0.25]"
+is "the holes of a texture that is left out close" \
+    "$(alpha leaf 0.75 MASK ',"baseColorTexture":{"index":0}')" "[1,1,1,0.75]"
 try lapped-param --atlas --mask-size 64 torus.glb
 refused "--mask-size with --atlas" 2 2
 try lapped-param --atlas --tile 1 torus.glb
