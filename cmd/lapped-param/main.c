@@ -154,8 +154,10 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
         patch_faces += parts[i].patch_faces;
         solved_faces += (double)parts[i].solved_faces;
     }
-    for (uint32_t i = 0; i < count && parts[i].atlas_side > 0; i++)
-        cmd_note("primitive %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
+    for (uint32_t i = 0; i < count; i++)
+        if (parts[i].atlas_side > 0)
+            cmd_note("primitive %u: the side of its atlas is %g long in the scene", i, parts[i].atlas_side);
+    faces = fmax(faces, 1); /* 0 where all parts are kept without patches */
     cmd_note("%u %s, overlap %.2f; %u end at face edges instead of at their outline, %u enlarged to contain a face",
              patches, cmd_plural(patches, "patch", "patches"), patch_faces / faces, cut, enlarged);
     cmd_note("texture coordinates were computed %.1f times per face", solved_faces / faces);

@@ -66,6 +66,8 @@ is "paper alone needs no tone" "$(row none.needs darkest 0) $(row none.needs dra
 tamgen -q --size 64 --needs none.needs -o none.exr
 is "and one column" "$(hatchstat tam none.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u)" 0
 ok "which draws the paper" render-gl -q plane.glb -T none.exr --camera 0,0,4:0,0,8 --size 64x64 -o none.png
+is "no patch, and no figure that is not a number" \
+    "$(lapped-param -v --needs none.needs plane.glb 2>&1 >none.glb | grep -cE '(^|: )0 patches, overlap 0.00|computed 0.0 times')" 2
 is "one level of strokes" "$(strokegen -v --needs none.needs plane.glb 2>&1 >none.glb | grep -o '^.* levels')" \
     "strokegen: 1 of 6 levels"
 meshgen plane --faces 2 -o two.glb
@@ -187,6 +189,9 @@ is "it gets more levels" "$(sed -n 's/^strokegen: \([1-6]\) to \([1-6]\) of 6 le
 is "what the picture does not show of the three meshes is marked" "$(grep -ao '"unseen":' balls.glb | wc -l)" 3
 strokegen -q --levels "$(sed -n 's/^strokegen: . to \(.\) of .*/\1/p' said)" balls.gltf -o more.glb
 ok "fewer bytes" test "$(wc -c <balls.glb)" -lt "$(wc -c <more.glb)"
+
+is "lapped-param -v says how large the atlas of each mesh is, after parts without one, too" \
+    "$(lapped-param -v --atlas --needs balls.needs balls.gltf 2>&1 >atlas.glb | grep -c 'the side of its atlas')" 2
 
 # Meshes: as coarse as the picture allows, and divided into what it shows and the rest.
 try dirfield --needs balls.needs torus.glb -o x.glb
