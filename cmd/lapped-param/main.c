@@ -81,7 +81,8 @@ static void read_options(const struct cmd_args *args, struct lapped_param_option
     };
 }
 
-/* Sets the sizes of a part: converts lengths in the scene to the units of its mesh, which a node may scale. */
+/* Sets the sizes of a part: converts lengths in the scene to the units of its mesh, which a node may scale. In a scene
+ * that nodes shrink to a point, a mesh has the sizes that it has alone. */
 static void set_sizes(const struct lapped_param_options *settings, const struct hatch_scene_extent *extent,
                       uint32_t index, struct lapped_param_part *part)
 {
@@ -90,8 +91,9 @@ static void set_sizes(const struct lapped_param_options *settings, const struct 
     hatch_mesh_bounds(&part->mesh->mesh, low, high);
     for (int k = 0; k < 3; k++)
         diagonal = hypot(diagonal, (double)high[k] - (double)low[k]);
-    part->tile = (settings->tile > 0 ? settings->tile : extent->diagonal / TILES_ON_DIAGONAL) / scale;
-    part->size = settings->lapped.size > 0 ? fmin(settings->lapped.size * extent->diagonal / (diagonal * scale), 1) : 0;
+    double whole = extent->diagonal > 0 ? extent->diagonal : diagonal * scale;
+    part->tile = (settings->tile > 0 ? settings->tile : whole / TILES_ON_DIAGONAL) / scale;
+    part->size = settings->lapped.size > 0 ? fmin(settings->lapped.size * whole / (diagonal * scale), 1) : 0;
 }
 
 /* The progress of all meshes. */

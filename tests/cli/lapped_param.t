@@ -85,6 +85,13 @@ sed 's/"nodes":\[{/&"scale":[0.25,0.25,0.25],/' small.gltf >t.gltf && mv t.gltf 
 lapped-param --tile 0.125 --size 0.3 small.gltf -o small.glb
 numbers small.glb >b
 ok "also under a node that makes it smaller" cmp a b
+sed 's/"scale":\[0.25,0.25,0.25\]/"scale":[0,0,0]/' small.gltf >point.gltf
+is "the test's scene has a node of no size" "$(grep -c '"scale":\[0,0,0\]' point.gltf)" 1
+ok "a scene that a node shrinks to a point" lapped-param -q point.gltf -o point.glb
+numbers point.glb >a
+numbers alone.glb >b
+ok "has the patches of its mesh" cmp a b
+numbers small.glb >a
 lapped-param --tile 1 --size 0.3 torus.glb -o whole.glb
 numbers whole.glb >b
 ok "--tile changes the texture coordinates" test "$(cksum <a)" != "$(cksum <b)"
