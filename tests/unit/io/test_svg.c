@@ -3,61 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "arenas.h"
+#include "drawing.h"
 #include "fail_alloc.h"
 #include "image/image.h"
-#include "io/svg/svg.h"
-#include "stroke/path.h"
-
-#define SIZE 200u
-
-static struct hatch_stroke_list list;
-static struct hatch_svg_notes notes;
-
-static enum hatch_status read_text(const char *text)
-{
-    struct hatch_bytes bytes = {(const uint8_t *)text, strlen(text)};
-    return hatch_svg_read(bytes, SIZE, &keep, &scratch, &list, &notes, &err);
-}
-
-/* A drawing on a page of 100 x 100. */
-static const char *page(const char *content)
-{
-    static char text[20000];
-    snprintf(text, sizeof text, "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'>%s</svg>", content);
-    return text;
-}
-
-static void read_page(const char *content)
-{
-    HATCH_TEST_OK(read_text(page(content)), &err);
-}
-
-/* Point i of a stroke, user units; i -1: the last one. */
-static void point(uint32_t stroke, int i, double *xy)
-{
-    const struct hatch_stroke *s = &list.items[stroke];
-    uint32_t at = i < 0 ? s->path->count - 1 : (uint32_t)i;
-    xy[0] = 100 * ((double)s->x + (double)s->path->xy[2 * at]);
-    xy[1] = 100 * ((double)s->y + (double)s->path->xy[2 * at + 1]);
-}
-
-static void check_point(uint32_t stroke, int i, double x, double y)
-{
-    double xy[2];
-    ck_assert_uint_lt(stroke, list.count);
-    point(stroke, i, xy);
-    /* modulo the tile, which wraps */
-    ck_assert_double_eq_tol(remainder(xy[0] - x, 100), 0, 1e-3);
-    ck_assert_double_eq_tol(remainder(xy[1] - y, 100), 0, 1e-3);
-}
-
-static void check_dot(uint32_t stroke, double x, double y)
-{
-    ck_assert_ptr_null(list.items[stroke].path);
-    ck_assert_double_eq_tol(100 * (double)list.items[stroke].x, x, 1e-3);
-    ck_assert_double_eq_tol(100 * (double)list.items[stroke].y, y, 1e-3);
-}
 
 /* Each is one stroke from (10, 20) to (50, 60). */
 static const char *const same_ends[] = {
@@ -285,12 +233,6 @@ START_TEST(ignored_elements_are_counted)
 }
 END_TEST
 
-static void check_ends(uint32_t stroke, double x0, double y0, double x1, double y1)
-{
-    check_point(stroke, 0, x0, y0);
-    check_point(stroke, -1, x1, y1);
-}
-
 START_TEST(clones_are_drawn_at_their_position)
 {
     read_page("<g id='g' stroke='red'><path id='p' d='M10 20 14 20'/></g><use href='#g' x='5' y='6'/>"
@@ -457,8 +399,8 @@ static enum hatch_status make(void *context, struct hatch_arena *to, struct hatc
                             "<circle cx='9' cy='9' r='5'/>"
                             "<path class='a' d='M0 0 9 9'/></g><use href='#g'/>");
     (void)context;
-    return hatch_svg_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, SIZE, to, work, &list, &notes,
-                          error);
+    return hatch_svg_read((struct hatch_bytes){(const uint8_t *)text, strlen(text)}, DRAWING_PX, to, work, &list,
+                          &notes, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)

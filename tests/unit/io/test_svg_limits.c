@@ -1,18 +1,5 @@
 /* Drawings that are refused because clones, dashes or rules would take too long or too much memory. */
-#include <stdio.h>
-#include <string.h>
-
-#include "arenas.h"
-#include "io/svg/svg.h"
-
-static struct hatch_stroke_list list;
-static struct hatch_svg_notes notes;
-
-static enum hatch_status read_text(const char *text)
-{
-    struct hatch_bytes bytes = {(const uint8_t *)text, strlen(text)};
-    return hatch_svg_read(bytes, 200, &keep, &scratch, &list, &notes, &err);
-}
+#include "drawing.h"
 
 START_TEST(exponential_and_deep_clones_are_refused)
 {
