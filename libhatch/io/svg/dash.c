@@ -4,11 +4,13 @@
 #include "io/svg/parts.h"
 
 #define PATTERN_MAX 64u
+#define END_TOLERANCE 1e-9 /* of the line: over the rounding of a million dashes, under a thousandth of one of them */
 
 /* Position in the dash pattern while following a line. */
 struct cutter {
     double lengths[2 * PATTERN_MAX]; /* in tiles; dashes and gaps alternate, a dash first */
     double remaining;                /* rest of the current dash or gap, tiles */
+    double left;                     /* rest of the line in which dashes and gaps may end, tiles */
     uint32_t count, current;         /* number of lengths; index of the current one: even for a dash, odd for a gap */
     const struct hatch_svg_style *style;
     struct hatch_svg_dasher *dasher;
@@ -79,15 +81,18 @@ static enum hatch_status advance(struct cutter *cutter, double x, double y, stru
     return cutter->current % 2 ? HATCH_OK : hatch_path_add_line(&cutter->dasher->dash, x, y, err);
 }
 
+/* Follows a segment. A dash or gap that ends within the tolerance of the line's end lasts to that end: the next one
+ * would be a dot that only rounding made. */
 static enum hatch_status cut(struct cutter *cutter, const double from[2], const double to[2], struct hatch_err *err)
 {
     double length = hypot(to[0] - from[0], to[1] - from[1]), at = 0;
-    while (length - at > cutter->remaining) {
+    while (length - at > cutter->remaining && cutter->left - at > cutter->remaining) {
         at += cutter->remaining;
         double t = at / length;
         HATCH_TRY(advance(cutter, from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]), err));
     }
     cutter->remaining -= length - at;
+    cutter->left -= length;
     return cutter->current % 2 ? HATCH_OK : hatch_path_add_line(&cutter->dasher->dash, to[0], to[1], err);
 }
 
@@ -101,8 +106,10 @@ enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct h
         HATCH_TRY(read_pattern(&cutter, page, scale, &sum, err));
     if (!(sum > 0) || line->count < 2)
         return dasher->finish(dasher->context, &solid, err);
-    if (!(length_of(line) / sum * cutter.count + dasher->count < HATCH_SVG_DASHES_MAX))
+    double length = length_of(line);
+    if (!(length / sum * cutter.count + dasher->count < HATCH_SVG_DASHES_MAX))
         return hatch_fail(err, HATCH_LIMIT, "more than %u dashes", HATCH_SVG_DASHES_MAX);
+    cutter.left = length * (1 - END_TOLERANCE);
     dasher->dash.count = 0;
     if (cutter.current % 2 == 0)
         HATCH_TRY(hatch_path_add_line(&dasher->dash, line->xy[0], line->xy[1], err));
