@@ -143,6 +143,11 @@ struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer,
                                      offset[1]};
 }
 
+double hatch_svg_determinant(const struct hatch_svg_matrix *m)
+{
+    return m->a * m->d - m->b * m->c;
+}
+
 static struct hatch_svg_matrix rotation(const double *v, uint32_t count)
 {
     double cosine = cos(v[0] * RADIANS_PER_DEGREE), sine = sin(v[0] * RADIANS_PER_DEGREE);

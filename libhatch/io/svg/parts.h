@@ -19,6 +19,9 @@ void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, doubl
 /* Returns the transform that applies inner, then outer. */
 struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner);
 
+/* Returns the determinant: the area that the unit square has after the transform, negative where it is mirrored. */
+double hatch_svg_determinant(const struct hatch_svg_matrix *m);
+
 /* Parses a transform attribute: any number of translate, scale, rotate, skewX, skewY and matrix. */
 enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
                                       struct hatch_err *err) HATCH_MUST_USE;
@@ -85,12 +88,12 @@ struct hatch_svg_dasher {
     void *context;
 };
 
-/* Cuts a line into dashes; a line without dashes is passed on unchanged.
- *   page   side of the page in user units, for percentages
- *   scale  tiles per user unit
+/* Cuts a line into dashes, which are measured in user units; a line without dashes is passed on unchanged.
+ *   line  in tiles
+ *   page  side of the page in user units, for percentages
  * HATCH_BAD_INPUT for a malformed list of lengths; HATCH_LIMIT also above HATCH_SVG_DASHES_MAX. */
 enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct hatch_path_builder *line,
-                                 const struct hatch_svg_style *style, double page, double scale,
+                                 const struct hatch_svg_style *style, double page,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* Parses a colour: "#rgb", "#rrggbb", "rgb(1, 2, 3)", "rgb(1% 2% 3%)" or a name of CSS.

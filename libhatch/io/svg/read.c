@@ -46,7 +46,7 @@ static bool is_any(const char *name, const char *const *list)
 /* Returns the mean scale of a matrix. */
 static double scale_of(const struct hatch_svg_matrix *m)
 {
-    return sqrt(fabs(m->a * m->d - m->b * m->c));
+    return sqrt(fabs(hatch_svg_determinant(m)));
 }
 
 static bool is_outside(const struct hatch_path_builder *line, double margin)
@@ -90,8 +90,7 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
 static enum hatch_status add_line(void *context, struct hatch_path_builder *line, struct hatch_err *err)
 {
     struct drawing *d = context;
-    const struct hatch_svg_style *style = &d->styles[d->depth];
-    return hatch_svg_dash(&d->dasher, line, style, d->page, scale_of(&style->matrix), err);
+    return hatch_svg_dash(&d->dasher, line, &d->styles[d->depth], d->page, err);
 }
 
 /* Computes an element's style: its parent's, changed by attributes, then by style sheets, then by the style
@@ -178,7 +177,8 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
         return HATCH_OK;
     d->notes.fills += style->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
     d->notes.gradients += style->stroke == HATCH_SVG_SERVER;
-    if (style->stroke != HATCH_SVG_COLOR || !(style->stroke_opacity * style->opacity > 0))
+    if (style->stroke != HATCH_SVG_COLOR || !(style->stroke_opacity * style->opacity > 0) ||
+        !(scale_of(&style->matrix) > 0))
         return HATCH_OK;
     d->notes.others += style->masked;
     d->pen.matrix = style->matrix;

@@ -1,4 +1,5 @@
 /* Dashes of drawings, whose ends are known in closed form. */
+#define _XOPEN_SOURCE 700 /* M_PI */
 #include "drawing.h"
 
 /* A line of a whole number of pairs of a dash and a gap ends with a gap, in any direction and of any length. */
@@ -47,6 +48,43 @@ START_TEST(short_lines_have_short_dashes)
 }
 END_TEST
 
+/* Dashes are measured in the units of the element, before its transform: in closed form for scales, mirrors, turns and
+ * skews. The circle has four dashes and gaps of 1/8 of it each, which become unequal in the picture. */
+START_TEST(dashes_are_measured_before_the_transform)
+{
+    read_page("<path transform='scale(4,1)' d='M0 10H20M5 0V40' stroke='#000' stroke-dasharray='5'/>");
+    ck_assert_uint_eq(list.count, 2 + 4);
+    check_ends(0, 0, 10, 20, 10);
+    check_ends(1, 40, 10, 60, 10);
+    for (uint32_t i = 0; i < 4; i++)
+        check_ends(2 + i, 20, 10 * i, 20, 10 * i + 5);
+    read_page("<g transform='translate(10 90) scale(2,-1)'><path transform='rotate(90)' d='M0 0H40' stroke='red' "
+              "stroke-dasharray='10 20' stroke-dashoffset='-5'/></g>");
+    ck_assert_uint_eq(list.count, 2); /* the element's x axis points up in the picture, at scale 1 */
+    check_ends(0, 10, 85, 10, 75);
+    check_ends(1, 10, 55, 10, 50);
+    read_page("<path transform='skewX(45)' d='M0 0V40' stroke='red' stroke-dasharray='10'/>");
+    ck_assert_uint_eq(list.count, 2);
+    check_ends(0, 0, 0, 10, 10);
+    check_ends(1, 20, 20, 30, 30);
+    read_page("<circle transform='translate(50 50) scale(4,1)' r='10' stroke='red' stroke-dasharray='7.853981634'/>");
+    ck_assert_uint_eq(list.count, 4);
+    for (uint32_t i = 0; i < 4; i++) {
+        double xy[2], angle = M_PI / 4 * (2 * i + 1);
+        point(i, -1, xy);
+        ck_assert_double_eq_tol(xy[0], 50 + 40 * cos(angle), 0.03); /* curves are flattened to 1/20 pixel */
+        ck_assert_double_eq_tol(xy[1], 50 + 10 * sin(angle), 0.03);
+    }
+}
+END_TEST
+
+START_TEST(a_flat_transform_draws_nothing)
+{
+    read_page("<path transform='scale(4,0)' d='M0 10H20' stroke='#000' stroke-dasharray='5'/>");
+    ck_assert_uint_eq(list.count, 0);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io svg dash");
@@ -55,6 +93,8 @@ static Suite *suite(void)
     tcase_add_test(tests, a_whole_number_of_periods_ends_with_a_gap);
     tcase_add_test(tests, dots_end_before_the_line_does);
     tcase_add_test(tests, short_lines_have_short_dashes);
+    tcase_add_test(tests, dashes_are_measured_before_the_transform);
+    tcase_add_test(tests, a_flat_transform_draws_nothing);
     suite_add_tcase(suite, tests);
     return suite;
 }
