@@ -13,19 +13,29 @@ static int digit(char c)
     return at ? (int)((at - digits) % 16) : -1;
 }
 
-bool hatch_color_from_hex(struct hatch_text digits, float rgb[3])
+bool hatch_color_from_hex_alpha(struct hatch_text digits, float rgba[4])
 {
-    if (digits.length != 3 && digits.length != 6)
+    const size_t channels = digits.length % 4 == 0 ? 4 : 3, each = digits.length / channels;
+    float made[4] = {0, 0, 0, 1};
+    if (digits.length != each * channels || each < 1 || each > 2)
         return false;
-    size_t each = digits.length / 3;
-    float made[3];
-    for (size_t c = 0; c < 3; c++) {
+    for (size_t c = 0; c < channels; c++) {
         int high = digit(digits.at[c * each]), low = digit(digits.at[c * each + each - 1]);
         if (high < 0 || low < 0)
             return false;
-        made[c] = hatch_srgb_to_linear((float)(16 * high + low) / 255.0f);
+        float value = (float)(16 * high + low) / 255.0f;
+        made[c] = c < 3 ? hatch_srgb_to_linear(value) : value;
     }
-    memcpy(rgb, made, sizeof made);
+    memcpy(rgba, made, sizeof made);
+    return true;
+}
+
+bool hatch_color_from_hex(struct hatch_text digits, float rgb[3])
+{
+    float made[4];
+    if (digits.length % 3 != 0 || !hatch_color_from_hex_alpha(digits, made))
+        return false;
+    memcpy(rgb, made, 3 * sizeof *made);
     return true;
 }
 

@@ -1,4 +1,5 @@
 /* Parses the colours of CSS. */
+#include <math.h>
 #include <string.h>
 
 #include "image/color.h"
@@ -170,44 +171,83 @@ static bool is_name(struct hatch_text text, const char *name)
     return i == text.length && !name[i];
 }
 
-/* Parses the arguments of rgb() and rgba(): numbers up to 255 or percentages; alpha is ignored. */
-static bool parse_function(struct hatch_text rest, float rgb[3])
+/* Removes a number, which is divided by range, or a percentage, and the white space and comma after it. Returns false
+ * when there is neither.
+ *   share  out: 0 .. 1; numbers beyond are moved into it */
+static bool take_share(struct hatch_text *rest, double range, double *share)
 {
-    for (int c = 0; c < 3; c++) {
-        double number, range = 255;
-        if (!hatch_svg_number(&rest, &number))
-            return false;
-        if (rest.length && *rest.at == '%') {
-            rest.at++;
-            rest.length--;
-            hatch_svg_skip(&rest);
-            range = 100;
-        }
-        double value = number / range;
-        rgb[c] = hatch_srgb_to_linear((float)(value > 0 ? value < 1 ? value : 1 : 0));
+    double number;
+    if (!hatch_svg_number(rest, &number))
+        return false;
+    if (rest->length && *rest->at == '%') {
+        rest->at++;
+        rest->length--;
+        hatch_svg_skip(rest);
+        range = 100;
     }
-    return rest.length && rest.at[rest.length - 1] == ')';
+    double value = number / range;
+    *share = value > 0 ? value < 1 ? value : 1 : 0;
+    return true;
 }
 
-bool hatch_svg_color(struct hatch_text text, float rgb[3])
+/* Computes a channel of an HSL colour (CSS Color 4, section 7.1).
+ *   offset  of the channel's hue, in twelfths of the circle */
+static double channel_of_hsl(double hue_deg, double saturation, double lightness, double offset)
 {
-    float made[3];
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    double at = fmod(offset + hue_deg / 30, 12);
+    at += at < 0 ? 12 : 0;
+    double reach = saturation * fmin(lightness, 1 - lightness);
+    return lightness - reach * fmax(-1, fmin(fmin(at - 3, 9 - at), 1));
+}
+
+/* Parses the arguments of rgb() and hsl(). */
+static bool parse_function(struct hatch_text rest, bool is_hsl, float rgba[4])
+{
+    double v[3], rgb[3], alpha = 1;
+    if (!(is_hsl ? hatch_svg_angle(&rest, v) : take_share(&rest, 255, v)))
+        return false;
+    for (int i = 1; i < 3; i++)
+        if (!take_share(&rest, is_hsl ? 100 : 255, v + i))
+            return false;
+    if (rest.length && *rest.at == '/') {
+        rest.at++;
+        rest.length--;
+        hatch_svg_skip(&rest);
+        if (!take_share(&rest, 1, &alpha))
+            return false;
+    } else if (!hatch_text_is(rest, ")") && !take_share(&rest, 1, &alpha)) {
+        return false;
+    }
+    for (int c = 0; c < 3; c++) {
+        rgb[c] = is_hsl ? channel_of_hsl(v[0], v[1], v[2], c == 0 ? 0 : c == 1 ? 8 : 4) : v[c];
+        rgba[c] = hatch_srgb_to_linear((float)rgb[c]);
+    }
+    rgba[3] = (float)alpha;
+    return hatch_text_is(rest, ")");
+}
+
+bool hatch_svg_color(struct hatch_text text, float rgba[4])
+{
+    static const char *const functions[] = {"rgb", "rgba", "hsl", "hsla"};
+    float made[4] = {0, 0, 0, 1};
+    bool known = is_name(text, "transparent");
+    made[3] = known ? 0 : 1;
+    for (size_t i = 0; i < sizeof names / sizeof *names && !known; i++)
         if (is_name(text, names[i].name)) {
             for (int c = 0; c < 3; c++)
-                rgb[c] = hatch_srgb_to_linear((float)(names[i].rgb >> (16 - 8 * c) & 255u) / 255.0f);
-            return true;
+                made[c] = hatch_srgb_to_linear((float)(names[i].rgb >> (16 - 8 * c) & 255u) / 255.0f);
+            known = true;
         }
     if (text.length && *text.at == '#')
-        return hatch_color_from_hex((struct hatch_text){text.at + 1, text.length - 1}, rgb);
+        known = hatch_color_from_hex_alpha((struct hatch_text){text.at + 1, text.length - 1}, made);
     const char *open = text.length ? memchr(text.at, '(', text.length) : NULL;
-    if (!open || !(is_name((struct hatch_text){text.at, (size_t)(open - text.at)}, "rgb") ||
-                   is_name((struct hatch_text){text.at, (size_t)(open - text.at)}, "rgba")))
-        return false;
-    struct hatch_text rest = {open + 1, text.length - (size_t)(open + 1 - text.at)};
-    hatch_svg_skip(&rest);
-    if (!parse_function(rest, made))
-        return false;
-    memcpy(rgb, made, sizeof made);
-    return true;
+    for (size_t i = 0; open && i < sizeof functions / sizeof *functions && !known; i++)
+        if (is_name((struct hatch_text){text.at, (size_t)(open - text.at)}, functions[i])) {
+            struct hatch_text rest = {open + 1, text.length - (size_t)(open + 1 - text.at)};
+            hatch_svg_skip(&rest);
+            known = parse_function(rest, i >= 2, made);
+        }
+    if (known)
+        memcpy(rgba, made, sizeof made);
+    return known;
 }

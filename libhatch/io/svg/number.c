@@ -3,6 +3,7 @@
 
 #include "io/svg/parts.h"
 
+#define DEGREES_PER_RADIAN 57.29577951308232
 #define RADIANS_PER_DEGREE 0.017453292519943295
 
 static bool is_blank(char c)
@@ -80,6 +81,36 @@ bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers)
         if (!hatch_svg_number(rest, &numbers[i]))
             return false;
     return true;
+}
+
+/* Removes and returns the letters, or the percent sign, at the start of a text. */
+static struct hatch_text take_unit(struct hatch_text *rest)
+{
+    struct hatch_text unit = {rest->at, 0};
+    while (unit.length < rest->length && ((unit.at[unit.length] | 32) >= 'a' && (unit.at[unit.length] | 32) <= 'z'))
+        unit.length++;
+    unit.length += unit.length == 0 && rest->length && *rest->at == '%';
+    advance(rest, unit.length);
+    return unit;
+}
+
+bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg)
+{
+    static const struct {
+        const char *name;
+        double degrees;
+    } units[] = {{"", 1}, {"deg", 1}, {"grad", 0.9}, {"rad", DEGREES_PER_RADIAN}, {"turn", 360}};
+    double number;
+    if (!take_number(rest, &number))
+        return false;
+    struct hatch_text unit = take_unit(rest);
+    hatch_svg_skip(rest);
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (hatch_text_is(unit, units[i].name)) {
+            *angle_deg = number * units[i].degrees;
+            return true;
+        }
+    return false;
 }
 
 enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length, struct hatch_err *err)

@@ -36,6 +36,10 @@ bool hatch_svg_number(struct hatch_text *rest, double *number);
 /* Removes count numbers like hatch_svg_number. */
 bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers);
 
+/* Removes an angle, a number with deg, grad, rad, turn or no unit, and the white space and comma after it. Returns
+ * false when there is none. */
+bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg);
+
 /* Parses a length: a number with px, pt, pc, mm, cm, in, em, ex, %, or no unit.
  *   whole   length of 100 %, user units
  *   length  out: user units */
@@ -52,18 +56,19 @@ enum hatch_svg_paint { HATCH_SVG_NONE, HATCH_SVG_COLOR, HATCH_SVG_SERVER };
 
 /* Computed style of an element. */
 struct hatch_svg_style {
-    enum hatch_svg_paint stroke, fill;
-    float stroke_rgb[3], color_rgb[3]; /* linear light; color_rgb: value of currentColor */
-    double width;                      /* user units */
-    double stroke_opacity, opacity;    /* 0 .. 1; opacity: product of own_opacity and those of all groups around */
-    double own_opacity;                /* 0 .. 1; opacity of the element alone */
-    struct hatch_text dashes;          /* stroke-dasharray; empty: none */
-    double dash_offset;                /* user units */
-    bool capped;                       /* round or square caps: lines of length 0 are visible */
-    bool invisible;                    /* visibility is hidden */
-    bool undisplayed, own_undisplayed; /* display is none: of the element or of a group around it; of itself */
-    bool masked;                       /* has a filter, a mask or a clipping path */
-    struct hatch_svg_matrix matrix;    /* from user units to tiles */
+    enum hatch_svg_paint stroke;
+    bool filled;                         /* has a fill that is not transparent */
+    float stroke_rgba[4], color_rgba[4]; /* linear light, then alpha; color_rgba: value of currentColor */
+    double width;                        /* user units */
+    double stroke_opacity, opacity;      /* 0 .. 1; opacity: product of own_opacity and those of all groups around */
+    double own_opacity;                  /* 0 .. 1; opacity of the element alone */
+    struct hatch_text dashes;            /* stroke-dasharray; empty: none */
+    double dash_offset;                  /* user units */
+    bool capped;                         /* round or square caps: lines of length 0 are visible */
+    bool invisible;                      /* visibility is hidden */
+    bool undisplayed, own_undisplayed;   /* display is none: of the element or of a group around it; of itself */
+    bool masked;                         /* has a filter, a mask or a clipping path */
+    struct hatch_svg_matrix matrix;      /* from user units to tiles */
 };
 
 /* Applies a property ("stroke-width", "2mm") to a style; other properties are ignored.
@@ -96,9 +101,10 @@ enum hatch_status hatch_svg_dash(struct hatch_svg_dasher *dasher, const struct h
                                  const struct hatch_svg_style *style, double page,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
-/* Parses a colour: "#rgb", "#rrggbb", "rgb(1, 2, 3)", "rgb(1% 2% 3%)" or a name of CSS.
- *   rgb  out: linear */
-bool hatch_svg_color(struct hatch_text text, float rgb[3]);
+/* Parses a colour: three, four, six or eight hexadecimal digits after "#", "rgb(1, 2, 3)", "rgb(1% 2% 3% / 50%)",
+ * "hsl(120, 100%, 50%)", the same as rgba() and hsla(), "transparent", or a name of CSS. Returns false for other texts.
+ *   rgba  out: linear, then alpha; unchanged on failure */
+bool hatch_svg_color(struct hatch_text text, float rgba[4]);
 
 /* Draws subpaths that are given in user units. */
 struct hatch_svg_pen {

@@ -49,6 +49,12 @@ static double scale_of(const struct hatch_svg_matrix *m)
     return sqrt(fabs(hatch_svg_determinant(m)));
 }
 
+/* Returns the product of all opacities of a stroke. */
+static double opacity_of(const struct hatch_svg_style *style)
+{
+    return (double)style->stroke_rgba[3] * style->stroke_opacity * style->opacity;
+}
+
 static bool is_outside(const struct hatch_path_builder *line, double margin)
 {
     bool left = true, right = true, above = true, below = true;
@@ -77,10 +83,10 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
         return HATCH_OK;
     }
     struct hatch_stroke stroke = {.width_px = width_px,
-                                  .tone = (float)(style->stroke_opacity * style->opacity),
+                                  .tone = (float)opacity_of(style),
                                   .id = d->strokes.count + 1,
                                   .texture_seed = d->strokes.count + 1};
-    memcpy(stroke.rgb, style->stroke_rgb, sizeof stroke.rgb);
+    memcpy(stroke.rgb, style->stroke_rgba, sizeof stroke.rgb);
     HATCH_TRY(hatch_path_finish(line, d->arena, &stroke, err));
     d->notes.strokes++;
     return hatch_stroke_list_add(&d->strokes, d->arena, &stroke, err);
@@ -140,7 +146,8 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
         return hatch_fail(err, HATCH_BAD_INPUT, "the page is %g x %g, want a square", box[2], box[3]);
     d->page = box[2];
     d->styles[0] =
-        (struct hatch_svg_style){.fill = HATCH_SVG_COLOR,
+        (struct hatch_svg_style){.filled = true,
+                                 .color_rgba = {0, 0, 0, 1},
                                  .width = 1,
                                  .stroke_opacity = 1,
                                  .opacity = 1,
@@ -175,10 +182,9 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
     }
     if (style->invisible || style->undisplayed)
         return HATCH_OK;
-    d->notes.fills += style->fill != HATCH_SVG_NONE && strcmp(node->name, "line") != 0;
+    d->notes.fills += style->filled && strcmp(node->name, "line") != 0;
     d->notes.gradients += style->stroke == HATCH_SVG_SERVER;
-    if (style->stroke != HATCH_SVG_COLOR || !(style->stroke_opacity * style->opacity > 0) ||
-        !(scale_of(&style->matrix) > 0))
+    if (style->stroke != HATCH_SVG_COLOR || !(opacity_of(style) > 0) || !(scale_of(&style->matrix) > 0))
         return HATCH_OK;
     d->notes.others += style->masked;
     d->pen.matrix = style->matrix;

@@ -20,23 +20,40 @@ static enum hatch_status bad_value(struct hatch_text name, struct hatch_text val
                       (int)(value.length < 40 ? value.length : 40), value.at);
 }
 
-static enum hatch_status read_paint(struct hatch_text name, struct hatch_text value,
-                                    const struct hatch_svg_style *style, enum hatch_svg_paint *paint, float *rgb,
-                                    struct hatch_err *err)
+static bool is_none(struct hatch_text value)
 {
-    if (hatch_text_is(value, "none") || hatch_text_is(value, "transparent")) {
-        *paint = HATCH_SVG_NONE;
-    } else if (value.length > 4 && memcmp(value.at, "url(", 4) == 0) {
-        *paint = HATCH_SVG_SERVER;
-    } else if (hatch_text_is(value, "currentColor") || hatch_text_is(value, "currentcolor")) {
-        *paint = HATCH_SVG_COLOR;
-        memcpy(rgb, style->color_rgb, 3 * sizeof *rgb);
-    } else if (hatch_svg_color(value, rgb)) {
-        *paint = HATCH_SVG_COLOR;
-    } else {
+    return hatch_text_is(value, "none");
+}
+
+/* Reads a colour or currentColor. */
+static bool read_color(struct hatch_text value, const struct hatch_svg_style *style, float rgba[4])
+{
+    if (!hatch_text_is(value, "currentColor") && !hatch_text_is(value, "currentcolor"))
+        return hatch_svg_color(value, rgba);
+    memcpy(rgba, style->color_rgba, sizeof style->color_rgba);
+    return true;
+}
+
+static enum hatch_status read_stroke(struct hatch_text name, struct hatch_text value, struct hatch_svg_style *style,
+                                     struct hatch_err *err)
+{
+    if (is_none(value) || hatch_text_is(value, "initial"))
+        style->stroke = HATCH_SVG_NONE;
+    else if (value.length > 4 && memcmp(value.at, "url(", 4) == 0)
+        style->stroke = HATCH_SVG_SERVER;
+    else if (read_color(value, style, style->stroke_rgba))
+        style->stroke = HATCH_SVG_COLOR;
+    else
         return bad_value(name, value, err);
-    }
     return HATCH_OK;
+}
+
+/* Reads whether there is a fill. Any value but none and a transparent colour is one, since fills are only counted. */
+static void read_fill(struct hatch_text value, struct hatch_svg_style *style)
+{
+    float rgba[4];
+    bool transparent = read_color(value, style, rgba) && !(rgba[3] > 0);
+    style->filled = !is_none(value) && !transparent;
 }
 
 static enum hatch_status read_opacity(struct hatch_text name, struct hatch_text value, double *opacity,
@@ -63,26 +80,20 @@ static enum hatch_status read_width(struct hatch_text value, double page, struct
     return HATCH_OK;
 }
 
-static bool is_none(struct hatch_text value)
-{
-    return hatch_text_is(value, "none");
-}
-
 enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
                                      struct hatch_svg_style *style, struct hatch_err *err)
 {
-    float ignored[3];
     value = trimmed(value);
     if (value.length > 10 && memcmp(value.at + value.length - 10, "!important", 10) == 0)
         value = trimmed((struct hatch_text){value.at, value.length - 10});
-    if (value.length == 0 || hatch_text_is(value, "inherit"))
+    if (value.length == 0 || hatch_text_is(value, "inherit") || hatch_text_is(value, "unset"))
         return HATCH_OK;
     if (hatch_text_is(name, "stroke"))
-        return read_paint(name, value, style, &style->stroke, style->stroke_rgb, err);
+        return read_stroke(name, value, style, err);
     if (hatch_text_is(name, "fill"))
-        return read_paint(name, value, style, &style->fill, ignored, err);
+        read_fill(value, style);
     if (hatch_text_is(name, "color"))
-        return hatch_svg_color(value, style->color_rgb) ? HATCH_OK : bad_value(name, value, err);
+        hatch_svg_color(value, style->color_rgba); /* an unknown one keeps the colour of the element around */
     if (hatch_text_is(name, "stroke-width"))
         return read_width(value, page, style, err);
     if (hatch_text_is(name, "stroke-opacity"))

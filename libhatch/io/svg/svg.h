@@ -23,7 +23,8 @@ struct hatch_svg_notes {
 bool hatch_svg_is(struct hatch_bytes file);
 
 /* Reads the strokes of a drawing. The page (viewBox, else width and height) becomes the tile. Each subpath, and each
- * dash, becomes a stroke: its colour is linear, its tone is the product of all opacities, and its line is flattened to
+ * dash, becomes a stroke: its colour is linear, its tone is the product of all opacities and its
+ * alpha, and its line is flattened to
  * 1/20 pixel and wrapped at the page's borders; ids count from 1 in drawing order. <style> elements are applied (rules
  * for elements, classes and ids), and clones (<use>) are drawn. No other file is opened.
  *   size_px  side of the tile, for stroke widths

@@ -1,0 +1,98 @@
+/* Colours and properties of drawings in the syntaxes of CSS. */
+#include "drawing.h"
+#include "image/image.h"
+
+static const struct {
+    const char *attributes;
+    float rgb[3], tone; /* sRGB */
+} strokes[] = {
+    {"stroke='#00000080'", {0, 0, 0}, 128 / 255.0f},
+    {"stroke='#F80A'", {1, 136 / 255.0f, 0}, 170 / 255.0f},
+    {"stroke='rgba(0,0,0,0.1)'", {0, 0, 0}, .1f},
+    {"stroke='rgb(0 51 255 / 25%)' stroke-opacity='.5' opacity='.5'", {0, .2f, 1}, .0625f},
+    {"stroke='rgb(0%,20%,100%,1)'", {0, .2f, 1}, 1},
+    {"stroke='hsl(0,0%,50%)'", {.5f, .5f, .5f}, 1},
+    {"stroke='hsl(0,100%,50%)'", {1, 0, 0}, 1},
+    {"stroke='hsl(120deg 100% 25%)'", {0, .5f, 0}, 1},
+    {"stroke='HSLA(.5turn, 50%, 50%, 50%)'", {.25f, .75f, .75f}, .5f},
+    {"stroke='hsl(-120 100% 75% / .25)'", {.5f, .5f, 1}, .25f},
+    {"stroke='hsl(420 60% 40%)'", {.64f, .64f, .16f}, 1},
+    {"color='hsl(0 0% 0% / .5)' stroke='currentColor'", {0, 0, 0}, .5f},
+    {"color='blue' style='color:oklch(40% 0.2 30);stroke:currentColor'", {0, 0, 1}, 1},
+    {"stroke='lime' style='stroke:unset'", {0, 1, 0}, 1},
+};
+
+START_TEST(strokes_have_the_colour_and_the_alpha)
+{
+    char text[300];
+    snprintf(text, sizeof text, "<path d='M0 0 9 9' %s/>", strokes[_i].attributes);
+    read_page(text);
+    ck_assert_uint_eq(list.count, 1);
+    for (int c = 0; c < 3; c++)
+        ck_assert_float_eq_tol(hatch_linear_to_srgb(list.items[0].rgb[c]), strokes[_i].rgb[c], 1e-4f);
+    ck_assert_float_eq_tol(list.items[0].tone, strokes[_i].tone, 1e-6f);
+}
+END_TEST
+
+START_TEST(transparent_strokes_are_not_drawn)
+{
+    read_page("<path d='M0 0 9 9' stroke='#0000'/><path d='M0 0 9 9' stroke='rgba(9,9,9,0)'/>"
+              "<path d='M0 0 9 9' stroke='transparent'/><path d='M0 0 9 9' stroke='red' style='stroke:initial'/>");
+    ck_assert_uint_eq(list.count, 0);
+}
+END_TEST
+
+START_TEST(malformed_strokes_are_refused)
+{
+    static const char *const colors[] = {"#12345",   "#1234567", "#00000g00",     "rgb(1,2)",        "rgb(1 2 3 4 5)",
+                                         "hsl(0 0)", "hsl(0,0",  "rgb(1 2 3 / )", "hsl(9miles 0 0)", "hsl 0 0 0"};
+    for (size_t i = 0; i < sizeof colors / sizeof *colors; i++) {
+        char text[200];
+        snprintf(text, sizeof text, "<path d='M0 0 9 9' stroke='%s'/>", colors[i]);
+        ck_assert_int_eq(read_text(page(text)), HATCH_BAD_INPUT);
+    }
+}
+END_TEST
+
+START_TEST(fills_in_any_syntax_are_counted)
+{
+    static const char *const fills[] = {
+        "fill='hsl(0,0%,50%)'", "style='fill:initial'",   "fill='color(srgb 1 0 0)'", "fill='#12345678'",
+        "fill='#1234'",         "fill='url(#a) none'",    "fill='context-stroke'",    "",
+        "style='fill:unset'",   "fill='var(--ink, red)'", "fill='currentColor'"};
+    static const char *const empty[] = {"fill='none'",
+                                        "fill='#00000000'",
+                                        "fill='#abc0'",
+                                        "fill='transparent'",
+                                        "fill='rgba(9,9,9,0)'",
+                                        "fill='hsl(0 0% 0% / 0%)'",
+                                        "style='fill:none'",
+                                        "fill='none' style='fill:unset'",
+                                        "color='#0000' fill='currentColor'"};
+    char text[200];
+    for (size_t i = 0; i < sizeof fills / sizeof *fills; i++) {
+        snprintf(text, sizeof text, "<path d='M0 0 9 9' stroke='red' %s/>", fills[i]);
+        read_page(text);
+        ck_assert_msg(notes.fills == 1 && list.count == 1, "%s", fills[i]);
+    }
+    for (size_t i = 0; i < sizeof empty / sizeof *empty; i++) {
+        snprintf(text, sizeof text, "<path d='M0 0 9 9' stroke='red' %s/>", empty[i]);
+        read_page(text);
+        ck_assert_msg(notes.fills == 0 && list.count == 1, "%s", empty[i]);
+    }
+}
+END_TEST
+
+static Suite *suite(void)
+{
+    Suite *suite = suite_create("io svg css");
+    TCase *tests = tcase_create("svg_css");
+    tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_loop_test(tests, strokes_have_the_colour_and_the_alpha, 0, sizeof strokes / sizeof *strokes);
+    tcase_add_test(tests, transparent_strokes_are_not_drawn);
+    tcase_add_test(tests, malformed_strokes_are_refused);
+    tcase_add_test(tests, fills_in_any_syntax_are_counted);
+    suite_add_tcase(suite, tests);
+    return suite;
+}
+HATCH_TEST_MAIN(suite)
