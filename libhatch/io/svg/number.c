@@ -1,10 +1,9 @@
-/* Parses the numbers, lengths and transforms of SVG. */
+/* Parses the numbers, angles and lengths of SVG. */
 #include <string.h>
 
 #include "io/svg/parts.h"
 
 #define DEGREES_PER_RADIAN 57.29577951308232
-#define RADIANS_PER_DEGREE 0.017453292519943295
 
 static bool is_blank(char c)
 {
@@ -113,31 +112,36 @@ bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg)
     return false;
 }
 
-enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length, struct hatch_err *err)
+bool hatch_svg_take_length(struct hatch_text *rest, double whole, double *length)
 {
-    static const struct {
+    const struct {
         const char *name;
         double units;
-    } units[] = {{"px", 1},         {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4},
-                 {"cm", 96 / 2.54}, {"in", 96},        {"em", 16}, {"ex", 8}};
-    struct hatch_text rest = text;
+    } units[] = {{"", 1},           {"px", 1},  {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4},
+                 {"cm", 96 / 2.54}, {"in", 96}, {"em", 16},        {"ex", 8},  {"%", whole / 100}};
     double number;
-    hatch_svg_skip(&rest);
-    if (take_number(&rest, &number)) {
-        while (rest.length && is_blank(rest.at[rest.length - 1]))
-            rest.length--;
-        if (rest.length == 0 || hatch_text_is(rest, "%")) {
-            *length = rest.length ? number / 100 * whole : number;
-            return HATCH_OK;
+    if (!take_number(rest, &number))
+        return false;
+    struct hatch_text unit = take_unit(rest);
+    hatch_svg_skip(rest);
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (hatch_text_is(unit, units[i].name)) {
+            *length = number * units[i].units;
+            return true;
         }
-        for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-            if (hatch_text_is(rest, units[i].name)) {
-                *length = number * units[i].units;
-                return HATCH_OK;
-            }
-    }
-    return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a length", (int)(text.length < 40 ? text.length : 40),
-                      text.at);
+    return false;
+}
+
+enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length, struct hatch_err *err)
+{
+    struct hatch_text rest = text;
+    double made;
+    hatch_svg_skip(&rest);
+    if (!hatch_svg_take_length(&rest, whole, &made) || rest.length)
+        return hatch_fail(err, HATCH_BAD_INPUT, "'%.*s' is not a length", (int)(text.length < 40 ? text.length : 40),
+                          text.at);
+    *length = made;
+    return HATCH_OK;
 }
 
 enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32_t max, double *lengths,
@@ -153,85 +157,5 @@ enum hatch_status hatch_svg_lengths(struct hatch_text text, double whole, uint32
         HATCH_TRY(hatch_svg_length(one, whole, &lengths[*count], err));
         ++*count;
     }
-    return HATCH_OK;
-}
-
-void hatch_svg_apply(const struct hatch_svg_matrix *m, double x, double y, double point[2])
-{
-    point[0] = m->a * x + m->c * y + m->e;
-    point[1] = m->b * x + m->d * y + m->f;
-}
-
-struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer, const struct hatch_svg_matrix *inner)
-{
-    double offset[2];
-    hatch_svg_apply(outer, inner->e, inner->f, offset);
-    return (struct hatch_svg_matrix){outer->a * inner->a + outer->c * inner->b,
-                                     outer->b * inner->a + outer->d * inner->b,
-                                     outer->a * inner->c + outer->c * inner->d,
-                                     outer->b * inner->c + outer->d * inner->d,
-                                     offset[0],
-                                     offset[1]};
-}
-
-double hatch_svg_determinant(const struct hatch_svg_matrix *m)
-{
-    return m->a * m->d - m->b * m->c;
-}
-
-static struct hatch_svg_matrix rotation(const double *v, uint32_t count)
-{
-    double cosine = cos(v[0] * RADIANS_PER_DEGREE), sine = sin(v[0] * RADIANS_PER_DEGREE);
-    struct hatch_svg_matrix m = {cosine, sine, -sine, cosine, 0, 0};
-    if (count == 3) {
-        m.e = v[1] - cosine * v[1] + sine * v[2];
-        m.f = v[2] - sine * v[1] - cosine * v[2];
-    }
-    return m;
-}
-
-/* Computes the matrix of a transform function; returns false when its name or the number of arguments is wrong. */
-static bool transform_of(struct hatch_text name, const double *v, uint32_t count, struct hatch_svg_matrix *m)
-{
-    *m = (struct hatch_svg_matrix){1, 0, 0, 1, 0, 0};
-    if (hatch_text_is(name, "matrix") && count == 6)
-        *m = (struct hatch_svg_matrix){v[0], v[1], v[2], v[3], v[4], v[5]};
-    else if (hatch_text_is(name, "translate") && (count == 1 || count == 2))
-        m->e = v[0], m->f = count == 2 ? v[1] : 0;
-    else if (hatch_text_is(name, "scale") && (count == 1 || count == 2))
-        m->a = v[0], m->d = count == 2 ? v[1] : v[0];
-    else if (hatch_text_is(name, "rotate") && (count == 1 || count == 3))
-        *m = rotation(v, count);
-    else if (hatch_text_is(name, "skewX") && count == 1)
-        m->c = tan(v[0] * RADIANS_PER_DEGREE);
-    else if (hatch_text_is(name, "skewY") && count == 1)
-        m->b = tan(v[0] * RADIANS_PER_DEGREE);
-    else
-        return false;
-    return true;
-}
-
-enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix, struct hatch_err *err)
-{
-    struct hatch_svg_matrix made = {1, 0, 0, 1, 0, 0}, one;
-    struct hatch_text rest = text;
-    for (hatch_svg_skip(&rest); rest.length; hatch_svg_skip(&rest)) {
-        const char *open = memchr(rest.at, '(', rest.length);
-        struct hatch_text name = {rest.at, open ? (size_t)(open - rest.at) : 0};
-        double v[6] = {0};
-        uint32_t count = 0;
-        advance(&rest, open ? name.length + 1 : 0);
-        while (name.length && is_blank(name.at[name.length - 1]))
-            name.length--;
-        hatch_svg_skip(&rest);
-        while (open && count < 6 && hatch_svg_number(&rest, &v[count]))
-            count++;
-        if (!open || !rest.length || *rest.at != ')' || !transform_of(name, v, count, &one))
-            return hatch_fail(err, HATCH_BAD_INPUT, "transform '%.*s' is malformed or unknown",
-                              (int)(text.length < 60 ? text.length : 60), text.at);
-        advance(&rest, 1);
-        made = hatch_svg_multiply(&made, &one);
-    }
-    *matrix = made;
     return HATCH_OK;
 }

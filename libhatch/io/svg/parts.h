@@ -22,8 +22,9 @@ struct hatch_svg_matrix hatch_svg_multiply(const struct hatch_svg_matrix *outer,
 /* Returns the determinant: the area that the unit square has after the transform, negative where it is mirrored. */
 double hatch_svg_determinant(const struct hatch_svg_matrix *m);
 
-/* Parses a transform attribute: any number of translate, scale, rotate, skewX, skewY and matrix. */
-enum hatch_status hatch_svg_transform(struct hatch_text text, struct hatch_svg_matrix *matrix,
+/* Parses any number of translate, scale, rotate, skew and matrix, and those of one axis such as scaleX.
+ *   page  side of the page in user units, for percentages */
+enum hatch_status hatch_svg_transform(struct hatch_text text, double page, struct hatch_svg_matrix *matrix,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Removes white space and at most one comma from the start of *rest. */
@@ -40,7 +41,11 @@ bool hatch_svg_numbers(struct hatch_text *rest, uint32_t count, double *numbers)
  * false when there is none. */
 bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg);
 
-/* Parses a length: a number with px, pt, pc, mm, cm, in, em, ex, %, or no unit.
+/* Removes a length, a number with px, pt, pc, mm, cm, in, em, ex, %, or no unit, and the white space and comma after
+ * it. Returns false when there is none. Arguments as for hatch_svg_length. */
+bool hatch_svg_take_length(struct hatch_text *rest, double whole, double *length);
+
+/* Parses a length, as hatch_svg_take_length does, and nothing else.
  *   whole   length of 100 %, user units
  *   length  out: user units */
 enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length,
@@ -67,9 +72,14 @@ struct hatch_svg_style {
     bool capped;                         /* round or square caps: lines of length 0 are visible */
     bool invisible;                      /* visibility is hidden */
     bool undisplayed, own_undisplayed;   /* display is none: of the element or of a group around it; of itself */
-    bool masked;                         /* has a filter, a mask or a clipping path */
-    struct hatch_svg_matrix matrix;      /* from user units to tiles */
+    bool incomplete;                     /* has a filter, a mask, a clipping path, or a transform that is not applied */
+    struct hatch_text own_transform, own_origin; /* transform and transform-origin of the element; empty: none */
+    bool own_box;                                /* of the element: its origin refers to another box than the page */
+    struct hatch_svg_matrix matrix;              /* from user units to tiles */
 };
+
+/* Returns whether a name is in a list that ends with NULL. */
+bool hatch_svg_is_any(struct hatch_text name, const char *const *list);
 
 /* Applies a property ("stroke-width", "2mm") to a style; other properties are ignored.
  *   page  side of the page in user units, for percentages */

@@ -37,10 +37,7 @@ bool hatch_svg_is(struct hatch_bytes file)
 
 static bool is_any(const char *name, const char *const *list)
 {
-    for (; *list; list++)
-        if (strcmp(name, *list) == 0)
-            return true;
-    return false;
+    return hatch_svg_is_any((struct hatch_text){name, strlen(name)}, list);
 }
 
 /* Returns the mean scale of a matrix. */
@@ -99,29 +96,53 @@ static enum hatch_status add_line(void *context, struct hatch_path_builder *line
     return hatch_svg_dash(&d->dasher, line, &d->styles[d->depth], d->page, err);
 }
 
+/* Applies the transform of an element. A property that cannot be applied is left out, and a malformed attribute
+ * refused. attribute  the transform that the element has without style sheets */
+static enum hatch_status apply_transform(struct drawing *d, struct hatch_text attribute, struct hatch_err *err)
+{
+    struct hatch_svg_style *style = &d->styles[d->depth];
+    struct hatch_svg_matrix own, origin = {1, 0, 0, 1, 0, 0}, back = origin;
+    double at[3] = {0};
+    uint32_t count = 0;
+    if (style->own_transform.length == 0)
+        return HATCH_OK;
+    if (hatch_svg_transform(style->own_transform, d->page, &own, err) != HATCH_OK) {
+        style->incomplete = true;
+        return style->own_transform.at == attribute.at ? HATCH_BAD_INPUT : HATCH_OK;
+    }
+    bool placed = hatch_svg_lengths(style->own_origin, d->page, 3, at, &count, err) == HATCH_OK && count != 1;
+    style->incomplete |= !placed || style->own_box;
+    if (placed) {
+        origin.e = at[0];
+        origin.f = at[1];
+        back.e = -at[0];
+        back.f = -at[1];
+    }
+    own = hatch_svg_multiply(&own, &back);
+    own = hatch_svg_multiply(&origin, &own);
+    style->matrix = hatch_svg_multiply(&style->matrix, &own);
+    return HATCH_OK;
+}
+
 /* Computes an element's style: its parent's, changed by attributes, then by style sheets, then by the style
  * attribute. */
 static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     struct hatch_svg_style *style = &d->styles[d->depth];
     const char *const *attributes = node->attributes;
-    struct hatch_svg_matrix own;
     *style = d->styles[d->depth - 1];
     style->own_opacity = 1;
-    style->own_undisplayed = false;
+    style->own_undisplayed = style->own_box = false;
+    style->own_transform = style->own_origin = (struct hatch_text){"", 0};
     for (const char *const *a = attributes; *a; a += 2)
         HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])}, (struct hatch_text){a[1], strlen(a[1])},
                                      d->page, style, err));
+    struct hatch_text attribute = style->own_transform;
     HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, style, err));
     HATCH_TRY(hatch_svg_declarations(hatch_svg_attribute(attributes, "style"), d->page, style, err));
     style->opacity *= style->own_opacity;
     style->undisplayed = style->undisplayed || style->own_undisplayed;
-    struct hatch_text transform = hatch_svg_attribute(attributes, "transform");
-    if (transform.length == 0)
-        return HATCH_OK;
-    HATCH_TRY(hatch_svg_transform(transform, &own, err));
-    style->matrix = hatch_svg_multiply(&style->matrix, &own);
-    return HATCH_OK;
+    return apply_transform(d, attribute, err);
 }
 
 static const char *const sides[] = {"width", "height"};
@@ -186,7 +207,7 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
     d->notes.gradients += style->stroke == HATCH_SVG_SERVER;
     if (style->stroke != HATCH_SVG_COLOR || !(opacity_of(style) > 0) || !(scale_of(&style->matrix) > 0))
         return HATCH_OK;
-    d->notes.others += style->masked;
+    d->notes.others += style->incomplete;
     d->pen.matrix = style->matrix;
     d->pen.x = d->pen.y = 0;
     d->pen.line.count = 0;

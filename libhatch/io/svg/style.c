@@ -80,9 +80,18 @@ static enum hatch_status read_width(struct hatch_text value, double page, struct
     return HATCH_OK;
 }
 
+bool hatch_svg_is_any(struct hatch_text name, const char *const *list)
+{
+    for (; *list; list++)
+        if (hatch_text_is(name, *list))
+            return true;
+    return false;
+}
+
 enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
                                      struct hatch_svg_style *style, struct hatch_err *err)
 {
+    static const char *const left_out[] = {"filter", "mask", "clip-path", "translate", "rotate", "scale", NULL};
     value = trimmed(value);
     if (value.length > 10 && memcmp(value.at + value.length - 10, "!important", 10) == 0)
         value = trimmed((struct hatch_text){value.at, value.length - 10});
@@ -110,8 +119,14 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
         style->own_undisplayed = is_none(value);
     if (hatch_text_is(name, "visibility"))
         style->invisible = hatch_text_is(value, "hidden") || hatch_text_is(value, "collapse");
-    if (hatch_text_is(name, "filter") || hatch_text_is(name, "mask") || hatch_text_is(name, "clip-path"))
-        style->masked |= !is_none(value);
+    if (hatch_svg_is_any(name, left_out))
+        style->incomplete |= !is_none(value);
+    if (hatch_text_is(name, "transform"))
+        style->own_transform = is_none(value) ? (struct hatch_text){"", 0} : value;
+    if (hatch_text_is(name, "transform-origin"))
+        style->own_origin = value;
+    if (hatch_text_is(name, "transform-box"))
+        style->own_box = !hatch_text_is(value, "view-box");
     return HATCH_OK;
 }
 

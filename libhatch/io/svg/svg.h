@@ -16,17 +16,16 @@ struct hatch_svg_notes {
     uint32_t images;    /* image elements */
     uint32_t gradients; /* strokes painted with a gradient or a pattern */
     uint32_t others;    /* unknown elements, external style sheets, CSS rules that are not supported, clones of missing
-                           elements, filters, masks and clipping paths */
+                           elements, filters, masks, clipping paths and transforms in CSS that are not applied */
 };
 
 /* Returns whether a file looks like XML. */
 bool hatch_svg_is(struct hatch_bytes file);
 
 /* Reads the strokes of a drawing. The page (viewBox, else width and height) becomes the tile. Each subpath, and each
- * dash, becomes a stroke: its colour is linear, its tone is the product of all opacities and its
- * alpha, and its line is flattened to
- * 1/20 pixel and wrapped at the page's borders; ids count from 1 in drawing order. <style> elements are applied (rules
- * for elements, classes and ids), and clones (<use>) are drawn. No other file is opened.
+ * dash, becomes a stroke: its colour is linear, its tone is the product of all opacities and its alpha,
+ * and its line is flattened to 1/20 pixel and wrapped at the page's borders; ids count from 1 in drawing order. <style>
+ * elements are applied (rules for elements, classes and ids), and clones (<use>) are drawn. No other file is opened.
  *   size_px  side of the tile, for stroke widths
  *   strokes  out: in arena
  * HATCH_BAD_INPUT with the line for malformed XML, numbers and paths, a page that is not square, elements nested deeper

@@ -83,6 +83,58 @@ START_TEST(fills_in_any_syntax_are_counted)
 }
 END_TEST
 
+/* Each is one stroke from (10, 20) to (50, 60). */
+static const char *const transforms[] = {
+    "<path style='transform:translate(10px,20px)' d='M0 0 40 40'/>",
+    "<style>.a{transform:translate(10px,20px)}</style><path class='a' transform='scale(9)' d='M0 0 40 40'/>",
+    "<style>.b{transform:translateX(10%) translateY( 20px )}</style><g class='b'><path d='M0 0 40 40'/></g>",
+    "<path transform='scale(9)' style='transform:none' d='M10 20 50 60'/>",
+    "<path transform='rotate(90deg)' d='M20-10 60-50'/>",
+    "<path style='transform:rotate(.25turn)' d='M20-10 60-50'/>",
+    "<path style='transform:rotate(100grad)' d='M20-10 60-50'/>",
+    "<path style='transform:rotate(1.5707963267948966rad)' d='M20-10 60-50'/>",
+    "<path style='transform:scaleX(2) scaleY(.5)' stroke-width='.1' d='M5 40 25 120'/>",
+    "<path style='transform:skew(45deg) translate(-20px)' d='M10 20 10 60'/>",
+    "<path style='transform:skew(0,45deg)' d='M10 10 50 10'/>",
+    "<path style='transform:rotate(90deg);transform-origin:30px 40px' d='M10 60 50 20'/>",
+    "<path transform='scale(.5)' transform-origin='30 40' d='M-10 0 70 80'/>",
+    "<path style='transform-origin:center' d='M10 20 50 60'/>",
+};
+
+START_TEST(transforms_in_css_are_applied)
+{
+    char text[400];
+    snprintf(text, sizeof text, "<g stroke='red' fill='none'>%s</g>", transforms[_i]);
+    read_page(text);
+    ck_assert_uint_eq(list.count, 1);
+    check_ends(0, 10, 20, 50, 60);
+    ck_assert_uint_eq(notes.others, 0);
+}
+END_TEST
+
+/* Shapes whose place is another one are drawn without that part of their transform, and counted. */
+START_TEST(transforms_that_are_not_applied_are_counted)
+{
+    static const char *const styles[] = {"transform:translate3d(1px,2px,3px)",
+                                         "transform:rotate(5px)",
+                                         "transform:translate(5deg)",
+                                         "transform:rotate(0deg);transform-origin:center",
+                                         "transform:rotate(0deg);transform-box:fill-box",
+                                         "translate:5px",
+                                         "rotate:90deg",
+                                         "scale:2"};
+    for (size_t i = 0; i < sizeof styles / sizeof *styles; i++) {
+        char text[300];
+        snprintf(text, sizeof text, "<g style='%s' stroke='red' fill='none'><path d='M10 20 50 60'/></g>", styles[i]);
+        read_page(text);
+        check_ends(0, 10, 20, 50, 60);
+        ck_assert_msg(notes.others == 1, "%s", styles[i]);
+    }
+    read_page("<path style='translate:none;rotate:none;scale:none;transform-box:view-box' d='M1 1 2 2'/>");
+    ck_assert_uint_eq(notes.others, 0);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io svg css");
@@ -92,6 +144,8 @@ static Suite *suite(void)
     tcase_add_test(tests, transparent_strokes_are_not_drawn);
     tcase_add_test(tests, malformed_strokes_are_refused);
     tcase_add_test(tests, fills_in_any_syntax_are_counted);
+    tcase_add_loop_test(tests, transforms_in_css_are_applied, 0, sizeof transforms / sizeof *transforms);
+    tcase_add_test(tests, transforms_that_are_not_applied_are_counted);
     suite_add_tcase(suite, tests);
     return suite;
 }
