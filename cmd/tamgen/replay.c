@@ -4,6 +4,7 @@
 #include "io/svg/svg.h"
 #include "job.h"
 #include "kept.h"
+#include "stroke/path.h"
 #include "stroke/script.h"
 
 /* Warns of the parts of a drawing that are not replayed; dies if there is no stroke to replay. */
@@ -14,11 +15,15 @@ static void warn_of_skipped(const struct job *job, const char *file, const struc
     hatch_fail(&err, HATCH_BAD_INPUT, "%u fills, %u texts, %u images, %u strokes with a gradient, %u other elements",
                notes->fills, notes->texts, notes->images, notes->gradients, notes->others);
     if (job->strokes.count == 0) {
-        hatch_fail_at(&err, "no strokes to replay; left out: %u outside the page, ", notes->outside);
+        hatch_fail_at(&err, "no strokes to replay; left out: %u outside the page, %u that reach far beyond it, ",
+                      notes->outside, notes->far);
         cmd_die(file, &err);
     }
     if (sum)
         cmd_warn(file, "only plain strokes are replayed; left out: %s", err.text);
+    if (notes->far)
+        cmd_warn(file, "left out: %u %s more than %g page widths beyond the page", notes->far,
+                 cmd_plural(notes->far, "stroke that reaches", "strokes that reach"), HATCH_PATH_REACH_MAX);
     if (notes->outside)
         cmd_warn(file, "%u of %u strokes lie outside the page", notes->outside, notes->outside + notes->strokes);
 }

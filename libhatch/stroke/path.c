@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 #define CURVE_PIECES_MAX 4096.0
@@ -61,9 +60,11 @@ enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *b, const doubl
     return hatch_path_add_line(b, control[4], control[5], err);
 }
 
-/* Computes the centre of the bounding box, and half of its larger side. */
-static void find_middle(const struct hatch_path_builder *b, double *middle, double *reach)
+/* Computes the centre of the bounding box. Returns the larger of half of its larger side, and the distance of the
+ * centre from the page's corner, per axis. */
+static double find_middle(const struct hatch_path_builder *b, double *middle)
 {
+    assert(b->count > 0);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (uint32_t i = 0; i < b->count; i++)
         for (int axis = 0; axis < 2; axis++) {
@@ -72,7 +73,13 @@ static void find_middle(const struct hatch_path_builder *b, double *middle, doub
         }
     for (int axis = 0; axis < 2; axis++)
         middle[axis] = (low[axis] + high[axis]) / 2;
-    *reach = fmax(high[0] - middle[0], high[1] - middle[1]);
+    return fmax(fmax(high[0] - middle[0], high[1] - middle[1]), fmax(fabs(middle[0]), fabs(middle[1])));
+}
+
+bool hatch_path_is_far(const struct hatch_path_builder *b)
+{
+    double middle[2];
+    return !(find_middle(b, middle) <= HATCH_PATH_REACH_MAX);
 }
 
 static enum hatch_status make_path(const struct hatch_path_builder *b, const double *middle, struct hatch_arena *arena,
@@ -108,11 +115,9 @@ float hatch_path_length(const struct hatch_path *path)
 enum hatch_status hatch_path_finish(const struct hatch_path_builder *b, struct hatch_arena *arena,
                                     struct hatch_stroke *stroke, struct hatch_err *err)
 {
-    assert(b->count > 0);
-    double middle[2], reach;
+    double middle[2];
     const struct hatch_path *path;
-    find_middle(b, middle, &reach);
-    if (!(reach <= HATCH_PATH_REACH_MAX) || !(fmax(fabs(middle[0]), fabs(middle[1])) <= HATCH_PATH_REACH_MAX))
+    if (!(find_middle(b, middle) <= HATCH_PATH_REACH_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "a stroke reaches more than %g tiles from its middle or from the page",
                           HATCH_PATH_REACH_MAX);
     HATCH_TRY(make_path(b, middle, arena, &path, err));

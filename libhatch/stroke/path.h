@@ -3,6 +3,8 @@
 #ifndef HATCH_STROKE_PATH_H
 #define HATCH_STROKE_PATH_H
 
+#include <stdbool.h>
+
 #include "base/arena.h"
 #include "stroke/stroke.h"
 
@@ -44,6 +46,10 @@ enum hatch_status hatch_path_add_line(struct hatch_path_builder *builder, double
  * Statuses as for hatch_path_add_line. */
 enum hatch_status hatch_path_add_cubic(struct hatch_path_builder *builder, const double control[6],
                                        struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns whether a line exceeds HATCH_PATH_REACH_MAX, measured from its middle or from the page.
+ *   builder  with at least one point; fractions of the tile */
+bool hatch_path_is_far(const struct hatch_path_builder *builder);
 
 /* Sets the geometry of a stroke from a builder whose points are fractions of the tile: x and y (centre of the bounding
  * box, wrapped into the tile), length (of the polyline), angle_rad (of the chord from the first to the last point),

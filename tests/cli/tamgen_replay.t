@@ -87,6 +87,15 @@ cat >hidden.svg <<'END'
 END
 tamgen -q --replay hidden.svg --size 64 --tones 1 --levels 1 --strokes shown.tsv -o /dev/null
 is "hidden elements of a drawing" "$(awk -F'\t' '/^[0-9]/ {print int(100 * $2 + .5)}' shown.tsv | sort -n | paste -sd' ')" "20 30 70"
+# A guide across a drawing, and a stroke wider than the page.
+cat >guide.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 100" stroke="black" fill="none">
+<path d="M-9e4 20H9e4"/><path d="M20 20h40" stroke-width="120"/><path d="M-9e4 -20H9e4"/></svg>
+END
+try tamgen --replay guide.svg --size 64 --tones 1 --levels 1 --strokes guide.tsv -o /dev/null
+is "a drawing with guides is replayed" $status 0
+ok "guides are warned of" grep -q 'left out: 1 stroke that reaches more than 64 page widths beyond the page$' .err
+is "the wide stroke remains" "$(awk "NR == 2 {printf \"%.3f\", \$5}" guide.tsv)" 1.200
 # Strokes without numbers are numbered in drawing order.
 tamgen -q --size 64 --tones 4 --strokes with.tsv -o /dev/null
 cut -f1-9 with.tsv >without.tsv

@@ -2,11 +2,11 @@
 
 #include "io/svg/sheet.h"
 #include "io/svg/tree.h"
+#include "stroke/script.h"
 
 #define PAGE_MAX 1e6
 #define ASPECT_TOLERANCE 1e-3
 #define TOLERANCE_PX 0.05
-#define WIDTH_MAX 0.25 /* tiles */
 
 /* State of drawing the elements of a tree. */
 struct drawing {
@@ -73,12 +73,17 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
     float width_px = (float)(width * d->size_px);
     if (!(width_px > 0) || (line->count == 1 && !style->capped))
         return HATCH_OK;
-    if (!(width <= WIDTH_MAX))
-        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke is %g page widths wide, want at most %g", width, WIDTH_MAX);
     if (is_outside(line, width / 2)) {
         d->notes.outside++;
         return HATCH_OK;
     }
+    if (hatch_path_is_far(line)) {
+        d->notes.far++;
+        return HATCH_OK;
+    }
+    if (!(width <= HATCH_SCRIPT_WIDTH_MAX))
+        return hatch_fail(err, HATCH_BAD_INPUT, "a stroke is %g page widths wide, want at most %g", width,
+                          HATCH_SCRIPT_WIDTH_MAX);
     struct hatch_stroke stroke = {.width_px = width_px,
                                   .tone = (float)opacity_of(style),
                                   .id = d->strokes.count + 1,

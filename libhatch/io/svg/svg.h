@@ -11,6 +11,7 @@
 struct hatch_svg_notes {
     uint32_t strokes;   /* strokes that were read */
     uint32_t outside;   /* strokes entirely outside the page */
+    uint32_t far;       /* strokes that reach more than HATCH_PATH_REACH_MAX tiles from their middle or from the page */
     uint32_t fills;     /* filled shapes, stroked or not */
     uint32_t texts;     /* text elements */
     uint32_t images;    /* image elements */
@@ -28,10 +29,10 @@ bool hatch_svg_is(struct hatch_bytes file);
  * elements are applied (rules for elements, classes and ids), and clones (<use>) are drawn. No other file is opened.
  *   size_px  side of the tile, for stroke widths
  *   strokes  out: in arena
- * HATCH_BAD_INPUT with the line for malformed XML, numbers and paths, a page that is not square, elements nested deeper
- * than 256 (with clones expanded), elements that contain clones of themselves, clones of elements in other files, and
- * entities that are external or refer to entities; HATCH_LIMIT also for a page of over 10^6 units, 10^6 elements drawn
- * by clones, and 10^6 dashes. */
+ * HATCH_BAD_INPUT with the line for malformed XML, numbers and paths, strokes wider than HATCH_SCRIPT_WIDTH_MAX tiles,
+ * a page that is not square, elements nested deeper than 256 (with clones expanded), elements that contain clones of
+ * themselves, clones of elements in other files, and entities that are external or refer to entities; HATCH_LIMIT also
+ * for a page of over 10^6 units, 10^6 elements drawn by clones, and 10^6 dashes. */
 enum hatch_status hatch_svg_read(struct hatch_bytes file, uint32_t size_px, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_stroke_list *strokes,
                                  struct hatch_svg_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
