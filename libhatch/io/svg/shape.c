@@ -1,4 +1,5 @@
 /* Basic shapes, drawn as lines and arcs (SVG 2, section 10). */
+#include <math.h>
 #include <string.h>
 
 #include "io/svg/parts.h"
@@ -54,13 +55,30 @@ static enum hatch_status draw_circle(const char *const *attributes, double page,
     return draw_ellipse(v[0], v[1], v[2], v[2], pen, err);
 }
 
+/* Reads the radii rx and ry. One that is absent, "auto" or negative is that of the other axis; 0 if both are. */
+static enum hatch_status read_radii(const char *const *attributes, double page, double radii[2], struct hatch_err *err)
+{
+    static const char *const names[] = {"rx", "ry"};
+    for (int axis = 0; axis < 2; axis++) {
+        struct hatch_text text = hatch_svg_attribute(attributes, names[axis]);
+        radii[axis] = -1;
+        if (text.length && !hatch_text_is(text, "auto") && hatch_svg_length(text, page, &radii[axis], err) != HATCH_OK)
+            return hatch_fail_at(err, "%s: ", names[axis]);
+    }
+    for (int axis = 0; axis < 2; axis++)
+        if (!(radii[axis] >= 0))
+            radii[axis] = fmax(radii[!axis], 0);
+    return HATCH_OK;
+}
+
 static enum hatch_status draw_ellipse_element(const char *const *attributes, double page, struct hatch_svg_pen *pen,
                                               struct hatch_err *err)
 {
-    static const char *const names[] = {"cx", "cy", "rx", "ry"};
-    double v[4];
-    HATCH_TRY(read_lengths(attributes, names, 4, page, v, err));
-    return draw_ellipse(v[0], v[1], v[2], v[3], pen, err);
+    static const char *const names[] = {"cx", "cy"};
+    double v[2], radii[2];
+    HATCH_TRY(read_lengths(attributes, names, 2, page, v, err));
+    HATCH_TRY(read_radii(attributes, page, radii, err));
+    return draw_ellipse(v[0], v[1], radii[0], radii[1], pen, err);
 }
 
 /* Draws a side of a rectangle to (to_x, to_y), and the rounded corner from there to (end_x, end_y). */
@@ -75,15 +93,15 @@ static enum hatch_status draw_side(struct hatch_svg_pen *pen, const double radii
 static enum hatch_status draw_rect(const char *const *attributes, double page, struct hatch_svg_pen *pen,
                                    struct hatch_err *err)
 {
-    static const char *const names[] = {"x", "y", "width", "height", "rx", "ry"};
-    double v[6];
-    HATCH_TRY(read_lengths(attributes, names, 6, page, v, err));
+    static const char *const names[] = {"x", "y", "width", "height"};
+    double v[4], radii[2];
+    HATCH_TRY(read_lengths(attributes, names, 4, page, v, err));
+    HATCH_TRY(read_radii(attributes, page, radii, err));
     double x = v[0], y = v[1], width = v[2], height = v[3];
-    double radii[2] = {v[4] > 0 ? v[4] : v[5], v[5] > 0 ? v[5] : v[4]};
     if (!(width > 0 && height > 0))
         return HATCH_OK;
-    radii[0] = radii[0] > 0 ? (radii[0] < width / 2 ? radii[0] : width / 2) : 0;
-    radii[1] = radii[1] > 0 ? (radii[1] < height / 2 ? radii[1] : height / 2) : 0;
+    radii[0] = radii[1] > 0 ? fmin(radii[0], width / 2) : 0; /* corners are square where either radius is 0 */
+    radii[1] = radii[0] > 0 ? fmin(radii[1], height / 2) : 0;
     double left = x + radii[0], right = x + width - radii[0], top = y + radii[1], low = y + height - radii[1];
     HATCH_TRY(hatch_svg_move(pen, left, y, err));
     HATCH_TRY(draw_side(pen, radii, right, y, x + width, top, err));

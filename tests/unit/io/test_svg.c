@@ -98,6 +98,32 @@ START_TEST(shapes_have_the_right_lengths)
 }
 END_TEST
 
+/* A radius that is 0 makes corners square, and an ellipse vanish; one that is absent or negative is that of the other
+ * axis (SVG 2, sections 7.4 and 10.4). */
+START_TEST(radii_may_be_absent)
+{
+    static const char *const rounded[] = {
+        "rx='5'", "ry='5'", "rx='5' ry='auto'", "rx='-1' ry='5'", "rx='5' ry='5.0px'", "rx='auto' ry='5'"};
+    static const char *const square[] = {"rx='0' ry='10'", "rx='10' ry='0'", "rx='0'", "", "rx='auto' ry='auto'"};
+    char text[200];
+    for (size_t i = 0; i < sizeof rounded / sizeof *rounded; i++) {
+        snprintf(text, sizeof text, "<rect stroke='red' width='30' height='20' %s/><ellipse stroke='red' %s/>",
+                 rounded[i], rounded[i]);
+        read_page(text);
+        ck_assert_uint_eq(list.count, 2);
+        ck_assert_double_eq_tol((double)list.items[0].length * 100, 100 - 40 + 2 * M_PI * 5, 0.05);
+        ck_assert_double_eq_tol((double)list.items[1].length * 100, 2 * M_PI * 5, 0.05);
+    }
+    for (size_t i = 0; i < sizeof square / sizeof *square; i++) {
+        snprintf(text, sizeof text, "<rect stroke='red' width='30' height='20' %s/><ellipse stroke='red' %s/>",
+                 square[i], square[i]);
+        read_page(text);
+        ck_assert_uint_eq(list.count, 1);
+        ck_assert_double_eq_tol((double)list.items[0].length * 100, 100, 1e-3);
+    }
+}
+END_TEST
+
 /* Every point of an arc lies on its ellipse. */
 START_TEST(arcs_lie_on_their_ellipse)
 {
@@ -430,6 +456,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, equivalent_paths_have_the_same_ends, 0, sizeof same_ends / sizeof *same_ends);
     tcase_add_loop_test(tests, points_of_curves_lie_on_them, 0, 3);
     tcase_add_test(tests, shapes_have_the_right_lengths);
+    tcase_add_test(tests, radii_may_be_absent);
     tcase_add_test(tests, arcs_lie_on_their_ellipse);
     tcase_add_loop_test(tests, a_stroke_has_its_computed_style, 0, sizeof styled / sizeof *styled);
     tcase_add_test(tests, ignored_elements_are_counted);
