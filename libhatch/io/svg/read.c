@@ -219,7 +219,40 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
     return hatch_svg_shape(node->name, node->attributes, d->page, &d->pen, err);
 }
 
+/* Returns whether a list of languages has English, the language of the program. */
+static bool has_english(struct hatch_text list)
+{
+    static const char separators[] = ", \t\r\n", ends[] = "-, \t\r\n";
+    bool begins = true;
+    for (size_t i = 0; i + 2 <= list.length; begins = strchr(separators, list.at[i++]) != NULL)
+        if (begins && (list.at[i] | 32) == 'e' && (list.at[i + 1] | 32) == 'n' &&
+            (i + 2 == list.length || strchr(ends, list.at[i + 2])))
+            return true;
+    return false;
+}
+
+/* Returns whether an element is drawn at all: it needs no extension, and is in any or the right language (SVG 2,
+ * section 5.7). */
+static bool is_suitable(const struct hatch_svg_node *node)
+{
+    for (const char *const *a = node->attributes; *a; a += 2)
+        if (strcmp(a[0], "requiredExtensions") == 0 ||
+            (strcmp(a[0], "systemLanguage") == 0 && !has_english((struct hatch_text){a[1], strlen(a[1])})))
+            return false;
+    return true;
+}
+
 static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err);
+
+/* Draws the first suitable element of a <switch>. */
+static enum hatch_status draw_alternative(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
+{
+    static const char *const others[] = {"title", "desc", "metadata", "style", "defs", "script", NULL};
+    for (const struct hatch_svg_node *child = node->first; child; child = child->next)
+        if (is_suitable(child) && !is_any(child->name, others) && !strchr(child->name, ':'))
+            return draw_element(d, child, err);
+    return HATCH_OK;
+}
 
 static enum hatch_status draw_content(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
@@ -291,16 +324,20 @@ static enum hatch_status draw_clone(struct drawing *d, const struct hatch_svg_no
  * checked. */
 static enum hatch_status draw_element(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
-    static const char *const groups[] = {"g", "a", "switch", NULL};
+    static const char *const groups[] = {"g", "a", NULL};
     enum hatch_status status;
     if (strchr(node->name, ':')) {
         count_ignored(d, node->name);
         return HATCH_OK;
     }
+    if (!is_suitable(node))
+        return HATCH_OK;
     d->depth++;
     status = compute_style(d, node, err);
     if (status == HATCH_OK && (node == d->tree.root || is_any(node->name, groups)))
         status = draw_content(d, node, err);
+    else if (status == HATCH_OK && strcmp(node->name, "switch") == 0)
+        status = draw_alternative(d, node, err);
     else if (status == HATCH_OK && strcmp(node->name, "use") == 0)
         status = draw_clone(d, node, err);
     else if (status == HATCH_OK)
