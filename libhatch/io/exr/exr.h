@@ -14,8 +14,8 @@ bool hatch_exr_is(struct hatch_bytes file);
 
 /* Reads every part. Supported are scanlines and tiles; a single level and mip-maps; no compression, RLE, ZIPS, ZIP and
  * PIZ; and 1 to 8 channels of type HALF, FLOAT or UINT. Channels are ordered R, G, B, Y, A, then the others in file
- * order. The first 16 attributes of type float, int or string that the format itself does not require are kept, and so
- * are values that are not finite. The result is the same for any number of threads.
+ * order. The first HATCH_MIPMAP_ATTRIBUTES_MAX attributes of type float, int or string whose names begin with "hatch:"
+ * are kept, and so are values that are not finite. The result is the same for any number of threads.
  *   pool     decodes parts in parallel; NULL: on the caller's thread
  *   scratch  may be arena
  *   parts    out: part_count mip-mapped images, in arena

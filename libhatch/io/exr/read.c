@@ -197,15 +197,11 @@ static enum hatch_status check_size(const struct reading *r, int part, const str
     return HATCH_OK;
 }
 
-/* Returns whether an attribute is kept; those that the format itself requires are not. */
+/* Returns whether an attribute is kept: those of other programs would take the room of those of hatch. */
 static bool is_wanted(const exr_attribute_t *attribute)
 {
-    static const char *const required[] = {"chunkCount", "name", "pixelAspectRatio", "screenWindowWidth", "type",
-                                           "version",    "view"};
-    for (size_t i = 0; i < sizeof required / sizeof *required; i++)
-        if (strcmp(attribute->name, required[i]) == 0)
-            return false;
-    return strlen(attribute->name) < HATCH_NAME_MAX &&
+    static const char prefix[] = "hatch:";
+    return strncmp(attribute->name, prefix, strlen(prefix)) == 0 && strlen(attribute->name) < HATCH_NAME_MAX &&
            (attribute->type == EXR_ATTR_FLOAT || attribute->type == EXR_ATTR_INT || attribute->type == EXR_ATTR_STRING);
 }
 

@@ -283,32 +283,61 @@ START_TEST(as_many_channels_are_read_as_an_image_may_have)
 }
 END_TEST
 
+/* Inserts bytes into the header of a file with one chunk. */
+static struct hatch_bytes insert(const struct hatch_buffer *file, size_t at, struct hatch_bytes added)
+{
+    uint8_t *longer = HATCH_NEW(&keep, uint8_t, file->size + added.size, &err);
+    memcpy(longer, file->data, at);
+    memcpy(longer + at, added.data, added.size);
+    memcpy(longer + at + added.size, file->data + at, file->size - at);
+    for (size_t i = at; i + 8 < file->size + added.size; i++) { /* the chunk follows the table of its offset */
+        uint64_t offset;
+        memcpy(&offset, longer + i, sizeof offset);
+        if (offset == i + 8 - added.size) {
+            offset += added.size;
+            memcpy(longer + i, &offset, sizeof offset);
+        }
+    }
+    return (struct hatch_bytes){longer, file->size + added.size};
+}
+
 /* Makes a name of a file with one chunk longer by one letter.
  *   attribute  its name and type, which the size follows
  *   name       the name, which stands in the attribute */
 static struct hatch_bytes lengthen(const struct hatch_buffer *file, const char *attribute, size_t length,
                                    const char *name)
 {
-    uint8_t *longer = HATCH_NEW(&keep, uint8_t, file->size + 1, &err);
     size_t at = 0, letter;
     while (memcmp(file->data + at, attribute, length) != 0)
         at++;
     for (letter = at + length; memcmp(file->data + letter, name, strlen(name)) != 0;)
         letter++;
-    memcpy(longer, file->data, letter);
-    longer[letter] = (uint8_t)*name;
-    memcpy(longer + letter + 1, file->data + letter, file->size - letter);
-    longer[at + length]++;
-    for (size_t i = letter; i + 8 < file->size; i++) { /* the chunk follows the table of its offset */
-        uint64_t offset;
-        memcpy(&offset, longer + i, sizeof offset);
-        if (offset == i + 7) {
-            offset++;
-            memcpy(longer + i, &offset, sizeof offset);
-        }
-    }
-    return (struct hatch_bytes){longer, file->size + 1};
+    file->data[at + length]++;
+    struct hatch_bytes longer = insert(file, letter, (struct hatch_bytes){(const uint8_t *)name, 1});
+    file->data[at + length]--;
+    return longer;
 }
+
+/* Attributes of other programs do not take the room of those of hatch, wherever they stand. */
+START_TEST(attributes_of_other_programs_are_left_out)
+{
+    struct hatch_mipmap part, *got = NULL;
+    uint32_t count = 0;
+    uint8_t added[1000];
+    size_t size = 0;
+    for (uint32_t i = 0; i < 40; i++, size += 16) { /* a00 int, of 4 bytes */
+        memcpy(added + size, "a00\0int\0\4\0\0\0\1\0\0\0", 16);
+        added[size + 1] = (uint8_t)('0' + i / 10);
+        added[size + 2] = (uint8_t)('0' + i % 10);
+    }
+    make_part(&kinds[1], 3, &part);
+    struct hatch_buffer file = write_all(&part, 1, 1);
+    HATCH_TEST_OK(
+        hatch_exr_read(insert(&file, 8, (struct hatch_bytes){added, size}), NULL, &keep, &scratch, &got, &count, &err),
+        &err);
+    same_part(&got[0], &part);
+}
+END_TEST
 
 START_TEST(names_may_be_as_long_as_there_is_room)
 {
@@ -455,6 +484,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_file_larger_than_the_arena_is_refused_before_any_allocation);
     tcase_add_test(tests, a_wrong_window_is_refused_before_any_allocation);
     tcase_add_test(tests, as_many_channels_are_read_as_an_image_may_have);
+    tcase_add_test(tests, attributes_of_other_programs_are_left_out);
     tcase_add_test(tests, names_may_be_as_long_as_there_is_room);
     tcase_add_test(tests, windows_reach_the_limits_of_the_file);
     tcase_add_test(tests, packed_parts_may_take_all_memory);
