@@ -2,6 +2,7 @@
 #include "io/foreign/foreign.h"
 
 #include <dlfcn.h>
+#include <math.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -132,6 +133,19 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     return status;
 }
 
+/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0 colours are light, and stay.
+ */
+static void divide_by_alpha(struct hatch_image *image)
+{
+    size_t texels = (size_t)image->width * image->height;
+    uint32_t channels = image->channel_count, colors = channels - 1;
+    for (size_t i = 0; i < texels; i++) {
+        float *pixel = &image->pixels[i * channels], alpha = pixel[colors];
+        for (uint32_t c = 0; c < colors && alpha > 0 && isfinite(alpha); c++)
+            pixel[c] /= alpha;
+    }
+}
+
 /* Copies the channels of colour and alpha; drops others, such as the ids of a map. */
 static enum hatch_status copy_colors(const struct hatch_image *from, struct hatch_arena *arena,
                                      struct hatch_image *image, struct hatch_err *err)
@@ -152,6 +166,8 @@ static enum hatch_status copy_colors(const struct hatch_image *from, struct hatc
         for (size_t i = 0; i < texels; i++)
             made.pixels[i * made.channel_count + c] = from->pixels[i * from->channel_count + source];
     }
+    if (has_alpha)
+        divide_by_alpha(&made);
     *image = made;
     return HATCH_OK;
 }

@@ -1,7 +1,9 @@
 /* Images that the plugin would read are refused by the size in their header, before the plugin is opened. */
+#include <math.h>
 #include <string.h>
 
 #include "arenas.h"
+#include "io/exr/exr.h"
 #include "io/foreign/foreign.h"
 #include "io/foreign/header.h"
 
@@ -150,6 +152,33 @@ START_TEST(headers_may_lack_a_size)
 }
 END_TEST
 
+/* Colours of OpenEXR files are multiplied by alpha; in memory they are not. Where alpha is 0 or not finite they stay.
+ */
+START_TEST(colours_of_exr_are_divided_by_alpha)
+{
+    static const float file_pixels[2][5][4] = {
+        {{.25f, .125f, .0625f, .5f}, {.75f, .5f, .25f, 1}, {.5f, .25f, 2, 0}, {.5f, .25f, 1, INFINITY}, {0, 0, 0, .5f}},
+        {{.25f, .5f}, {.75f, 1}, {2, 0}, {1, INFINITY}, {0, .5f}}};
+    static const float want[2][5][4] = {
+        {{.5f, .25f, .125f, .5f}, {.75f, .5f, .25f, 1}, {.5f, .25f, 2, 0}, {.5f, .25f, 1, INFINITY}, {0, 0, 0, .5f}},
+        {{.5f, .5f}, {.75f, 1}, {2, 0}, {1, INFINITY}, {0, .5f}}};
+    for (int grey = 0; grey < 2; grey++) {
+        struct hatch_image image, got;
+        struct hatch_mipmap part = {.level_count = 1, .levels = &image};
+        struct hatch_buffer file = {.arena = &keep};
+        HATCH_TEST_OK(hatch_image_make(&keep, 5, 1, grey ? "YA" : "RGBA", &image, &err), &err);
+        for (uint32_t i = 0; i < 5 * image.channel_count; i++)
+            image.pixels[i] = file_pixels[grey][i / image.channel_count][i % image.channel_count];
+        HATCH_TEST_OK(hatch_exr_write(&part, &keep, &file, &err), &err);
+        HATCH_TEST_OK(hatch_image_read_any((struct hatch_bytes){file.data, file.size}, "", "/none/plugin.so", &keep,
+                                           &scratch, &got, &err),
+                      &err);
+        for (uint32_t i = 0; i < 5 * got.channel_count; i++)
+            ck_assert_float_eq(got.pixels[i], want[grey][i / got.channel_count][i % got.channel_count]);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io foreign");
@@ -159,6 +188,7 @@ static Suite *suite(void)
     tcase_add_test(tests, an_image_with_a_huge_side_is_refused);
     tcase_add_test(tests, rows_may_run_from_the_top_down);
     tcase_add_test(tests, an_image_has_four_bytes_at_least);
+    tcase_add_test(tests, colours_of_exr_are_divided_by_alpha);
     tcase_add_loop_test(tests, headers_have_a_size, 0, sizeof headers / sizeof *headers);
     tcase_add_loop_test(tests, headers_may_lack_a_size, 0, sizeof without_size / sizeof *without_size);
     suite_add_tcase(suite, tests);
