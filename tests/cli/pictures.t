@@ -102,6 +102,50 @@ for format in ppm bmp tga; do
     try hatchstat diff "cut.$format" colours.ppm
     refused "a truncated $format" 3 1
 done
+# OpenEXR files of kinds that only the plugin reads. Rows that a compression does not shorten are stored as they are, so
+# that these files need none.
+# exr COMPRESSION CHANNEL=VALUE ...: writes an OpenEXR file of 2 x 2 pixels of constant half floats, given in hexadecimal
+exr() {
+    perl -e 'my $compression = shift; my %value = map { split /=/ } @ARGV; my @names = sort keys %value;
+        sub attribute { my ($name, $type, $data) = @_; "$name\0$type\0" . pack("V", length $data) . $data }
+        my $list = join "", map { "$_\0" . pack "V C x3 V V", 1, 0, 1, 1 } @names;
+        my $head = pack("V V", 20000630, 2) . attribute("channels", "chlist", "$list\0") .
+            attribute("compression", "compression", pack "C", $compression) .
+            attribute("dataWindow", "box2i", pack "V4", 0, 0, 1, 1) .
+            attribute("displayWindow", "box2i", pack "V4", 0, 0, 1, 1) .
+            attribute("lineOrder", "lineOrder", "\0") . attribute("pixelAspectRatio", "float", pack "f", 1) .
+            attribute("screenWindowCenter", "v2f", pack "f2", 0, 0) .
+            attribute("screenWindowWidth", "float", pack "f", 1) . "\0";
+        my $row = join "", map { pack "v2", (hex $value{$_}) x 2 } @names;
+        my @rows = $compression ? ($row x 2) : ($row, $row);
+        my $at = length($head) + 8 * @rows;
+        print $head, map({ my $here = $at; $at += 8 + length; pack "Q<", $here } @rows);
+        print pack("V V", $_, length $rows[$_]), $rows[$_] for 0 .. $#rows' "$@"
+}
+exr 0 R=3800 G=3c00 B=3400 >plain.exr
+for compression in 5 6 7 8 9; do
+    exr $compression R=3800 G=3c00 B=3400 >lossy.exr
+    is "an OpenEXR file of compression $compression" "$(hatchstat diff lossy.exr plain.exr | field max)" 0
+done
+exr 0 L.R=3800 L.G=3c00 L.B=3400 >layer.exr
+is "an OpenEXR file with a layer" "$(hatchstat diff layer.exr plain.exr | field max)" 0
+exr 0 R=3800 G=3c00 B=3400 L.R=0 L.G=0 L.B=0 M.R=0 M.G=0 M.B=0 >many.exr
+is "an OpenEXR file of nine channels" "$(hatchstat diff many.exr plain.exr | field max)" 0
+exr 0 Y=3400 A=3800 >alpha.exr
+exr 6 Y=3400 A=3800 >lossy.exr
+is "an OpenEXR file of a compression that loses, with alpha" "$(hatchstat diff lossy.exr alpha.exr | field max)" 0
+exr 0 Y=3800 >opaque.exr
+is "colours are divided by alpha once" "$(hatchstat diff lossy.exr opaque.exr | field max)" 0.5
+exr 5 X=3800 >lossy.exr
+try hatchstat diff lossy.exr lossy.exr
+refused "an OpenEXR file without colours" 3 1
+# A row of 2^24 pixels, of which 256 rows are compressed together.
+exr 9 R=3800 G=3c00 B=3400 | perl -0777 -pe 's/(dataWindow.box2i.{13}).{8}/$1\xff\xff\xff\0\0\0\0\0/s' >wide.exr
+try hatchstat diff --max-memory 1G wide.exr wide.exr
+refused "an OpenEXR file whose chunks need too much memory" 5 1
+exr 5 R=3800 G=3c00 B=3400 | head -c 330 >lossy.exr
+try hatchstat diff lossy.exr lossy.exr
+refused "a truncated OpenEXR file of a compression that loses" 3 1
 printf '\377\330\377\300\0\021\10\377\334\377\334\3\1\042\0\2\021\1\3\021\1\377\332' >huge.jpg
 try hatchstat diff huge.jpg huge.jpg
 refused "a JPEG header of 65500 x 65500" 5 1

@@ -26,7 +26,8 @@ static void read_picture(struct cmd_args *args, const char *path, struct hatch_b
     cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
 }
 
-/* Reads the slices of an OpenEXR file. Returns false if its parts are none. */
+/* Reads the slices of an OpenEXR file. Returns false if its parts are none, or if it may be a picture of a kind that
+ * only hatch_image_read_any reads. */
 static bool read_slices(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_solid *solid)
 {
     struct hatch_arena arena;
@@ -34,8 +35,8 @@ static bool read_slices(struct cmd_args *args, const char *name, struct hatch_by
     struct hatch_err err;
     uint32_t count;
     hatch_arena_init(&arena, args->max_memory);
-    cmd_check(hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err), name, &err);
-    bool slices = hatch_solid_is_slices(parts, count);
+    enum hatch_status status = hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err);
+    bool slices = status == HATCH_OK && hatch_solid_is_slices(parts, count);
     if (slices)
         cmd_check(hatch_solid_of_slices(parts, count, &args->keep, solid, &err), name, &err);
     hatch_arena_free(&arena);

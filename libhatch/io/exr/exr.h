@@ -26,6 +26,12 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *poo
                                  struct hatch_arena *scratch, struct hatch_mipmap **parts, uint32_t *part_count,
                                  struct hatch_err *err) HATCH_MUST_USE;
 
+/* Returns whether hatch_exr_read refuses a file although its header is sound, or reads no colours of it: a part has
+ * lossy compression, more than 8 channels, or neither Y nor R, G and B.
+ *   width, height  out: of the first part, pixels; the height is that of whole chunks, which decoders hold in memory;
+ *                  unchanged if the result is false */
+bool hatch_exr_is_other_kind(struct hatch_bytes file, uint32_t *width, uint32_t *height);
+
 struct hatch_exr_writer;
 
 /* Begins a file in which all parts have the size, the number of levels and the channels of base. Several levels are

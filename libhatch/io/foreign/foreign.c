@@ -91,6 +91,19 @@ static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_i
     return HATCH_OK;
 }
 
+/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0 colours are light, and stay.
+ */
+static void divide_by_alpha(struct hatch_image *image)
+{
+    size_t texels = (size_t)image->width * image->height;
+    uint32_t channels = image->channel_count, colors = channels - 1;
+    for (size_t i = 0; i < texels; i++) {
+        float *pixel = &image->pixels[i * channels], alpha = pixel[colors];
+        for (uint32_t c = 0; c < colors && alpha > 0 && isfinite(alpha); c++)
+            pixel[c] /= alpha;
+    }
+}
+
 static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, void *opened,
                                      const struct hatch_oiio_info *info, struct hatch_arena *arena,
                                      struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
@@ -106,21 +119,18 @@ static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, voi
         return fail_plugin(message, err);
     if (info->is_encoded)
         HATCH_TRY(decode_srgb(scratch, &made, err));
+    if (info->is_premultiplied && info->channels % 2 == 0)
+        divide_by_alpha(&made);
     *image = made;
     return HATCH_OK;
 }
 
+/* Reads an image by the plugin, without a look at its header.
+ *   name  its extension selects the format */
 static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *name, const char *path,
                                         struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_image *image, struct hatch_err *err)
 {
-    struct hatch_foreign_header header = {0};
-    if (hatch_foreign_header_read(file, &header)) {
-        HATCH_TRY(check_size(arena, header.width, header.height, 1, err));
-        if (header.truncated)
-            return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the image has no end marker");
-        name = header.extension; /* content takes precedence over the name */
-    }
     const struct hatch_oiio_plugin *plugin = NULL;
     HATCH_TRY(open_plugin(path, &plugin, err));
     struct hatch_oiio_info info = {0};
@@ -133,17 +143,18 @@ static enum hatch_status read_by_plugin(struct hatch_bytes file, const char *nam
     return status;
 }
 
-/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0 colours are light, and stay.
- */
-static void divide_by_alpha(struct hatch_image *image)
+static enum hatch_status read_foreign(struct hatch_bytes file, const char *name, const char *path,
+                                      struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_image *image,
+                                      struct hatch_err *err)
 {
-    size_t texels = (size_t)image->width * image->height;
-    uint32_t channels = image->channel_count, colors = channels - 1;
-    for (size_t i = 0; i < texels; i++) {
-        float *pixel = &image->pixels[i * channels], alpha = pixel[colors];
-        for (uint32_t c = 0; c < colors && alpha > 0 && isfinite(alpha); c++)
-            pixel[c] /= alpha;
+    struct hatch_foreign_header header = {0};
+    if (hatch_foreign_header_read(file, &header)) {
+        HATCH_TRY(check_size(arena, header.width, header.height, 1, err));
+        if (header.truncated)
+            return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the image has no end marker");
+        name = header.extension; /* content takes precedence over the name */
     }
+    return read_by_plugin(file, name, path, arena, scratch, image, err);
 }
 
 /* Copies the channels of colour and alpha; drops others, such as the ids of a map. */
@@ -172,17 +183,22 @@ static enum hatch_status copy_colors(const struct hatch_image *from, struct hatc
     return HATCH_OK;
 }
 
-static enum hatch_status read_exr(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_image *image, struct hatch_err *err)
+/* Reads an OpenEXR file; by the plugin if it is of a kind that hatch_exr_read refuses. If both fail, the message is
+ * that of hatch_exr_read. */
+static enum hatch_status read_exr(struct hatch_bytes file, const char *plugin, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_mipmap *parts = NULL;
-    uint32_t count = 0;
+    uint32_t count = 0, width, height;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     enum hatch_status status = hatch_exr_read(file, NULL, scratch, scratch, &parts, &count, err);
     if (status == HATCH_OK)
         status = copy_colors(&parts[0].levels[0], arena, image, err);
     hatch_arena_rewind(scratch, mark);
-    return status;
+    if (status != HATCH_BAD_INPUT || !hatch_exr_is_other_kind(file, &width, &height))
+        return status;
+    HATCH_TRY(check_size(arena, width, height, 1, err));
+    return read_by_plugin(file, ".exr", plugin, arena, scratch, image, NULL) == HATCH_OK ? HATCH_OK : status;
 }
 
 enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name, const char *plugin,
@@ -194,10 +210,9 @@ enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name
         return hatch_fail(err, HATCH_BAD_INPUT, "%zu bytes: too short for an image", file.size);
     if (memcmp(file.data, png, sizeof png) == 0)
         return hatch_png_read(file, arena, scratch, image, err);
-    if (hatch_exr_is(file))
-        return read_exr(file, arena, scratch, image, err);
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    enum hatch_status status = read_by_plugin(file, name, plugin, arena, scratch, image, err);
+    enum hatch_status status = hatch_exr_is(file) ? read_exr(file, plugin, arena, scratch, image, err)
+                                                  : read_foreign(file, name, plugin, arena, scratch, image, err);
     if (status != HATCH_OK)
         hatch_arena_rewind(arena, mark);
     return status;

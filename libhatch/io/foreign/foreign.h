@@ -1,6 +1,6 @@
-/* Reads images of any format: PNG and OpenEXR with libhatch, others (JPEG, TIFF, TGA, HDR, WebP ...) with the
- * OpenImageIO plugin. The plugin is opened on demand, since linking OpenImageIO would load 260 shared objects into
- * every process. */
+/* Reads images of any format: PNG and OpenEXR with libhatch, others (JPEG, TIFF, TGA, HDR, WebP ..., and OpenEXR with
+ * lossy compression, only layers, or more than 8 channels) with the OpenImageIO plugin. The plugin is opened on demand,
+ * since linking OpenImageIO would load 260 shared objects into every process. */
 #ifndef HATCH_IO_FOREIGN_FOREIGN_H
 #define HATCH_IO_FOREIGN_FOREIGN_H
 

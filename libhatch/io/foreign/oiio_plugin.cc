@@ -8,6 +8,8 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -23,6 +25,7 @@ struct Image {
     }
     OIIO::Filesystem::IOMemReader memory;
     std::unique_ptr<OIIO::ImageInput> reader;
+    int first_channel = 0, channels = 0; /* of the channels that are read */
 };
 
 /* Name by which readers that want one know the file in memory. */
@@ -64,6 +67,42 @@ bool is_encoded(const OIIO::ImageSpec &spec)
     if (spec.format.basetype != OIIO::TypeDesc::UINT8 && spec.format.basetype != OIIO::TypeDesc::UINT16)
         return false;
     return !OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
+}
+
+/* Splits the name of a channel, "left.R", into its layer with the dot, and the rest. */
+std::pair<std::string, std::string> split(const std::string &name)
+{
+    size_t dot = name.rfind('.');
+    size_t layer = dot == std::string::npos ? 0 : dot + 1;
+    return {name.substr(0, layer), name.substr(layer)};
+}
+
+/* Counts the names of a list that channels from one on have, all in one layer. */
+int count_names(const OIIO::ImageSpec &spec, int first, const std::vector<std::string> &names)
+{
+    int count = 0;
+    std::string layer = split(spec.channelnames[static_cast<size_t>(first)]).first;
+    for (const std::string &name : names) {
+        if (first + count == spec.nchannels || spec.channelnames[static_cast<size_t>(first + count)] != layer + name)
+            break;
+        count++;
+    }
+    return count;
+}
+
+/* Chooses the colours among the channels of an OpenEXR file, which OpenImageIO sorts by layer, colours first. Returns
+ * false if there are none. */
+bool choose_colors(Image &image)
+{
+    const OIIO::ImageSpec spec = image.reader->spec();
+    for (int i = 0; i < spec.nchannels; i++) {
+        int gray = count_names(spec, i, {"Y", "A"}), color = count_names(spec, i, {"R", "G", "B", "A"});
+        image.first_channel = i;
+        image.channels = color >= 3 ? color : gray;
+        if (image.channels > 0)
+            return true;
+    }
+    return false;
 }
 
 /* Since 2.5, OpenImageIO takes messages of libtiff, which it is linked to, per file; libtiff then prints them, too. */
@@ -119,8 +158,14 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
                         message, size);
             return nullptr;
         }
+        bool is_exr = format == "exr";
+        image->channels = spec.nchannels;
+        if (is_exr && !choose_colors(*image)) {
+            set_message("neither a channel Y nor channels R, G and B", message, size);
+            return nullptr;
+        }
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
-                 static_cast<uint32_t>(spec.nchannels), is_encoded(spec)};
+                 static_cast<uint32_t>(image->channels), is_encoded(spec), is_exr};
         return image.release();
     } catch (const std::bad_alloc &) {
         set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
@@ -135,14 +180,16 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
 /* Reads the pixels row by row where possible, since read_image leaves damaged strips of deflated TIFF files black and
  * reports nothing. It reads tiles and separate planes at once: row by row, each strip of a separate plane would be
  * decoded again for every row. */
-bool read_pixels(OIIO::ImageInput &reader, float *pixels)
+bool read_pixels(Image &image, float *pixels)
 {
+    OIIO::ImageInput &reader = *image.reader;
     const OIIO::ImageSpec spec = reader.spec();
+    int first = image.first_channel, end = first + image.channels;
     if (spec.tile_width > 0 || spec.get_string_attribute("planarconfig") == "separate")
-        return reader.read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, pixels);
-    size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.nchannels);
-    for (int y = 0; y < spec.height; y++)
-        if (!reader.read_scanline(spec.y + y, spec.z, OIIO::TypeFloat, pixels + row * static_cast<size_t>(y)))
+        return reader.read_image(0, 0, first, end, OIIO::TypeFloat, pixels);
+    size_t row = static_cast<size_t>(spec.width) * static_cast<size_t>(image.channels);
+    for (int y = spec.y; y < spec.y + spec.height; y++, pixels += row)
+        if (!reader.read_scanlines(0, 0, y, y + 1, spec.z, first, end, OIIO::TypeFloat, pixels))
             return false;
     return true;
 }
@@ -150,8 +197,9 @@ bool read_pixels(OIIO::ImageInput &reader, float *pixels)
 int read_image(void *opened, float *pixels, char *message, size_t size)
 {
     try {
-        OIIO::ImageInput &reader = *static_cast<Image *>(opened)->reader;
-        bool done = read_pixels(reader, pixels);
+        Image &image = *static_cast<Image *>(opened);
+        OIIO::ImageInput &reader = *image.reader;
+        bool done = read_pixels(image, pixels);
         std::string error = reader.geterror();
         if (done && error.empty())
             return 1;
