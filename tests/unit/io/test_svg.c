@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "drawing.h"
+#include "svg/drawing.h"
 #include "fail_alloc.h"
 #include "image/image.h"
 

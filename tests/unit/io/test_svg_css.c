@@ -1,5 +1,5 @@
 /* Colours and properties of drawings in the syntaxes of CSS. */
-#include "drawing.h"
+#include "svg/drawing.h"
 #include "image/image.h"
 
 static const struct {

@@ -1,6 +1,6 @@
 /* Dashes of drawings, whose ends are known in closed form. */
 #define _XOPEN_SOURCE 700 /* M_PI */
-#include "drawing.h"
+#include "svg/drawing.h"
 
 /* A line of a whole number of pairs of a dash and a gap ends with a gap, in any direction and of any length. */
 START_TEST(a_whole_number_of_periods_ends_with_a_gap)

@@ -1,5 +1,5 @@
 /* Drawings that are refused because clones, dashes or rules would take too long or too much memory. */
-#include "drawing.h"
+#include "svg/drawing.h"
 
 START_TEST(exponential_and_deep_clones_are_refused)
 {

@@ -1,5 +1,5 @@
 /* Elements of drawings that depend on the program and the language of its user. */
-#include "drawing.h"
+#include "svg/drawing.h"
 
 /* Each draws only the path from (10, 20) to (50, 60). */
 static const char *const switches[] = {

@@ -1,7 +1,7 @@
 /* Drawings in SVG for test programs: texts that are read, and checks of the strokes in them. The fixture is that of
  * arenas.h. */
-#ifndef HATCH_TEST_DRAWING_H
-#define HATCH_TEST_DRAWING_H
+#ifndef HATCH_TEST_SVG_DRAWING_H
+#define HATCH_TEST_SVG_DRAWING_H
 
 #include <math.h>
 #include <stdio.h>
