@@ -118,7 +118,8 @@ static double full_tolerance(const struct hatch_coarse_work *work, uint32_t face
 }
 
 /* Tests that a face lies near the full surface: at places in rows along its longest side. The samples alone do not see
- * a face that stands out between them. hint  in, out: a face of the full meshes that may be near */
+ * a face that stands out between them.
+ *   hint  in, out: a face of the full meshes that may be near */
 static bool lies_near(const struct hatch_coarse_work *work, double corners[3][3], double tolerance, uint32_t *hint)
 {
     double base = 0, normal[3], step = GRID_TOLERANCES * tolerance;

@@ -14,7 +14,8 @@
 bool hatch_color_from_hex(struct hatch_text digits, float rgb[3]);
 
 /* Parses three, four, six or eight hexadecimal digits, without "#": a colour, and its alpha if there is a fourth
- * number. rgba  out: linear, 0 .. 1; then alpha, 1 if it is absent; unchanged on failure */
+ * number.
+ *   rgba  out: linear, 0 .. 1; then alpha, 1 if it is absent; unchanged on failure */
 bool hatch_color_from_hex_alpha(struct hatch_text digits, float rgba[4]);
 
 /* Names of colours, NULL at the end. */

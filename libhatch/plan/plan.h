@@ -26,7 +26,8 @@ enum hatch_status hatch_plan_parse_budget(const char *text, struct hatch_plan_fi
                                           struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns how many times its limit the worst figure is: at most 1 if the candidate is within the limits. A figure over
- * a limit of 0 counts as INFINITY. which  out: the name of that figure with its unit, such as "ms"; may be NULL */
+ * a limit of 0 counts as INFINITY.
+ *   which  out: the name of that figure with its unit, such as "ms"; may be NULL */
 double hatch_plan_excess(const struct hatch_plan_figures *figures, const struct hatch_plan_figures *limits,
                          const char **which);
 

@@ -16,7 +16,8 @@ struct hatch_solid_options {
 };
 
 /* Returns how many bytes of scratch hatch_solid_from_style needs, about, for the strokes or points of a style, besides
- * the values of the texels: 0 for kinds that have none. size  of struct hatch_solid */
+ * the values of the texels: 0 for kinds that have none.
+ *   size  of struct hatch_solid */
 uint64_t hatch_solid_style_bytes(const struct hatch_solid_style *style, uint32_t size);
 
 /* Makes a solid texture: grey, or coloured if the style has colours. Its numbers fit its size

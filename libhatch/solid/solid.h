@@ -47,8 +47,10 @@ enum hatch_status hatch_solid_make_like(struct hatch_arena *arena, const struct 
                                         struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a flat texture of an image. Its side is the least power of two in range that is at least as long as both sides
- * of the image, or the largest in range; the image is stretched to that square. image  channels Y, YA, RGB or RGBA,
- * linear; alpha is left out solid  out, in arena HATCH_LIMIT when the memory does not suffice. */
+ * of the image, or the largest in range; the image is stretched to that square.
+ *   image  channels Y, YA, RGB or RGBA, linear; alpha is left out
+ *   solid  out, in arena
+ * HATCH_LIMIT when the memory does not suffice. */
 enum hatch_status hatch_solid_of_image(const struct hatch_image *image, struct hatch_arena *arena,
                                        struct hatch_solid *solid, struct hatch_err *err) HATCH_MUST_USE;
 

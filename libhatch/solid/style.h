@@ -78,8 +78,9 @@ bool hatch_solid_is_isotropic(const struct hatch_solid_style *style);
 
 /* Lowers the numbers of cells, rings, fibres and threads to those that texels can show: of cells and rings one for two
  * texels, of fibres one for each, of threads one for four. With more, noise and threads would be the same in all
- * texels. style  of a kind size   texels along a side, a power of two, at least 8 Returns the first key that it has
- * lowered, or NULL. */
+ * texels. Returns the first key that it has lowered, or NULL.
+ *   style  of a kind
+ *   size   texels along a side, a power of two, at least 8 */
 const char *hatch_solid_style_fit(struct hatch_solid_style *style, uint32_t size);
 
 /* Parses the text of a style.

@@ -37,7 +37,8 @@ enum hatch_status hatch_vector_runs_make(struct hatch_vector_runs *runs, struct 
 void hatch_vector_runs_fill(struct hatch_vector_runs *runs, double gap);
 
 /* Drops kept runs that are shorter than `speck` and lie between two that are not kept, or between one and the end of
- * the line. closed  the line ends where it begins, and so has no ends */
+ * the line.
+ *   closed  the line ends where it begins, and so has no ends */
 void hatch_vector_runs_drop(struct hatch_vector_runs *runs, double speck, bool closed);
 
 /* Appends the runs that are kept, or those that are not, as paths.

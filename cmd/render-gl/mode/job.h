@@ -91,8 +91,9 @@ void job_set_frame(struct job *job, uint32_t frame, struct hatch_view *view);
 typedef enum hatch_status job_foresee(void *data, uint32_t film, const struct hatch_view *view, struct hatch_err *err);
 
 /* Poses the scene for a frame of a film, the one after that of the last call, or the first. If it depends on later
- * ones, these are posed and foreseen before. Exits with a message on failure. view  out Returns the number of the frame
- * from 1, or 0 if it does not depend on others. */
+ * ones, these are posed and foreseen before. Exits with a message on failure. Returns the number of the frame from 1,
+ * or 0 if it does not depend on others.
+ *   view  out */
 uint32_t job_set_film_frame(struct job *job, uint32_t frame, job_foresee *foresee, void *data, struct hatch_view *view);
 
 /* Computes the view that the options describe, at the scene's current pose.

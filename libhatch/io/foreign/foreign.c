@@ -91,8 +91,7 @@ static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_i
     return HATCH_OK;
 }
 
-/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0 colours are light, and stay.
- */
+/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0, colours are light alone. */
 static void divide_by_alpha(struct hatch_image *image)
 {
     size_t texels = (size_t)image->width * image->height;

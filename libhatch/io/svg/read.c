@@ -102,7 +102,8 @@ static enum hatch_status add_line(void *context, struct hatch_path_builder *line
 }
 
 /* Applies the transform of an element. A property that cannot be applied is left out, and a malformed attribute
- * refused. attribute  the transform that the element has without style sheets */
+ * refused.
+ *   attribute  the transform that the element has without style sheets */
 static enum hatch_status apply_transform(struct drawing *d, struct hatch_text attribute, struct hatch_err *err)
 {
     struct hatch_svg_style *style = &d->styles[d->depth];

@@ -44,7 +44,8 @@ enum hatch_status hatch_vector_dash(const struct hatch_vector_paths *paths, doub
 enum hatch_vector_order { HATCH_VECTOR_NEAREST, HATCH_VECTOR_IMPROVED };
 
 /* Orders paths, layer by layer, so that a pen that starts at 0, 0 is lifted over a short way. Paths may be reversed,
- * and closed ones may start at another point. The time is about proportional to the number of paths. paths  in, out */
+ * and closed ones may start at another point. The time is about proportional to the number of paths.
+ *   paths  in, out */
 enum hatch_status hatch_vector_sort(struct hatch_vector_paths *paths, enum hatch_vector_order order,
                                     struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 

@@ -50,7 +50,8 @@ static int compare_words(const void *a, const void *b)
 }
 
 /* Binds the list of the strokes to fit, those of the most fragments first: strokes that are fitted side by side wait
- * for the longest of them. chosen  count indices of strokes, sorted in the same way; NULL: the first `count` */
+ * for the longest of them.
+ *   chosen  count indices of strokes, sorted in the same way; NULL: the first `count` */
 static enum hatch_status bind_order(struct strokes_state *state, const struct strokes_slot *strokes,
                                     const uint32_t *chosen, uint32_t count, struct hatch_arena *scratch,
                                     struct hatch_err *err)
