@@ -14,7 +14,6 @@ static void begin_torus(float rounding)
     static struct hatch_scene_mesh mesh;
     static struct hatch_node node;
     const struct hatch_shape_options options = {.faces = 400, .field = true};
-    begin();
     mesh = (struct hatch_scene_mesh){.material = HATCH_NONE};
     HATCH_TEST_OK(hatch_shape_make(HATCH_SHAPE_TORUS, &options, &keep, &scratch, &mesh.mesh, &err), &err);
     node = (struct hatch_node){.parent = HATCH_NONE,
@@ -134,6 +133,7 @@ static Suite *suite(void)
 {
     Suite *suite = suite_create("io glb numbers");
     TCase *tests = tcase_create("numbers");
+    tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, numbers_are_exact_without_rounding);
     tcase_add_test(tests, vectors_are_off_by_no_more_than_the_rounding);
     tcase_add_test(tests, texture_coordinates_have_16_bits_where_they_fit);
