@@ -93,43 +93,40 @@ static struct hatch_text take_unit(struct hatch_text *rest)
     return unit;
 }
 
-bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg)
+/* A unit of angles or lengths. */
+struct unit {
+    const char *name;
+    double size; /* degrees, or user units */
+};
+
+/* Removes a number with one of some units, and the blanks after it. Returns false if there is none.
+ *   value  out: in degrees or user units */
+static bool take_quantity(struct hatch_text *rest, const struct unit *units, size_t count, double *value)
 {
-    static const struct {
-        const char *name;
-        double degrees;
-    } units[] = {{"", 1}, {"deg", 1}, {"grad", 0.9}, {"rad", DEGREES_PER_RADIAN}, {"turn", 360}};
     double number;
     if (!take_number(rest, &number))
         return false;
-    struct hatch_text unit = take_unit(rest);
+    struct hatch_text name = take_unit(rest);
     hatch_svg_skip(rest);
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (hatch_text_is(unit, units[i].name)) {
-            *angle_deg = number * units[i].degrees;
+    for (size_t i = 0; i < count; i++)
+        if (hatch_text_is(name, units[i].name)) {
+            *value = number * units[i].size;
             return true;
         }
     return false;
 }
 
+bool hatch_svg_angle(struct hatch_text *rest, double *angle_deg)
+{
+    static const struct unit units[] = {{"", 1}, {"deg", 1}, {"grad", 0.9}, {"rad", DEGREES_PER_RADIAN}, {"turn", 360}};
+    return take_quantity(rest, units, sizeof units / sizeof *units, angle_deg);
+}
+
 bool hatch_svg_take_length(struct hatch_text *rest, double whole, double *length)
 {
-    const struct {
-        const char *name;
-        double units;
-    } units[] = {{"", 1},           {"px", 1},  {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4},
-                 {"cm", 96 / 2.54}, {"in", 96}, {"em", 16},        {"ex", 8},  {"%", whole / 100}};
-    double number;
-    if (!take_number(rest, &number))
-        return false;
-    struct hatch_text unit = take_unit(rest);
-    hatch_svg_skip(rest);
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (hatch_text_is(unit, units[i].name)) {
-            *length = number * units[i].units;
-            return true;
-        }
-    return false;
+    const struct unit units[] = {{"", 1},           {"px", 1},  {"pt", 96.0 / 72}, {"pc", 16}, {"mm", 96 / 25.4},
+                                 {"cm", 96 / 2.54}, {"in", 96}, {"em", 16},        {"ex", 8},  {"%", whole / 100}};
+    return take_quantity(rest, units, sizeof units / sizeof *units, length);
 }
 
 enum hatch_status hatch_svg_length(struct hatch_text text, double whole, double *length, struct hatch_err *err)
