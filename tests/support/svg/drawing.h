@@ -67,4 +67,14 @@ static inline void check_ends(uint32_t stroke, double x0, double y0, double x1, 
     check_point(stroke, -1, x1, y1);
 }
 
+/* Checks that a red drawing without fills has one stroke, from (10, 20) to (50, 60). */
+static inline void check_stroke(const char *content)
+{
+    char text[500];
+    snprintf(text, sizeof text, "<g stroke='red' fill='none'>%s</g>", content);
+    read_page(text);
+    ck_assert_uint_eq(list.count, 1);
+    check_ends(0, 10, 20, 50, 60);
+}
+
 #endif

@@ -103,11 +103,7 @@ static const char *const transforms[] = {
 
 START_TEST(transforms_in_css_are_applied)
 {
-    char text[400];
-    snprintf(text, sizeof text, "<g stroke='red' fill='none'>%s</g>", transforms[_i]);
-    read_page(text);
-    ck_assert_uint_eq(list.count, 1);
-    check_ends(0, 10, 20, 50, 60);
+    check_stroke(transforms[_i]);
     ck_assert_uint_eq(notes.others, 0);
 }
 END_TEST

@@ -19,11 +19,7 @@ static const char *const switches[] = {
 
 START_TEST(one_alternative_of_a_switch_is_drawn)
 {
-    char text[500];
-    snprintf(text, sizeof text, "<g stroke='red' fill='none'>%s</g>", switches[_i]);
-    read_page(text);
-    ck_assert_uint_eq(list.count, 1);
-    check_ends(0, 10, 20, 50, 60);
+    check_stroke(switches[_i]);
     ck_assert_uint_eq(notes.texts, 0);
 }
 END_TEST
