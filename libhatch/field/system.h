@@ -106,7 +106,9 @@ enum hatch_status hatch_field_weaken_jumps(const struct hatch_field_problem *pro
  * large scale optimization", 1989).
  *   tolerance    of the gradient, as the root mean square angle, on each component, between z and its local optimum, in
  *                radians; a node counts by the weight of its edges and by their share in its optimum, so that exact
- * data does not count scratch      for 25 numbers per node z            in: start, unit; out: solution, unit
+ *                data does not count
+ *   scratch      for 25 numbers per node
+ *   z            in: start, unit; out: solution, unit
  *   convergence  updated */
 enum hatch_status hatch_field_descend(const struct hatch_field_system *system, double tolerance,
                                       uint32_t iterations_max, struct hatch_arena *scratch, double *z,

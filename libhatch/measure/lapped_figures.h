@@ -30,7 +30,9 @@ struct hatch_lapped_figures {
 
 /* Measures all patches that nodes use.
  *   masks     image of each texture of the scene; its pixels are NULL if the texture is not an outline. Channel A is
- * the opacity; without it the mask is opaque samples   at least 1; uniform by area seed      random seed of the samples
+ *             the opacity; without it the mask is opaque
+ *   samples   at least 1; uniform by area
+ *   seed      random seed of the samples
  *   progress  NULL: nobody is told
  * HATCH_BAD_INPUT when there is no patch, or one has no texture coordinates or outline. */
 enum hatch_status hatch_measure_lapped(const struct hatch_scene *scene, const struct hatch_image *masks,

@@ -81,7 +81,8 @@ static inline void truth_draw(struct outline_truth *truth, uint32_t face, double
 }
 
 /* Returns the depth of the step between two neighbouring samples, in pixels: 0 if the planes of their faces meet
- * between them. explained  out: step that a narrow face between the two might explain, with the slopes of both */
+ * between them.
+ *   explained  out: step that a narrow face between the two might explain, with the slopes of both */
 static inline double truth_step(const struct outline_truth *truth, const uint32_t faces[2], const double at[2][2],
                                 double *explained)
 {

@@ -107,7 +107,8 @@ START_TEST(the_sun_casts_a_shadow_of_the_same_size)
 END_TEST
 
 /* Opens a square above a plane that is a backdrop, as --ground is: two nodes of one mesh. The square leans by 45
- * degrees to the right. half  half the side of the plane */
+ * degrees to the right.
+ *   half  half the side of the plane */
 static void begin_backdrop(float half)
 {
     frame_arenas(&frame);

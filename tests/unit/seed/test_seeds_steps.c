@@ -1,22 +1,10 @@
 /* Choosing a layer among candidates takes about as many steps behind many layers as behind few. */
 #include "arenas.h"
+#include "base/reports.h"
 #include "run.h"
 #include "seed/seeds_make.h"
 #include "seed/spread.h"
 #include "steps.h"
-
-struct reports {
-    uint32_t count;
-    double last;
-};
-
-static void note_share(void *context, double share)
-{
-    struct reports *reports = context;
-    ck_assert_double_ge(share, reports->last);
-    reports->last = share;
-    reports->count++;
-}
 
 static struct hatch_seeds make(uint32_t layers, struct reports *reports)
 {

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/reports.h"
 #include "fail_alloc.h"
 #include "made.h"
 #include "solid/points.h"
@@ -257,19 +258,6 @@ START_TEST(slices_are_a_cube)
     ck_assert_str_eq(err.text, "16x16x8 texels, want a cube or a square");
 }
 END_TEST
-
-struct reports {
-    uint32_t count;
-    double last;
-};
-
-static void note_share(void *context, double share)
-{
-    struct reports *reports = context;
-    ck_assert_double_ge(share, reports->last);
-    reports->last = share;
-    reports->count++;
-}
 
 /* 15,000 strokes and 64 rows: the strokes are most of the work, and more than the rows are reported. */
 START_TEST(strokes_are_reported_as_they_are_made)

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "arenas.h"
+#include "base/reports.h"
 #include "base/random.h"
 #include "fail_alloc.h"
 #include "measure/solid_figures.h"
@@ -224,24 +225,11 @@ START_TEST(threads_make_the_same_bytes_and_seeds_others)
 }
 END_TEST
 
-struct reports {
-    double last;
-    uint32_t count;
-};
-
-static void report(void *context, double share)
-{
-    struct reports *reports = context;
-    ck_assert(share >= reports->last && share <= 1 + 1e-12);
-    reports->last = share;
-    reports->count++;
-}
-
 START_TEST(progress_rises_to_the_end)
 {
     for (uint32_t method = 0; method < 2; method++) {
         struct reports reports = {0, 0};
-        const struct hatch_progress progress = {report, &reports};
+        const struct hatch_progress progress = {note_share, &reports};
         struct hatch_synthesis_options options = quick;
         struct hatch_synthesis_figures figures;
         struct hatch_solid solid;

@@ -23,9 +23,9 @@ void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
     buffer->size_bytes = size_bytes;
 }
 
-/* Draws the items into a target with one sample per pixel, as large as the tile that fragments are gathered in:
- * drawings have a smaller canvas. tile   that tile count  out: number of fragments found, which may exceed the capacity
- * of the buffer */
+/* Draws the items into a target with one sample per pixel, as large as the tile of the frame: drawings have a smaller
+ * canvas.
+ *   count  out: number of fragments found, which may exceed the capacity of the buffer */
 static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
                                         uint32_t *count, struct hatch_err *err)
 {
