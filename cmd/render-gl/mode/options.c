@@ -334,7 +334,8 @@ static void check_frames(const struct cmd_args *args)
 {
     bool report = timed_frames || chosen.probe || chosen.needs;
     if (frames_given && !chosen.window && !report && !parse_has_frame(args->output))
-        cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png");
+        cmd_usage("--frames needs -o with one field for the frame number, like -o name%%03d.png; any other %% is "
+                  "written twice");
     if (chosen.animate.count && frames < 2 && !chosen.window)
         cmd_usage("--animate needs --frames 2 or more, or --window");
 }
