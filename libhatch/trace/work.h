@@ -227,7 +227,9 @@ struct hatch_trace_joint {
 
 /* Drops joints that a straight line passes closely enough; keeps the others in front of the list.
  *   tolerance  greatest distance of a joint from the line beside it, in the unit of `at`; above or under it, where it
- * is hardly seen, the distance may be twice as large Returns their number. */
+ *              is hardly seen, the distance may be twice as large
+ *
+ * Returns their number. */
 uint32_t hatch_trace_simplify(struct hatch_trace_joint *joints, uint32_t count, double tolerance);
 
 /* Converts a joint to a point of the mesh, whose faces may list their corners in another order.
