@@ -1,6 +1,6 @@
 /* hatchstat solid [FILE]: measures a solid texture, alone and against the picture from which it was made. */
-#include "io/texture/container.h"
 #include "measure/solid_figures.h"
+#include "shared/solid/solid.h"
 #include "subject.h"
 
 #define SAMPLES 1024u
@@ -27,14 +27,13 @@ static void put(struct cmd_report *report, const struct hatch_solid *solid, cons
 enum hatch_status stat_solid(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     const char *path = args->operand_count > 1 ? args->operands[1] : NULL, *name = cmd_input_name(path);
-    struct hatch_texels texture;
     struct hatch_solid solid;
     struct hatch_image exemplar;
     struct hatch_solid_figures figures;
     struct cmd_report report;
     struct hatch_err err;
-    cmd_check(hatch_ktx2_read(cmd_read(args, path), &args->keep, &texture, &err), name, &err);
-    cmd_check(hatch_solid_take(&texture, &args->keep, &solid, &err), name, &err);
+    if (!cmd_parse_solid(args, name, cmd_read(args, path), &solid))
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "neither KTX2 nor slices in OpenEXR"), name, &err);
     if (solid.depth == 1)
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "a flat texture, want a cube"), name, &err);
     if (options->reference)

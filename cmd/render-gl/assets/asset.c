@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "io/texture/container.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/texture.h"
 #include "shared/map.h"
@@ -28,7 +29,7 @@ void asset_read(struct cmd_args *args, const char *path, struct asset *asset)
     struct hatch_bytes file = cmd_read(args, path);
     struct hatch_err err;
     *asset = (struct asset){.map.tones = 0};
-    if (tone_texture_is(file))
+    if (hatch_ktx2_is(file))
         cmd_check(tone_texture_read(file, &args->keep, &args->scratch, &asset->texture, &err), name, &err);
     else {
         cmd_parse_map(args, name, file, &asset->map);

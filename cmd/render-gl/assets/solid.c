@@ -5,13 +5,11 @@
 #include <unistd.h>
 
 #include "image/color.h"
-#include "io/exr/exr.h"
 #include "io/foreign/foreign.h"
-#include "io/texture/container.h"
-#include "render-gl/assets/texture.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
+#include "shared/solid/solid.h"
 #include "shared/style.h"
 #include "solid/make.h"
 
@@ -26,41 +24,11 @@ static void read_picture(struct cmd_args *args, const char *path, struct hatch_b
     cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
 }
 
-/* Reads the slices of an OpenEXR file. Returns false if its parts are none, or if it may be a picture of a kind that
- * only hatch_image_read_any reads. */
-static bool read_slices(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_solid *solid)
-{
-    struct hatch_arena arena;
-    struct hatch_mipmap *parts;
-    struct hatch_err err;
-    uint32_t count;
-    hatch_arena_init(&arena, args->max_memory);
-    enum hatch_status status = hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err);
-    bool slices = status == HATCH_OK && hatch_solid_is_slices(parts, count);
-    if (slices)
-        cmd_check(hatch_solid_of_slices(parts, count, &args->keep, solid, &err), name, &err);
-    hatch_arena_free(&arena);
-    return slices;
-}
-
 static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)
 {
-    struct hatch_texels texels;
-    struct hatch_err err;
-    const char *const *keys, *isotropic;
-    const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
-    if (hatch_exr_is(file) && read_slices(args, name, file, solid))
-        return;
-    if (!tone_texture_is(file)) {
+    if (!cmd_parse_solid(args, cmd_input_name(path), file, solid))
         read_picture(args, path, file, solid);
-        return;
-    }
-    cmd_check(hatch_ktx2_read(file, &args->keep, &texels, &err), name, &err);
-    cmd_check(hatch_solid_take(&texels, &args->keep, solid, &err), name, &err);
-    cmd_check(hatch_ktx2_read_keys(file, &args->keep, &keys, &err), name, &err);
-    isotropic = hatch_texels_value(keys, HATCH_SOLID_KEY_ISOTROPIC);
-    solid->isotropic = isotropic && strcmp(isotropic, "yes") == 0;
 }
 
 /* Makes the texture of an installed style. */

@@ -33,8 +33,9 @@ struct solids {
 
 /* Reads the files of a list.
  *   paths  names, separated by commas; "-" is standard input; a name without dot or slash that no file has is that of
- * an installed style, whose texture is made Exits with a message on failure, and where some are flat and some are not.
- */
+ *          an installed style, whose texture is made
+ *
+ * Exits with a message on failure, and where some are flat and some are not. */
 void solid_files_read(struct cmd_args *args, const char *paths, struct solid_files *files);
 
 /* How solid textures are prepared for drawing. */

@@ -8,12 +8,6 @@
 #include "tam/volume.h"
 #include "tam/whole.h"
 
-bool tone_texture_is(struct hatch_bytes file)
-{
-    static const uint8_t identifier[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
-    return file.size >= sizeof identifier && memcmp(file.data, identifier, sizeof identifier) == 0;
-}
-
 /* Returns the darkest tone of a threshold texture: the mean, over all texels, of the sum of a texel's steps. */
 static float darkest_of(const struct hatch_thresholds *thresholds)
 {

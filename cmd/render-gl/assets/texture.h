@@ -23,9 +23,6 @@ struct tone_texture {
     struct hatch_tam_whole whole; /* of the map, as hatch_tam_whole_read sets it */
 };
 
-/* Returns whether a file begins like a KTX2 texture. */
-bool tone_texture_is(struct hatch_bytes file);
-
 /* Reads a volume (3D texture or 2D array), a threshold texture or exact runs.
  *   arena  holds the texels
  * HATCH_BAD_INPUT for any other texture. */

@@ -6,6 +6,9 @@
 #include "base/bytes.h"
 #include "image/texels.h"
 
+/* Returns whether a file begins like a KTX2 texture. */
+bool hatch_ktx2_is(struct hatch_bytes file);
+
 /* Writes a KTX2 file: UNORM or UINT, linear, without supercompression. The keys KTXwriter and KTXorientation are added.
  *   key_values  other keys and their values, alternating, at most 14 pairs, NULL-terminated; may be NULL
  *   file        out: empty buffer; stays empty on failure */

@@ -11,6 +11,8 @@
 /* Largest ratio of Zstandard: a block of at least four bytes holds at most 128 KiB. */
 #define ZSTD_RATIO_MAX 32768u
 
+static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
+
 struct header {
     uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
 };
@@ -35,9 +37,13 @@ static const struct format *format_of(uint32_t vk_format)
     return NULL;
 }
 
+bool hatch_ktx2_is(struct hatch_bytes file)
+{
+    return file.size >= HATCH_KTX2_IDENTIFIER_BYTES && memcmp(file.data, identifier, HATCH_KTX2_IDENTIFIER_BYTES) == 0;
+}
+
 static enum hatch_status read_header(struct hatch_reader *reader, struct header *header, struct hatch_err *err)
 {
-    static const uint8_t identifier[] = HATCH_KTX2_IDENTIFIER;
     const uint8_t *first = hatch_read_bytes(reader, sizeof identifier);
     if (!first || memcmp(first, identifier, sizeof identifier) != 0)
         return hatch_fail(err, HATCH_BAD_INPUT, "not a KTX2 file");

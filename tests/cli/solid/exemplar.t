@@ -100,9 +100,11 @@ is "a texture of a style has no figures of a picture" \
     "$(figure size wood.ktx2) $(figure channels wood.ktx2) $(figure histogram wood.ktx2) $(figure neighborhood wood.ktx2)" \
     "16 3 nan nan"
 ok "hatchstat solid reads standard input" sh -c 'hatchstat solid <wood.ktx2 >wood.tsv'
-solidgen --size 8 -o wood.exr
-try hatchstat solid wood.exr
-refused "hatchstat solid wants KTX2" 3 1
+solidgen --style wood --size 16 -o wood.exr
+is "slices in OpenEXR are measured as KTX2" "$(hatchstat solid wood.exr)" "$(cat wood.tsv)"
+try hatchstat solid slices.png
+refused "hatchstat solid wants no picture" 3 1
+is "hatchstat solid says what it wants" "$(cat .err)" "hatchstat: slices.png: neither KTX2 nor slices in OpenEXR"
 try hatchstat solid eight.ktx2 --reference missing.png
 refused "a reference that is missing" 4 1
 finish
