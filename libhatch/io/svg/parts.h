@@ -62,10 +62,12 @@ enum hatch_svg_paint { HATCH_SVG_NONE, HATCH_SVG_COLOR, HATCH_SVG_SERVER };
 /* Computed style of an element. */
 struct hatch_svg_style {
     enum hatch_svg_paint stroke;
-    bool filled;                         /* has a fill that is not transparent */
-    float stroke_rgba[4], color_rgba[4]; /* linear light, then alpha; color_rgba: value of currentColor */
+    bool filled;                         /* has a fill whose own colour is not transparent */
+    bool stroke_current, fill_current;   /* they have the colour color_rgba */
+    float stroke_rgba[4], color_rgba[4]; /* linear light, then alpha; color_rgba: of the property color */
     double width;                        /* user units */
-    double stroke_opacity, opacity;      /* 0 .. 1; opacity: product of own_opacity and those of all groups around */
+    double stroke_opacity, fill_opacity; /* 0 .. 1 */
+    double opacity;                      /* 0 .. 1; product of own_opacity and those of all groups around */
     double own_opacity;                  /* 0 .. 1; opacity of the element alone */
     struct hatch_text dashes;            /* stroke-dasharray; empty: none */
     double dash_offset;                  /* user units */

@@ -46,10 +46,21 @@ static double scale_of(const struct hatch_svg_matrix *m)
     return sqrt(fabs(hatch_svg_determinant(m)));
 }
 
+static const float *stroke_color_of(const struct hatch_svg_style *style)
+{
+    return style->stroke_current ? style->color_rgba : style->stroke_rgba;
+}
+
 /* Returns the product of all opacities of a stroke. */
 static double opacity_of(const struct hatch_svg_style *style)
 {
-    return (double)style->stroke_rgba[3] * style->stroke_opacity * style->opacity;
+    return (double)stroke_color_of(style)[3] * style->stroke_opacity * style->opacity;
+}
+
+/* Whether the fill of a shape can be seen. */
+static bool is_filled(const struct hatch_svg_style *style)
+{
+    return style->filled && style->fill_opacity > 0 && (!style->fill_current || style->color_rgba[3] > 0);
 }
 
 static bool is_outside(const struct hatch_path_builder *line, double margin)
@@ -88,7 +99,7 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
                                   .tone = (float)opacity_of(style),
                                   .id = d->strokes.count + 1,
                                   .texture_seed = d->strokes.count + 1};
-    memcpy(stroke.rgb, style->stroke_rgba, sizeof stroke.rgb);
+    memcpy(stroke.rgb, stroke_color_of(style), sizeof stroke.rgb);
     HATCH_TRY(hatch_path_finish(line, d->arena, &stroke, err));
     d->notes.strokes++;
     return hatch_stroke_list_add(&d->strokes, d->arena, &stroke, err);
@@ -177,6 +188,7 @@ static enum hatch_status read_page(struct drawing *d, const char *const *attribu
                                  .color_rgba = {0, 0, 0, 1},
                                  .width = 1,
                                  .stroke_opacity = 1,
+                                 .fill_opacity = 1,
                                  .opacity = 1,
                                  .dashes = {"", 0},
                                  .matrix = {1 / box[2], 0, 0, 1 / box[3], -box[0] / box[2], -box[1] / box[3]}};
@@ -209,7 +221,7 @@ static enum hatch_status draw(struct drawing *d, const struct hatch_svg_node *no
     }
     if (style->invisible || style->undisplayed)
         return HATCH_OK;
-    d->notes.fills += style->filled && strcmp(node->name, "line") != 0;
+    d->notes.fills += is_filled(style) && strcmp(node->name, "line") != 0;
     d->notes.gradients += style->stroke == HATCH_SVG_SERVER;
     if (style->stroke != HATCH_SVG_COLOR || !(opacity_of(style) > 0) || !(scale_of(&style->matrix) > 0))
         return HATCH_OK;

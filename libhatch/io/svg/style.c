@@ -25,23 +25,21 @@ static bool is_none(struct hatch_text value)
     return hatch_text_is(value, "none");
 }
 
-/* Reads a colour or currentColor. */
-static bool read_color(struct hatch_text value, const struct hatch_svg_style *style, float rgba[4])
+/* Whether a value is currentColor: the colour of the property color, which may follow later in the element. */
+static bool is_current(struct hatch_text value)
 {
-    if (!hatch_text_is(value, "currentColor") && !hatch_text_is(value, "currentcolor"))
-        return hatch_svg_color(value, rgba);
-    memcpy(rgba, style->color_rgba, sizeof style->color_rgba);
-    return true;
+    return hatch_text_is(value, "currentColor") || hatch_text_is(value, "currentcolor");
 }
 
 static enum hatch_status read_stroke(struct hatch_text name, struct hatch_text value, struct hatch_svg_style *style,
                                      struct hatch_err *err)
 {
+    style->stroke_current = is_current(value);
     if (is_none(value) || hatch_text_is(value, "initial"))
         style->stroke = HATCH_SVG_NONE;
     else if (value.length > 4 && memcmp(value.at, "url(", 4) == 0)
         style->stroke = HATCH_SVG_SERVER;
-    else if (read_color(value, style, style->stroke_rgba))
+    else if (style->stroke_current || hatch_svg_color(value, style->stroke_rgba))
         style->stroke = HATCH_SVG_COLOR;
     else
         return bad_value(name, value, err);
@@ -52,7 +50,8 @@ static enum hatch_status read_stroke(struct hatch_text name, struct hatch_text v
 static void read_fill(struct hatch_text value, struct hatch_svg_style *style)
 {
     float rgba[4];
-    bool transparent = read_color(value, style, rgba) && !(rgba[3] > 0);
+    bool transparent = hatch_svg_color(value, rgba) && !(rgba[3] > 0);
+    style->fill_current = is_current(value);
     style->filled = !is_none(value) && !transparent;
 }
 
@@ -107,6 +106,8 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
         return read_width(value, page, style, err);
     if (hatch_text_is(name, "stroke-opacity"))
         return read_opacity(name, value, &style->stroke_opacity, err);
+    if (hatch_text_is(name, "fill-opacity"))
+        return read_opacity(name, value, &style->fill_opacity, err);
     if (hatch_text_is(name, "opacity"))
         return read_opacity(name, value, &style->own_opacity, err);
     if (hatch_text_is(name, "stroke-dasharray"))

@@ -19,6 +19,8 @@ static const struct {
     {"stroke='hsl(420 60% 40%)'", {.64f, .64f, .16f}, 1},
     {"color='hsl(0 0% 0% / .5)' stroke='currentColor'", {0, 0, 0}, .5f},
     {"color='blue' style='color:oklch(40% 0.2 30);stroke:currentColor'", {0, 0, 1}, 1},
+    {"stroke='currentColor' color='#0000ff80'", {0, 0, 1}, 128 / 255.0f},
+    {"style='stroke:currentcolor;color:lime'", {0, 1, 0}, 1},
     {"stroke='lime' style='stroke:unset'", {0, 1, 0}, 1},
 };
 
@@ -68,7 +70,9 @@ START_TEST(fills_in_any_syntax_are_counted)
                                         "fill='hsl(0 0% 0% / 0%)'",
                                         "style='fill:none'",
                                         "fill='none' style='fill:unset'",
-                                        "color='#0000' fill='currentColor'"};
+                                        "color='#0000' fill='currentColor'",
+                                        "fill='currentColor' color='#0000'",
+                                        "fill='red' fill-opacity='0'"};
     char text[200];
     for (size_t i = 0; i < sizeof fills / sizeof *fills; i++) {
         snprintf(text, sizeof text, "<path d='M0 0 9 9' stroke='red' %s/>", fills[i]);
