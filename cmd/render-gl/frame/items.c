@@ -32,7 +32,7 @@ static uint32_t variant_of(const struct frame *frame, const struct frame_shading
     else if (item->base_texture)
         variant = (frame->style.base_tone || draws_colors(frame, shading) ? FRAME_TONE : 0u) |
                   (unit->alpha_cutoff > 0 ? FRAME_HOLES : 0u);
-    if (item->normals && shading->pixel_light && !shading->pieces)
+    if (item->normals && shading->pixel_light && !shading->smooth)
         variant |= FRAME_NORMALS;
     return variant;
 }
@@ -100,13 +100,19 @@ static enum hatch_status compile_below(struct frame *frame, const struct frame_s
     return gpu_program_get(&frame->programs, &stages, pieces ? "#define PIECES 1\n" : "", program, err);
 }
 
+/* Returns the variant that draws the pieces of an item. */
+static uint32_t pieces_variant(uint32_t variant)
+{
+    return (variant & ~(uint32_t)FRAME_NORMALS) | FRAME_PIECES;
+}
+
 /* Compiles the programs that the items need.
  *   pieces  true: those for the pieces of near faces; false: the others */
 static enum hatch_status compile_all(struct frame *frame, const struct frame_shading *shading, const char *defines,
                                      bool pieces, struct frame_shader *shader, struct hatch_err *err)
 {
     for (uint32_t i = 0; i < frame->scene->unit.item_count; i++) {
-        uint32_t variant = variant_of(frame, shading, i) | (pieces ? FRAME_PIECES : 0u);
+        uint32_t whole = variant_of(frame, shading, i), variant = pieces ? pieces_variant(whole) : whole;
         if (pieces && !hatch_near_item_at(&frame->near.found, i))
             continue;
         HATCH_TRY(compile(frame, shading, defines, variant, &shader->programs[variant], err));
@@ -211,7 +217,7 @@ static void draw_patches(const struct drawing *drawing)
     if (drawing->near)
         draw_sides(
             drawing,
-            use_pieces(drawing, &drawing->near->patches, drawing->shader->programs[drawing->variant | FRAME_PIECES]),
+            use_pieces(drawing, &drawing->near->patches, drawing->shader->programs[pieces_variant(drawing->variant)]),
             0);
 }
 
@@ -222,7 +228,7 @@ static void draw_ordinary(const struct drawing *drawing, uint32_t pass)
     if (drawing->near)
         draw_sides(
             drawing,
-            use_pieces(drawing, &drawing->near->surface, drawing->shader->programs[drawing->variant | FRAME_PIECES]),
+            use_pieces(drawing, &drawing->near->surface, drawing->shader->programs[pieces_variant(drawing->variant)]),
             pass);
 }
 

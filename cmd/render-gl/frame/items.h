@@ -32,7 +32,7 @@ struct frame_shading {
     struct gpu_stages stages;
     const char *defines; /* #define lines put before each stage; NULL: none */
     bool pixel_light;    /* the shaders support PIXEL_LIGHT */
-    bool pieces;         /* the shaders support PIECES; they do not read normal maps */
+    bool smooth;         /* the shaders do not read normal maps */
     bool colors;         /* the shaders draw the materials' colours and textures, if the style says so */
     enum frame_patches patches;
     struct frame_item_pass passes[FRAME_PASSES_MAX]; /* up to the first one without a name */
@@ -44,7 +44,7 @@ enum frame_variant {
     FRAME_TONE = 1,    /* the base texture counts as tone, or is drawn in its colours */
     FRAME_HOLES = 2,   /* the base texture has holes */
     FRAME_OUTLINE = 4, /* the base texture is the outline of patches */
-    FRAME_PIECES = 8,  /* pieces of near faces are drawn */
+    FRAME_PIECES = 8,  /* pieces of near faces are drawn; excludes FRAME_NORMALS */
     FRAME_NORMALS = 16 /* there is a normal map */
 };
 

@@ -45,7 +45,7 @@ void look_choose(struct look *look, enum look_kind kind)
                    : kind == LOOK_BINARY ? "#define FLAT 1\n#define THRESHOLD 1\n"
                                          : "#define FLAT 1\n",
         .pixel_light = true,
-        .pieces = true,
+        .smooth = true,
         .colors = kind != LOOK_BINARY,
         .patches = flat ? looks[kind].patches : FRAME_PATCHES_UNSEEN,
         .passes = {{.name = looks[kind].name, .depth = FRAME_DEPTH_NEARER}}};

@@ -5,6 +5,7 @@ const struct technique technique_gouraud = {
     .name = "gouraud",
     .summary = "the tone without strokes",
     .features = TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_REFERENCE,
+    .places = HATCH_NEAR_TEXCOORDS,
     .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "frame/tone.frag"},
                 .pixel_light = true,
                 .patches = FRAME_PATCHES_UNSEEN,

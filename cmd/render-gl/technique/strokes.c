@@ -313,7 +313,7 @@ const struct technique technique_strokes = {
     .shading = {.stages = {.vertex = "rptam/rptam.vert", .fragment = "strokes/gather.frag"},
                 .defines = "#define GATHERS 1\n",
                 .pixel_light = true,
-                .pieces = true,
+                .smooth = true,
                 .patches = FRAME_PATCHES_COVER,
                 .passes = {{.name = "gather", .depth = FRAME_DEPTH_EQUAL}}},
     .read = rptam_read,

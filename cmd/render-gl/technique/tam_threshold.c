@@ -7,6 +7,7 @@ const struct technique technique_tam_threshold = {
     .summary = "tam with strokes made black or white: they grow in length, not in darkness",
     .asset = &asset_six_columns,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .places = HATCH_NEAR_TEXCOORDS,
     .samples = 16,
     .shading = {.stages = {.vertex = "tam/tam.vert", .fragment = "tam/tam.frag"},
                 .defines = "#define THRESHOLD 1\n",

@@ -6,6 +6,7 @@ const struct technique technique_threshold = {
     .summary = "texels darken at thresholds of tone: black strokes with soft edges",
     .asset = &asset_thresholds,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .places = HATCH_NEAR_TEXCOORDS,
     .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "threshold/threshold.frag"},
                 .defines = "#define STROKES 1\n",
                 .pixel_light = true,

@@ -6,6 +6,7 @@ const struct technique technique_volume = {
     .summary = "tone is the third coordinate of a 3D texture: strokes appear one by one",
     .asset = &asset_volume,
     .features = TECHNIQUE_STROKES | TECHNIQUE_PIXEL_LIGHT,
+    .places = HATCH_NEAR_TEXCOORDS,
     .shading = {.stages = {.vertex = "frame/tone.vert", .fragment = "volume/volume.frag"},
                 .defines = "#define VOLUME 1\n#define STROKES 1\n",
                 .pixel_light = true,
