@@ -15,15 +15,20 @@ struct choice {
     uint64_t steps;                  /* sum over all calls of hatch_cycle_make */
 };
 
-static enum hatch_status make_candidate(struct choice *choice, uint64_t stream, struct hatch_arena *scratch,
-                                        struct hatch_err *err)
+/* Makes a candidate.
+ *   left   steps that a search may take
+ *   found  out: false if the search has used them up */
+static enum hatch_status make_candidate(struct choice *choice, uint64_t stream, uint64_t left, bool *found,
+                                        struct hatch_arena *scratch, struct hatch_err *err)
 {
     struct hatch_cycle_options cycle = choice->options->cycle;
     uint64_t steps = 0;
     cycle.stream = stream;
-    HATCH_TRY(hatch_cycle_make(&cycle, scratch, choice->crumbs, &steps, err));
+    cycle.steps_max = left;
+    enum hatch_status status = hatch_cycle_make(&cycle, scratch, choice->crumbs, &steps, err);
     choice->steps += steps;
-    return HATCH_OK;
+    *found = status == HATCH_OK;
+    return steps > left ? HATCH_OK : status;
 }
 
 /* Computes the goodness of a candidate, as hatch_seeds_make describes, or a value up to `best` if it is at most that. A
@@ -59,23 +64,31 @@ static uint32_t count_candidates(const struct hatch_seeds_options *options)
     return affordable > 1000 ? 1000 : affordable > 1 ? affordable : 1;
 }
 
-/* Chooses the best of the candidates for a layer. */
+/* Chooses the best of the candidates for a layer. They share the steps of a search, since one that does not end soon
+ * hardly ever does; it is left out. */
 static enum hatch_status choose_layer(struct choice *choice, uint32_t layer, const struct hatch_seed_set *set,
                                       struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t candidates = count_candidates(choice->options);
+    uint64_t steps_max = choice->options->cycle.steps_max, before = choice->steps;
     double best = -1;
     for (uint32_t i = 0; i < candidates; i++) {
         double goodness = 0;
-        HATCH_TRY(make_candidate(choice, (uint64_t)layer << 32 | i, scratch, err));
+        uint64_t taken = choice->steps - before, left = steps_max > taken ? steps_max - taken : 0;
+        bool found;
+        HATCH_TRY(make_candidate(choice, (uint64_t)layer << 32 | i, left / (candidates - i), &found, scratch, err));
+        hatch_progress_report(choice->options->progress, (layer + (i + 1.0) / candidates) / choice->options->layers);
+        if (!found)
+            continue;
         if (candidates > 1)
             HATCH_TRY(rate(choice, best, scratch, &goodness, err));
-        hatch_progress_report(choice->options->progress, (layer + (i + 1.0) / candidates) / choice->options->layers);
         if (goodness <= best)
             continue;
         best = goodness;
         memcpy(set->crumbs, choice->crumbs, set->count);
     }
+    if (best < 0)
+        return HATCH_LIMIT; /* as the last candidate has said */
     hatch_seed_points(set, choice->points + choice->chosen);
     choice->chosen += set->count;
     return HATCH_OK;

@@ -71,10 +71,9 @@ static enum hatch_status run(struct search *search, uint64_t steps_max, struct h
             search->used[pattern_at(search, at)] = 0;
         }
         if (*steps > steps_max)
-            return hatch_fail(
-                err, HATCH_LIMIT,
-                "backtracking found no seed set of %u points in %llu steps: allow more steps or use another method",
-                search->count, (unsigned long long)steps_max);
+            return hatch_fail(err, HATCH_LIMIT,
+                              "backtracking found no seed set of %u points: allow more steps or use another method",
+                              search->count);
     }
     return HATCH_OK;
 }

@@ -28,7 +28,7 @@ struct hatch_cycle_options {
 
 /* Makes a cycle.
  *   crumbs  out: count entries
- *   steps   out: number of crumbs that BACKTRACK tried, 0 for the other methods; may be NULL
+ *   steps   out, on failure, too: number of crumbs that BACKTRACK tried, 0 for the other methods; may be NULL
  * HATCH_USAGE if the method cannot make a cycle of that length; HATCH_LIMIT when steps_max or memory does not
  * suffice. */
 enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, struct hatch_arena *scratch,

@@ -46,7 +46,7 @@ enum hatch_status hatch_cycle_make(const struct hatch_cycle_options *options, st
             ? hatch_cycle_backtrack(options->count, options->steps_max, &rng, scratch, crumbs, &tried, err)
             : make_circuit(options, &rng, scratch, crumbs, err);
     hatch_arena_rewind(scratch, mark);
-    if (status == HATCH_OK && steps)
+    if (steps)
         *steps = tried;
     return status;
 }

@@ -194,6 +194,28 @@ START_TEST(more_candidates_spread_seed_points_better)
 }
 END_TEST
 
+START_TEST(candidates_share_the_steps_of_searches)
+{
+    const uint64_t steps_max = 200000;
+    for (uint64_t seed = 1; seed <= 4; seed++) {
+        struct hatch_seeds_options options = {
+            .cycle = {.method = HATCH_CYCLE_BACKTRACK, .count = 64, .seed = seed, .steps_max = steps_max},
+            .layers = 2,
+            .candidates = 100};
+        struct hatch_seeds seeds;
+        struct hatch_seed_figures figures;
+        uint64_t steps;
+        HATCH_TEST_OK(hatch_seeds_make(&options, &keep, &scratch, &seeds, &steps, &err), &err);
+        ck_assert_uint_ge(steps, 2 * 100 * 61);
+        ck_assert_uint_le(steps, 2 * (steps_max + 100));
+        HATCH_TEST_OK(hatch_measure_seeds(&seeds.layers[1], 1, &scratch, &figures, &err), &err);
+        ck_assert_uint_eq(figures.uneven, 0);
+        options.cycle.steps_max = 60;
+        ck_assert_int_eq(hatch_seeds_make(&options, &keep, &scratch, &seeds, &steps, &err), HATCH_LIMIT);
+    }
+}
+END_TEST
+
 static enum hatch_status make_and_measure(void *context, struct hatch_arena *results, struct hatch_arena *temporary,
                                           struct hatch_err *error)
 {
@@ -228,6 +250,7 @@ static Suite *suite(void)
     tcase_add_test(tests, sets_nest_exactly_and_are_even);
     tcase_add_test(tests, an_uneven_set_is_detected);
     tcase_add_test(tests, more_candidates_spread_seed_points_better);
+    tcase_add_test(tests, candidates_share_the_steps_of_searches);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
     return suite;
