@@ -11,50 +11,35 @@
  * around a sample, so lines show slightly too far. */
 #define TRIM_PX 1.0
 
-/* The strips of an item's features, or those of its silhouettes. */
+/* The strips of a surface's features, or those of its silhouettes. */
 struct hatch_line_part {
     struct hatch_line_strips strips;
-    const struct hatch_item *item;
+    const struct hatch_item *item; /* that places the surface */
     struct hatch_line_part *next;
 };
-
-/* Returns the edges for an item. Deformed items need positions as in the file, other items need them relative to the
- * mesh's origin. */
-static struct hatch_line_mesh *mesh_of(const struct hatch_lines *lines, const struct hatch_item *item)
-{
-    return &lines->meshes[2 * (size_t)item->mesh + (item->deformed ? 1 : 0)];
-}
 
 enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_lines *lines,
                                    struct hatch_err *err)
 {
-    static const double zero[3] = {0, 0, 0};
     struct hatch_lines made = {.style = *style, .scene = scene, .scratch = scratch};
-    HATCH_TRY(HATCH_ALLOC(arena, &made.meshes, 2 * (size_t)scene->scene->mesh_count, err));
-    for (uint32_t i = 0; i < scene->item_count && style->kinds; i++) {
-        const struct hatch_item *item = &scene->items[i];
-        struct hatch_line_mesh *mesh = mesh_of(&made, item);
-        if (mesh->mesh.face_count)
-            continue;
-        const double *origin = item->deformed ? zero : scene->meshes[item->mesh].origin;
-        const struct hatch_line_choice choice = {style->kinds, style->crease_rad,
-                                                 scene->scene->meshes[item->mesh].had_normals};
-        HATCH_TRY(hatch_line_mesh_make(scene->meshes[item->mesh].surface, origin, &choice, arena, scratch, mesh, err));
-    }
+    const struct hatch_line_choice choice = {.kinds = style->kinds, .crease_rad = style->crease_rad};
+    if (style->kinds)
+        HATCH_TRY(hatch_line_surfaces_make(scene, &choice, arena, scratch, &made.surfaces, &made.surface_count, err));
     *lines = made;
     return HATCH_OK;
 }
 
-/* Poses the mesh of an item; only deformed items get new vertices. */
-static enum hatch_status pose_item(const struct hatch_lines *lines, const struct hatch_item *item,
-                                   struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
+/* Poses a surface; only a deformed one gets new vertices. */
+static enum hatch_status pose_surface(const struct hatch_lines *lines, const struct hatch_line_surface *surface,
+                                      struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
 {
-    const struct hatch_line_mesh *mesh = mesh_of(lines, item);
+    const struct hatch_item *item = surface->item;
+    const struct hatch_line_mesh *mesh = &surface->body->lines;
     *shape = (struct hatch_line_shape){.lines = mesh,
                                        .positions = mesh->mesh.attributes[0].data,
                                        .mirrored = item->mirrored,
-                                       .double_sided = item->double_sided};
+                                       .double_sided = surface->body->double_sided};
     for (int i = 0; i < 16; i++)
         shape->to_unit[i] = (double)item->to_unit[i];
     if (!item->deformed)
@@ -101,18 +86,16 @@ static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_i
     return HATCH_OK;
 }
 
-/* Traces the lines of an item: its features, then its silhouettes.
+/* Traces the lines of a surface: its features, then its silhouettes.
  *   curves  room for 2
  *   count   out: number of curves */
-static enum hatch_status trace_item(const struct hatch_lines *lines, const struct hatch_item *item,
-                                    const struct hatch_line_eye *eye, struct hatch_arena *arena,
-                                    struct hatch_line_curves *curves, uint32_t *count, struct hatch_err *err)
+static enum hatch_status trace_surface(const struct hatch_lines *lines, const struct hatch_line_surface *surface,
+                                       const struct hatch_line_eye *eye, struct hatch_arena *arena,
+                                       struct hatch_line_curves *curves, uint32_t *count, struct hatch_err *err)
 {
     struct hatch_line_shape shape;
     *count = 0;
-    if (!mesh_of(lines, item)->mesh.face_count || item->cut_out)
-        return HATCH_OK;
-    HATCH_TRY(pose_item(lines, item, arena, &shape, err));
+    HATCH_TRY(pose_surface(lines, surface, arena, &shape, err));
     if (shape.lines->feature_count) {
         struct hatch_line_curves *features = &curves[(*count)++];
         *features = (struct hatch_line_curves){.chains = shape.lines->chains};
@@ -140,11 +123,11 @@ enum hatch_status hatch_lines_pose(const struct hatch_lines *lines, const struct
                                    struct hatch_err *err)
 {
     const struct hatch_line_eye eye = eye_of(view, height_px);
-    HATCH_TRY(HATCH_ALLOC(arena, curves, 2 * (size_t)lines->scene->item_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, curves, 2 * (size_t)lines->surface_count, err));
     *count = 0;
-    for (uint32_t i = 0; i < lines->scene->item_count; i++) {
+    for (uint32_t i = 0; i < lines->surface_count; i++) {
         uint32_t more;
-        HATCH_TRY(trace_item(lines, &lines->scene->items[i], &eye, arena, *curves + *count, &more, err));
+        HATCH_TRY(trace_surface(lines, &lines->surfaces[i], &eye, arena, *curves + *count, &more, err));
         *count += more;
     }
     return HATCH_OK;
@@ -157,11 +140,11 @@ enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struc
     struct tracing tracing = {.lines = lines, .eye = eye_of(view, tile->full_height), .tile = tile, .arena = arena};
     struct hatch_line_curves curves[2];
     size_t at = 0;
-    for (uint32_t i = 0; i < lines->scene->item_count; i++) {
+    for (uint32_t i = 0; i < lines->surface_count; i++) {
         uint32_t count;
-        HATCH_TRY(trace_item(lines, &lines->scene->items[i], &tracing.eye, arena, curves, &count, err));
+        HATCH_TRY(trace_surface(lines, &lines->surfaces[i], &tracing.eye, arena, curves, &count, err));
         for (uint32_t k = 0; k < count; k++)
-            HATCH_TRY(add_trace(&tracing, &lines->scene->items[i], &curves[k].trace, &curves[k].chains, err));
+            HATCH_TRY(add_trace(&tracing, lines->surfaces[i].item, &curves[k].trace, &curves[k].chains, err));
     }
     HATCH_TRY(HATCH_ALLOC(arena, &tracing.frame.samples, tracing.frame.sample_count, err));
     for (const struct hatch_line_part *part = tracing.frame.parts; part; part = part->next) {

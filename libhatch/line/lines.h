@@ -4,6 +4,7 @@
 #define HATCH_LINE_LINES_H
 
 #include "line/brush/brush.h"
+#include "line/surface/surface.h"
 
 struct hatch_line_style {
     uint32_t kinds;    /* bits of enum hatch_line_kind */
@@ -17,7 +18,8 @@ struct hatch_lines {
     struct hatch_line_style style;
     struct hatch_unit_scene *scene;
     struct hatch_arena *scratch;
-    struct hatch_line_mesh *meshes; /* 2 per mesh of the scene: one for rigid items, one for deformed ones */
+    uint32_t surface_count;
+    struct hatch_line_surface *surfaces; /* in the order of the scene's items */
 };
 
 /* The lines of a frame. All samples are in one array, so that a GPU can test them in one pass. */
@@ -27,29 +29,29 @@ struct hatch_line_frame {
     struct hatch_line_part *parts;     /* internal */
 };
 
-/* The features or the silhouettes of an item, as chains in the unit scene. */
+/* The features or the silhouettes of a surface, as chains in the unit scene. */
 struct hatch_line_curves {
     struct hatch_line_trace trace;
     struct hatch_line_chains chains;
     bool silhouettes; /* false: creases and boundaries */
 };
 
-/* Finds the edges of a scene's meshes, for all views and poses.
+/* Finds the edges of a scene's surfaces, for all views and poses. Items with cut_out set have no lines.
  *   scene, scratch  kept by reference
  *   arena           for the edges */
 enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_lines *lines,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
-/* Traces the lines of the posed scene in a tile of a picture. Items with cut_out set have no lines.
+/* Traces the lines of the posed scene in a tile of a picture.
  *   arena  for the frame; not the scratch arena of hatch_lines_make */
 enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,
                                     const struct hatch_tile *tile, struct hatch_arena *arena,
                                     struct hatch_line_frame *frame, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Traces the lines of the posed scene without projecting them. Items with cut_out set have no lines.
+/* Traces the lines of the posed scene without projecting them.
  *   height_px  of the picture
- *   curves     out: in arena, *count of them: at most two per item, the features and then the silhouettes */
+ *   curves     out: in arena, *count of them: at most two per surface, the features and then the silhouettes */
 enum hatch_status hatch_lines_pose(const struct hatch_lines *lines, const struct hatch_view *view, double height_px,
                                    struct hatch_arena *arena, struct hatch_line_curves **curves, uint32_t *count,
                                    struct hatch_err *err) HATCH_MUST_USE;

@@ -57,16 +57,16 @@ static void find_turned(const struct work *w)
 static int side_of(const struct work *w, uint32_t edge)
 {
     const struct hatch_line_mesh *lines = w->shape->lines;
-    bool left = false, right = false, front = w->shape->double_sided;
+    bool left = false, right = false, visible = false;
     for (uint32_t i = lines->turns.first[edge]; i < lines->turns.first[edge + 1]; i++) {
         uint32_t side = lines->turns.sides[i];
         int turned = w->turned[side / 3];
         bool rises = lines->mesh.indices[side] < lines->mesh.indices[hatch_side_end(side)];
         left = left || turned == (rises ? 1 : -1);
         right = right || turned == (rises ? -1 : 1);
-        front = front || turned > 0;
+        visible = visible || turned > 0 || (turned < 0 && w->shape->double_sided[side / 3]);
     }
-    return !front || left == right ? 0 : left ? 1 : -1;
+    return !visible || left == right ? 0 : left ? 1 : -1;
 }
 
 static uint32_t add_node(struct work *w, uint32_t vertex)

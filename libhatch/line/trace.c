@@ -48,10 +48,10 @@ static double facing(const struct hatch_line_shape *shape, const struct hatch_li
 static float feature_slack(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                            const struct hatch_line_feature *feature, const double at[3])
 {
-    bool double_sided = shape->double_sided || feature->more_faces;
     double flattest = -1; /* the largest cosine, of the face that is turned most towards the eye */
     for (int i = 0; i < 2 && feature->faces[i] != HATCH_NONE; i++) {
         double cosine = facing(shape, eye, feature->faces[i]);
+        bool double_sided = shape->double_sided[feature->faces[i]] || feature->more_faces;
         flattest = fmax(flattest, double_sided ? fabs(cosine) : cosine);
     }
     if (flattest < 0)

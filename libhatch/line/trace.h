@@ -8,10 +8,10 @@
 /* A posed mesh. */
 struct hatch_line_shape {
     const struct hatch_line_mesh *lines;
-    const float *positions; /* 3 per vertex of lines->mesh */
-    double to_unit[16];     /* from positions to the unit scene; column-major */
-    bool mirrored;          /* to_unit reverses the winding of faces */
-    bool double_sided;      /* faces are visible from behind, too */
+    const float *positions;      /* 3 per vertex of lines->mesh */
+    double to_unit[16];          /* from positions to the unit scene; column-major */
+    bool mirrored;               /* to_unit reverses the winding of faces */
+    const uint8_t *double_sided; /* per face: not 0: visible from behind, too */
 };
 
 /* The view, and the size of a pixel. */
@@ -34,8 +34,8 @@ struct hatch_line_trace {
 
 /* Traces the silhouette of the faces as they are drawn: the edges all of whose faces lie on one side in the picture. On
  * a closed surface it consists of closed curves, of which parts hide behind the surface close by. The winding of faces
- * matters only if the shape is not double-sided: then an edge needs a face that is visible. If to_unit is singular
- * there is no silhouette.
+ * matters only where they are not double-sided: an edge needs a face that is visible. If to_unit is singular there is
+ * no silhouette.
  *   trace  out: in arena */
 enum hatch_status hatch_line_trace_silhouettes(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
                                                struct hatch_arena *arena, struct hatch_arena *scratch,

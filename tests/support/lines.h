@@ -49,9 +49,18 @@ static inline struct hatch_view view_from(double x, double y, double z, bool ort
     return view;
 }
 
+/* Makes all faces of a shape visible from behind, or none. */
+static inline void set_sides(struct hatch_line_shape *shape, bool double_sided)
+{
+    uint8_t *sides = HATCH_NEW(&keep, uint8_t, shape->lines->mesh.face_count, &err);
+    memset(sides, double_sided, shape->lines->mesh.face_count);
+    shape->double_sided = sides;
+}
+
 static inline struct hatch_line_shape shape_in_place(const struct hatch_line_mesh *lines)
 {
-    struct hatch_line_shape shape = {.lines = lines, .positions = lines->mesh.attributes[0].data, .double_sided = true};
+    struct hatch_line_shape shape = {.lines = lines, .positions = lines->mesh.attributes[0].data};
+    set_sides(&shape, true);
     for (int i = 0; i < 16; i += 5)
         shape.to_unit[i] = 1;
     return shape;

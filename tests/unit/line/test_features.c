@@ -39,7 +39,7 @@ START_TEST(creases_of_a_cube_have_the_slope_of_their_flatter_face)
     struct hatch_view view = view_from(5, 4, 6, true);
     for (int turned = 0; turned < 2; turned++) {
         struct hatch_line_shape shape = shape_in_place(&lines);
-        shape.double_sided = false;
+        set_sides(&shape, false);
         shape.mirrored = turned;
         struct hatch_line_trace trace = features_of(&shape, &view);
         uint32_t drawn = 0;
@@ -51,7 +51,7 @@ START_TEST(creases_of_a_cube_have_the_slope_of_their_flatter_face)
             drawn += trace.slack[s] >= 0;
         }
         ck_assert_uint_eq(drawn, 9);
-        shape.double_sided = true;
+        set_sides(&shape, true);
         trace = features_of(&shape, &view);
         for (uint32_t s = 0; s < 12; s++)
             ck_assert(trace.slack[s] > 0);

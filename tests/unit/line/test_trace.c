@@ -142,7 +142,7 @@ START_TEST(winding_matters_only_if_backs_are_hidden)
     shape = shape_in_place(&open);
     trace = silhouettes_of(&shape, &behind);
     uint32_t both = trace.segment_count;
-    shape.double_sided = false;
+    set_sides(&shape, false);
     ck_assert_uint_eq(silhouettes_of(&shape, &behind).segment_count, both); /* each has a front */
 }
 END_TEST
