@@ -1,5 +1,5 @@
-/* Finds the edges of a mesh that may become feature lines: welds vertices at one position, classifies the edges, and
- * counts creases due to noise as smooth. */
+/* Finds the edges of a mesh that may become feature lines: welds vertices at one position that stay together in all
+ * poses, classifies the edges, and counts creases due to noise as smooth. */
 #ifndef HATCH_LINE_EDGES_H
 #define HATCH_LINE_EDGES_H
 
@@ -18,9 +18,10 @@ struct hatch_line_edges {
  *   crease_rad        least angle between the faces at a crease, 0 .. π
  *   normals_authored  the mesh's normals are from its file, not computed from its faces. If they are continuous at an
  *                     edge, it is a crease only beyond 60 degrees, which is more than tessellated curves turn
+ *   deformed          skins or morph targets move the mesh: only vertices that these move alike are welded
  *   arena             for the edges; not the scratch arena */
 enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
-                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        bool deformed, struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_edges *edges, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns the face corners at both ends of a side, first the one whose point has the lower number.

@@ -2,7 +2,9 @@
 
 #include "math/vector.h"
 #include "mesh/fans.h"
+#include "mesh/remap.h"
 #include "line/prune.h"
+#include "line/surface/motion.h"
 
 #define WELD 4e-5 /* tolerance of loose welding, in diagonals of the mesh: 1/20 of a pixel in a picture of it */
 #define COS_SAME_NORMAL 0.9999                 /* cosine of the largest angle between normals that count as equal */
@@ -20,37 +22,62 @@ static double size_of(const struct hatch_mesh *mesh)
     return hatch_vec_distance(a, b);
 }
 
-/* Rounds the positions of loose points to a grid; other positions are copied.
+/* Numbers the different places of vertices.
+ *   motion  3 per vertex, from hatch_line_motion: vertices that move differently have different places; NULL: none move
+ *   point   out: per vertex: the number of its place */
+static enum hatch_status number_places(const struct hatch_mesh *mesh, float *motion, struct hatch_arena *scratch,
+                                       uint32_t *point, uint32_t *count, struct hatch_err *err)
+{
+    struct hatch_remap remap = {.count = 0};
+    if (!motion)
+        return hatch_mesh_weld(mesh, scratch, point, count, err);
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = hatch_remap_by_values(mesh, motion, scratch, scratch, &remap, err);
+    for (uint32_t v = 0; v < mesh->vertex_count && status == HATCH_OK; v++)
+        point[v] = remap.number[v];
+    *count = remap.count;
+    hatch_arena_rewind(scratch, mark);
+    return status;
+}
+
+/* Rounds the positions or the motion of the vertices of loose points to a grid; others are copied.
+ *   from   3 per vertex
  *   point  per vertex: its point
  *   loose  per point: not 0: it is loose
  *   shift  of the grid, in steps */
-static void snap(const struct hatch_mesh *mesh, const uint32_t *point, const uint8_t *loose, double step, double shift,
-                 float *snapped)
+static void snap(const float *from, uint32_t vertex_count, const uint32_t *point, const uint8_t *loose, double step,
+                 double shift, float *snapped)
 {
-    const float *positions = mesh->attributes[0].data;
-    for (size_t i = 0; i < 3 * (size_t)mesh->vertex_count; i++)
-        snapped[i] =
-            loose[point[i / 3]] && step > 0 ? (float)(floor((double)positions[i] / step + shift) * step) : positions[i];
+    for (size_t i = 0; i < 3 * (size_t)vertex_count; i++)
+        snapped[i] = loose[point[i / 3]] && step > 0 ? (float)(floor((double)from[i] / step + shift) * step) : from[i];
 }
 
 /* Joins loose points at a distance of up to about WELD, and renumbers all points. Points are joined if they fall into
- * one cell of either of two grids, one of which is shifted by half a cell.
+ * one cell of either of two grids, one of which is shifted by half a cell; so do the amounts by which they move.
+ *   motion     as for number_places
  *   of_vertex  in and out: point of each vertex */
-static enum hatch_status weld(const struct hatch_mesh *mesh, const uint8_t *loose, struct hatch_arena *scratch,
-                              uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
+static enum hatch_status weld(const struct hatch_mesh *mesh, const float *motion, const uint8_t *loose,
+                              struct hatch_arena *scratch, uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
 {
     struct hatch_mesh moved = *mesh;
     size_t vertices = mesh->vertex_count;
     uint32_t *cell, *first, cells;
+    float *amounts = NULL;
+    const double step = WELD * size_of(mesh);
     HATCH_TRY(HATCH_ALLOC(scratch, &moved.attributes[0].data, 3 * vertices, err));
+    if (motion)
+        HATCH_TRY(HATCH_ALLOC(scratch, &amounts, 3 * vertices, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &cell, vertices, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &first, vertices, err));
     uint32_t *parent;
     HATCH_TRY(HATCH_ALLOC(scratch, &parent, vertices, err));
     hatch_sets_init(parent, mesh->vertex_count);
     for (int grid = 0; grid < 2; grid++) {
-        snap(mesh, of_vertex, loose, WELD * size_of(mesh), 0.5 * grid, moved.attributes[0].data);
-        HATCH_TRY(hatch_mesh_weld(&moved, scratch, cell, &cells, err));
+        snap(mesh->attributes[0].data, mesh->vertex_count, of_vertex, loose, step, 0.5 * grid,
+             moved.attributes[0].data);
+        if (motion)
+            snap(motion, mesh->vertex_count, of_vertex, loose, step, 0.5 * grid, amounts);
+        HATCH_TRY(number_places(&moved, amounts, scratch, cell, &cells, err));
         for (uint32_t v = mesh->vertex_count; v-- > 0;)
             first[cell[v]] = v;
         for (uint32_t v = 0; v < mesh->vertex_count; v++)
@@ -97,19 +124,25 @@ static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
 
 /* Welds, finds and classifies edges. Many programs write parts of a surface separately, with different rounding along
  * their borders, so points at boundaries are welded a second time, with a tolerance. */
-static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, struct hatch_arena *arena,
-                                    struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
+static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, bool deformed,
+                                    struct hatch_arena *arena, struct hatch_arena *scratch,
+                                    struct hatch_line_edges *made, struct hatch_err *err)
 {
     uint32_t *of_vertex;
     uint8_t *loose;
+    float *motion = NULL;
+    if (deformed) {
+        HATCH_TRY(HATCH_ALLOC(scratch, &motion, 3 * (size_t)mesh->vertex_count, err));
+        hatch_line_motion(mesh, size_of(mesh), motion);
+    }
     HATCH_TRY(HATCH_ALLOC(scratch, &of_vertex, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &loose, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    HATCH_TRY(hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
+    HATCH_TRY(number_places(mesh, motion, scratch, of_vertex, &made->point_count, err));
     HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     if (mark_loose(made, loose)) {
         hatch_arena_rewind(arena, mark);
-        HATCH_TRY(weld(mesh, loose, scratch, of_vertex, &made->point_count, err));
+        HATCH_TRY(weld(mesh, motion, loose, scratch, of_vertex, &made->point_count, err));
         HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     }
     HATCH_TRY(HATCH_ALLOC(arena, &made->kinds, made->edges.count, err));
@@ -181,13 +214,13 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
-static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
+static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored, bool deformed,
                               struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
                               struct hatch_err *err)
 {
     struct hatch_line_graph graph;
     uint32_t *edge_of;
-    HATCH_TRY(find_kinds(mesh, crease_rad, arena, scratch, made, err));
+    HATCH_TRY(find_kinds(mesh, crease_rad, deformed, arena, scratch, made, err));
     if (normals_authored && hatch_mesh_find(mesh, "NORMAL", 3))
         HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
@@ -206,12 +239,12 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, 
 }
 
 enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
-                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        bool deformed, struct hatch_arena *arena, struct hatch_arena *scratch,
                                         struct hatch_line_edges *edges, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_line_edges made;
-    enum hatch_status status = find(mesh, crease_rad, normals_authored, arena, scratch, &made, err);
+    enum hatch_status status = find(mesh, crease_rad, normals_authored, deformed, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *edges = made;

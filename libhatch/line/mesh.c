@@ -131,7 +131,8 @@ static enum hatch_status make(const struct hatch_mesh *from, const double origin
                               struct hatch_arena *scratch, struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     struct hatch_line_edges edges;
-    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_authored, scratch, arena, &edges, err));
+    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_authored, choice->deformed, scratch,
+                                    arena, &edges, err));
     HATCH_TRY(weld(from, &edges, origin, arena, scratch, &lines->mesh, err));
     HATCH_TRY(list_turns(&edges, arena, &lines->turns, err));
     HATCH_TRY(list_features(&edges, choice->kinds, arena, lines, err));

@@ -25,7 +25,8 @@ struct hatch_line_feature {
 struct hatch_line_choice {
     uint32_t kinds;        /* bits of enum hatch_line_kind */
     double crease_rad;     /* least angle between the faces at a crease, 0 .. π */
-    bool normals_authored; /* as for hatch_line_edges_find */
+    bool normals_authored; /* this and deformed as for hatch_line_edges_find */
+    bool deformed;
 };
 
 /* Edges where a silhouette may run. Side 3 * f + c is that of face f from its corner c to the next. */

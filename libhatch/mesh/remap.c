@@ -27,8 +27,8 @@ static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *v
     return HATCH_OK;
 }
 
-static enum hatch_status make(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
-                              struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
+enum hatch_status hatch_remap_by_values(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
     struct hatch_remap made = {0};
     HATCH_TRY(HATCH_ALLOC(arena, &made.number, mesh->vertex_count, err));
@@ -44,7 +44,7 @@ static enum hatch_status make(const struct hatch_mesh *mesh, float *values, stru
 enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                         struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
-    return make(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, remap, err);
+    return hatch_remap_by_values(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, remap, err);
 }
 
 enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena,
@@ -55,7 +55,7 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
     HATCH_TRY(HATCH_ALLOC(arena, &values, 3 * (size_t)mesh->vertex_count, err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
-    return make(mesh, values, arena, arena, remap, err);
+    return hatch_remap_by_values(mesh, values, arena, arena, remap, err);
 }
 
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,

@@ -1,4 +1,5 @@
-/* Vertex remap tables: vertices that are equal in position and in one other attribute get the same new index. */
+/* Vertex remap tables: vertices that are equal in position and in one other attribute, or in other values, get the same
+ * new index. */
 #ifndef HATCH_MESH_REMAP_H
 #define HATCH_MESH_REMAP_H
 
@@ -9,6 +10,13 @@ struct hatch_remap {
     uint32_t *number; /* per vertex: its new index, below count, in order of appearance */
     uint32_t *first;  /* per new index: the first vertex that has it; with room for all vertices */
 };
+
+/* Makes a table of vertices that are equal in POSITION and in three values each. -0 equals 0.
+ *   values  3 per vertex
+ *   remap   out: its arrays are in arena, which may be the scratch arena */
+enum hatch_status hatch_remap_by_values(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct hatch_remap *remap,
+                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a table of vertices that are equal in POSITION and NORMAL. The mesh must have both.
  *   remap  out: its arrays are in arena */

@@ -32,7 +32,7 @@ static inline struct hatch_mesh unwelded(const struct hatch_mesh *mesh)
 static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uint32_t kinds, double crease_rad)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {kinds, crease_rad, false};
+    const struct hatch_line_choice choice = {.kinds = kinds, .crease_rad = crease_rad};
     struct hatch_line_mesh lines;
     HATCH_TEST_OK(hatch_line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
     return lines;

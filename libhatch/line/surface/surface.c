@@ -109,7 +109,7 @@ static enum hatch_status make_body(const struct hatch_unit_scene *scene, const s
 {
     static const double zero[3] = {0, 0, 0};
     const struct hatch_item *item = &scene->items[run->first];
-    const struct hatch_line_choice chosen = {choice->kinds, choice->crease_rad, run->normals_authored};
+    const struct hatch_line_choice chosen = {choice->kinds, choice->crease_rad, run->normals_authored, item->deformed};
     struct hatch_mesh joined;
     uint32_t face = 0;
     HATCH_TRY(HATCH_ALLOC(arena, &body->double_sided, run->face_count, err));

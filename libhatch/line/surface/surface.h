@@ -20,7 +20,7 @@ struct hatch_line_surface {
 
 /* Finds the surfaces of a scene: successive items of a node, except that skins or morph targets of one kind move all of
  * a surface. Items with cut_out set belong to none.
- *   choice    normals_authored is ignored: it follows from the meshes
+ *   choice    normals_authored and deformed are ignored: they follow from the meshes
  *   arena     for the surfaces; not the scratch arena
  *   surfaces  out: *count of them, in the order of the items, which they keep by reference */
 enum hatch_status hatch_line_surfaces_make(const struct hatch_unit_scene *scene, const struct hatch_line_choice *choice,

@@ -162,7 +162,7 @@ END_TEST
 START_TEST(authored_normals_decide_on_creases)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true};
+    const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true, false};
     struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube(-1, 1);
     struct hatch_line_mesh lines;
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &box, 0.0f, &err), &err);
@@ -197,11 +197,66 @@ START_TEST(faces_without_area_are_no_lines)
 }
 END_TEST
 
+/* Returns the number of creases and boundaries of a mesh that skins or morph targets move. */
+static uint32_t deformed_features(const struct hatch_mesh *mesh)
+{
+    static const double origin[3] = {0, 0, 0};
+    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, false, true};
+    struct hatch_line_mesh lines;
+    HATCH_TEST_OK(hatch_line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    return lines.feature_count;
+}
+
+/* Two cubes with a common side share its four edges, unless a morph target or a joint moves one of them. */
+START_TEST(parts_that_move_apart_are_not_joined)
+{
+    struct hatch_mesh left = cube(-1, 1), right = cube(-1, 1);
+    float *moves, *joints, *weights;
+    move(&right, 1, 2);
+    struct hatch_mesh morphed = both(&left, &right), skinned = morphed;
+    ck_assert_uint_eq(deformed_features(&morphed), 20);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &morphed, HATCH_MORPH_POSITION, 6, &moves, &err), &err);
+    for (uint32_t v = 0; v < 16; v++) {
+        moves[6 * v + 1] = 1; /* the first target moves both */
+        moves[6 * v + 3] = v / 8 ? 2 : 0;
+    }
+    ck_assert_uint_eq(lines_of(&morphed, HATCH_LINES_ALL, CREASE_RAD).feature_count, 20);
+    ck_assert_uint_eq(deformed_features(&morphed), 24);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &skinned, "JOINTS_0", 4, &joints, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &skinned, "WEIGHTS_0", 4, &weights, &err), &err);
+    for (uint32_t v = 0; v < 16; v++)
+        weights[4 * v + 1] = 1;
+    ck_assert_uint_eq(deformed_features(&skinned), 20);
+    for (uint32_t v = 8; v < 16; v++)
+        joints[4 * v + 1] = 1;
+    ck_assert_uint_eq(deformed_features(&skinned), 24);
+}
+END_TEST
+
+/* Every face has vertices of its own, whose joints are in different orders, with weights that are rounded differently
+ * and do not add up to 1, and with other joints of no weight. */
+START_TEST(parts_that_move_alike_are_joined)
+{
+    struct hatch_mesh mesh = bare_shape(HATCH_SHAPE_TORUS, 2000), apart = unwelded(&mesh);
+    float *joints, *weights;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &apart, "JOINTS_0", 4, &joints, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &apart, "WEIGHTS_0", 4, &weights, &err), &err);
+    for (uint32_t v = 0; v < apart.vertex_count; v++)
+        for (uint32_t k = 0; k < 4; k++) {
+            uint32_t joint = (k + v / 3) % 4; /* the last one has no weight */
+            float share = (1 + apart.attributes[0].data[3 * v + joint % 3]) * (1 + (float)(v / 3 % 3) * 1e-6f);
+            joints[4 * v + k] = (float)(joint + (joint == 3 ? v : 0));
+            weights[4 * v + k] = joint == 3 ? 0 : (2 + (float)joint + share) * (float)(1 + v / 3 % 2);
+        }
+    ck_assert_uint_eq(deformed_features(&apart), 0);
+}
+END_TEST
+
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_err *error)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true};
+    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true, true};
     struct hatch_line_mesh lines;
     return hatch_line_mesh_make(context, origin, &choice, arena, temporary, &lines, error);
 }
@@ -232,6 +287,8 @@ static Suite *suite(void)
     tcase_add_test(tests, authored_normals_decide_on_creases);
     tcase_add_test(tests, scale_and_place_do_not_matter);
     tcase_add_test(tests, faces_without_area_are_no_lines);
+    tcase_add_test(tests, parts_that_move_apart_are_not_joined);
+    tcase_add_test(tests, parts_that_move_alike_are_joined);
     tcase_add_test(tests, extraction_survives_every_failed_allocation);
     suite_add_tcase(suite, tests);
     return suite;
