@@ -122,11 +122,10 @@ static bool mark_loose(const struct hatch_line_edges *made, uint8_t *loose)
     return any;
 }
 
-/* Welds, finds and classifies edges. Many programs write parts of a surface separately, with different rounding along
- * their borders, so points at boundaries are welded a second time, with a tolerance. */
-static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease_rad, bool deformed,
-                                    struct hatch_arena *arena, struct hatch_arena *scratch,
-                                    struct hatch_line_edges *made, struct hatch_err *err)
+/* Many programs write parts of a surface separately, with different rounding along their borders, so points at
+ * boundaries are welded a second time, with a tolerance. */
+static enum hatch_status find(const struct hatch_mesh *mesh, bool deformed, struct hatch_arena *arena,
+                              struct hatch_arena *scratch, struct hatch_line_edges *made, struct hatch_err *err)
 {
     uint32_t *of_vertex;
     uint8_t *loose;
@@ -145,9 +144,20 @@ static enum hatch_status find_kinds(const struct hatch_mesh *mesh, double crease
         HATCH_TRY(weld(mesh, motion, loose, scratch, of_vertex, &made->point_count, err));
         HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     }
-    HATCH_TRY(HATCH_ALLOC(arena, &made->kinds, made->edges.count, err));
-    hatch_edges_classify(mesh, &made->edges, crease_rad, made->kinds);
     return HATCH_OK;
+}
+
+enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, bool deformed, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct hatch_line_edges *edges,
+                                        struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct hatch_line_edges made = {.kinds = NULL};
+    enum hatch_status status = find(mesh, deformed, arena, scratch, &made, err);
+    hatch_arena_rewind(scratch, mark);
+    if (status == HATCH_OK)
+        *edges = made;
+    return status;
 }
 
 static bool same_normal(const struct hatch_mesh *mesh, uint32_t a, uint32_t b)
@@ -214,13 +224,14 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
-static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored, bool deformed,
-                              struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
-                              struct hatch_err *err)
+static enum hatch_status judge(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
+                               struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
+                               struct hatch_err *err)
 {
     struct hatch_line_graph graph;
     uint32_t *edge_of;
-    HATCH_TRY(find_kinds(mesh, crease_rad, deformed, arena, scratch, made, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made->kinds, made->edges.count, err));
+    hatch_edges_classify(mesh, &made->edges, crease_rad, made->kinds);
     if (normals_authored && hatch_mesh_find(mesh, "NORMAL", 3))
         HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
@@ -238,16 +249,16 @@ static enum hatch_status find(const struct hatch_mesh *mesh, double crease_rad, 
     return HATCH_OK;
 }
 
-enum hatch_status hatch_line_edges_find(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
-                                        bool deformed, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                        struct hatch_line_edges *edges, struct hatch_err *err)
+enum hatch_status hatch_line_edges_judge(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
+                                         struct hatch_arena *arena, struct hatch_arena *scratch,
+                                         struct hatch_line_edges *edges, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_line_edges made;
-    enum hatch_status status = find(mesh, crease_rad, normals_authored, deformed, arena, scratch, &made, err);
+    struct hatch_line_edges judged = *edges;
+    enum hatch_status status = judge(mesh, crease_rad, normals_authored, arena, scratch, &judged, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
-        *edges = made;
+        *edges = judged;
     return status;
 }
 

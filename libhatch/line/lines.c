@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "math/vector.h"
-
 #define GAP_PX 4.0   /* shorter hidden gaps are closed: they arise where a surface just touches the line */
 #define SPECK_PX 6.0 /* isolated visible parts are hidden if they are shorter than this plus twice the line width */
 
@@ -27,35 +25,6 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
     if (style->kinds)
         HATCH_TRY(hatch_line_surfaces_make(scene, &choice, arena, scratch, &made.surfaces, &made.surface_count, err));
     *lines = made;
-    return HATCH_OK;
-}
-
-/* Poses a surface; only a deformed one gets new vertices. */
-static enum hatch_status pose_surface(const struct hatch_lines *lines, const struct hatch_line_surface *surface,
-                                      struct hatch_arena *arena, struct hatch_line_shape *shape, struct hatch_err *err)
-{
-    const struct hatch_item *item = surface->item;
-    const struct hatch_line_mesh *mesh = &surface->body->lines;
-    *shape = (struct hatch_line_shape){.lines = mesh,
-                                       .positions = mesh->mesh.attributes[0].data,
-                                       .mirrored = item->mirrored,
-                                       .double_sided = surface->body->double_sided};
-    for (int i = 0; i < 16; i++)
-        shape->to_unit[i] = (double)item->to_unit[i];
-    if (!item->deformed)
-        return HATCH_OK;
-    size_t count = 3 * (size_t)mesh->mesh.vertex_count;
-    double *positions;
-    float *moved;
-    HATCH_TRY(HATCH_ALLOC(arena, &positions, count, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &moved, count, err));
-    hatch_pose_mesh(&lines->scene->pose, item->node, &mesh->mesh, positions, NULL);
-    for (size_t i = 0; i < count; i += 3) {
-        double at[3];
-        hatch_bounds_to_unit(&lines->scene->bounds, positions + i, at);
-        hatch_vec_round(at, moved + i);
-    }
-    shape->positions = moved;
     return HATCH_OK;
 }
 
@@ -95,16 +64,16 @@ static enum hatch_status trace_surface(const struct hatch_lines *lines, const st
 {
     struct hatch_line_shape shape;
     *count = 0;
-    HATCH_TRY(pose_surface(lines, surface, arena, &shape, err));
+    HATCH_TRY(hatch_line_surface_pose(lines->scene, surface, arena, lines->scratch, &shape, err));
     if (shape.lines->feature_count) {
         struct hatch_line_curves *features = &curves[(*count)++];
-        *features = (struct hatch_line_curves){.chains = shape.lines->chains};
+        *features = (struct hatch_line_curves){.chains = shape.lines->chains, .deformed = surface->item->deformed};
         HATCH_TRY(hatch_line_trace_features(&shape, eye, arena, &features->trace, err));
     }
     if (!(lines->style.kinds & HATCH_LINES_SILHOUETTES))
         return HATCH_OK;
     struct hatch_line_curves *outlines = &curves[(*count)++];
-    *outlines = (struct hatch_line_curves){.silhouettes = true};
+    *outlines = (struct hatch_line_curves){.silhouettes = true, .deformed = surface->item->deformed};
     HATCH_TRY(hatch_line_trace_silhouettes(&shape, eye, arena, lines->scratch, &outlines->trace, err));
     const struct hatch_line_trace *trace = &outlines->trace;
     const struct hatch_line_graph graph = {trace->node_count, trace->segment_count, trace->nodes, trace->ends};

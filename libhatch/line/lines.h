@@ -34,9 +34,11 @@ struct hatch_line_curves {
     struct hatch_line_trace trace;
     struct hatch_line_chains chains;
     bool silhouettes; /* false: creases and boundaries */
+    bool deformed;    /* creases and boundaries may be others at each pose */
 };
 
-/* Finds the edges of a scene's surfaces, for all views and poses. Items with cut_out set have no lines.
+/* Finds the edges of a scene's surfaces, for all views and poses. Creases and boundaries of deformed surfaces are found
+ * anew at each pose. Items with cut_out set have no lines.
  *   scene, scratch  kept by reference
  *   arena           for the edges */
 enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct hatch_line_style *style,

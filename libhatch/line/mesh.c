@@ -1,41 +1,21 @@
 #include "line/mesh.h"
 
-#include <string.h>
-
 #include "math/vector.h"
 #include "line/edges.h"
-#include "mesh/remap.h"
-
-/* Copies the attributes that place vertices. */
-static struct hatch_mesh select_attributes(const struct hatch_mesh *from)
-{
-    static const char *const used[] = {"POSITION", "JOINTS_0", "WEIGHTS_0", HATCH_MORPH_POSITION};
-    struct hatch_mesh made = *from;
-    made.attribute_count = 0;
-    for (uint32_t i = 0; i < from->attribute_count; i++)
-        for (size_t k = 0; k < sizeof used / sizeof *used; k++)
-            if (strcmp(from->attributes[i].name, used[k]) == 0)
-                made.attributes[made.attribute_count++] = from->attributes[i];
-    return made;
-}
 
 /* Makes the mesh with one vertex per point, the first one of the point in the file, and subtracts the origin. */
 static enum hatch_status weld(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
-                              const double origin[3], struct hatch_arena *arena, struct hatch_arena *scratch,
-                              struct hatch_mesh *mesh, struct hatch_err *err)
+                              const double origin[3], struct hatch_arena *arena, struct hatch_mesh *mesh,
+                              struct hatch_err *err)
 {
-    struct hatch_mesh selected = select_attributes(from), made;
-    uint32_t *first;
-    HATCH_TRY(HATCH_ALLOC(scratch, &first, edges->point_count, err));
+    struct hatch_mesh made;
     HATCH_TRY(hatch_mesh_make(arena, edges->point_count, from->face_count, &made, err));
     for (size_t i = 3 * (size_t)from->face_count; i-- > 0;) {
+        const float *position = &from->attributes[0].data[3 * (size_t)from->indices[i]];
         made.indices[i] = edges->point[i];
-        first[edges->point[i]] = from->indices[i];
+        for (size_t k = 0; k < 3; k++)
+            made.attributes[0].data[3 * (size_t)edges->point[i] + k] = (float)((double)position[k] - origin[k]);
     }
-    HATCH_TRY(hatch_remap_attributes(&selected, first, arena, &made, err));
-    float *position = made.attributes[0].data;
-    for (size_t i = 0; i < 3 * (size_t)made.vertex_count; i++)
-        position[i] = (float)((double)position[i] - origin[i % 3]);
     *mesh = made;
     return HATCH_OK;
 }
@@ -126,27 +106,30 @@ static enum hatch_status chain_features(struct hatch_arena *arena, struct hatch_
     return hatch_line_chains_make(&graph, arena, scratch, &lines->chains, err);
 }
 
-static enum hatch_status make(const struct hatch_mesh *from, const double origin[3],
-                              const struct hatch_line_choice *choice, struct hatch_arena *arena,
+static enum hatch_status make(const struct hatch_mesh *from, const struct hatch_line_edges *found,
+                              const double origin[3], const struct hatch_line_choice *choice, struct hatch_arena *arena,
                               struct hatch_arena *scratch, struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     struct hatch_line_edges edges;
-    HATCH_TRY(hatch_line_edges_find(from, choice->crease_rad, choice->normals_authored, choice->deformed, scratch,
-                                    arena, &edges, err));
-    HATCH_TRY(weld(from, &edges, origin, arena, scratch, &lines->mesh, err));
+    if (found)
+        edges = *found;
+    else
+        HATCH_TRY(hatch_line_edges_find(from, false, scratch, arena, &edges, err));
+    HATCH_TRY(hatch_line_edges_judge(from, choice->crease_rad, choice->normals_authored, scratch, arena, &edges, err));
+    HATCH_TRY(weld(from, &edges, origin, arena, &lines->mesh, err));
     HATCH_TRY(list_turns(&edges, arena, &lines->turns, err));
     HATCH_TRY(list_features(&edges, choice->kinds, arena, lines, err));
     return chain_features(arena, scratch, lines, err);
 }
 
-enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                       const struct hatch_line_choice *choice, struct hatch_arena *arena,
-                                       struct hatch_arena *scratch, struct hatch_line_mesh *lines,
-                                       struct hatch_err *err)
+enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
+                                       const double origin[3], const struct hatch_line_choice *choice,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_line_mesh *lines, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_line_mesh made = {.feature_count = 0};
-    enum hatch_status status = make(from, origin, choice, arena, scratch, &made, err);
+    enum hatch_status status = make(from, edges, origin, choice, arena, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *lines = made;

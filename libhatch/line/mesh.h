@@ -1,4 +1,5 @@
-/* The view-independent data of a mesh for feature lines: its edges, and which of them are drawn in every view. */
+/* The view-independent data of a mesh at a pose for feature lines: its edges, and which of them are drawn in every
+ * view. */
 #ifndef HATCH_LINE_MESH_H
 #define HATCH_LINE_MESH_H
 
@@ -21,12 +22,13 @@ struct hatch_line_feature {
     bool more_faces;   /* more than two faces meet there */
 };
 
+struct hatch_line_edges; /* line/edges.h */
+
 /* The lines to find. */
 struct hatch_line_choice {
     uint32_t kinds;        /* bits of enum hatch_line_kind */
     double crease_rad;     /* least angle between the faces at a crease, 0 .. π */
-    bool normals_authored; /* this and deformed as for hatch_line_edges_find */
-    bool deformed;
+    bool normals_authored; /* as for hatch_line_edges_judge */
 };
 
 /* Edges where a silhouette may run. Side 3 * f + c is that of face f from its corner c to the next. */
@@ -38,7 +40,7 @@ struct hatch_line_turns {
 };
 
 struct hatch_line_mesh {
-    struct hatch_mesh mesh;        /* a vertex per welded point: POSITION relative to the origin, and what poses it */
+    struct hatch_mesh mesh;        /* a vertex per welded point: POSITION relative to the origin */
     struct hatch_line_turns turns; /* all edges but boundaries */
     uint32_t feature_count;
     struct hatch_line_feature *features;
@@ -48,11 +50,12 @@ struct hatch_line_mesh {
 };
 
 /* Welds a mesh, finds and classifies its edges, and joins features into chains.
- *   origin  subtracted from positions; 0 0 0 for a deformed mesh
+ *   edges   of the mesh at another pose, whatever their kinds; NULL: they are found
+ *   origin  subtracted from positions
  *   arena   for the result; not the scratch arena */
-enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const double origin[3],
-                                       const struct hatch_line_choice *choice, struct hatch_arena *arena,
-                                       struct hatch_arena *scratch, struct hatch_line_mesh *lines,
-                                       struct hatch_err *err) HATCH_MUST_USE;
+enum hatch_status hatch_line_mesh_make(const struct hatch_mesh *from, const struct hatch_line_edges *edges,
+                                       const double origin[3], const struct hatch_line_choice *choice,
+                                       struct hatch_arena *arena, struct hatch_arena *scratch,
+                                       struct hatch_line_mesh *lines, struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -34,7 +34,7 @@ static inline struct hatch_line_mesh lines_of(const struct hatch_mesh *mesh, uin
     static const double origin[3] = {0, 0, 0};
     const struct hatch_line_choice choice = {.kinds = kinds, .crease_rad = crease_rad};
     struct hatch_line_mesh lines;
-    HATCH_TEST_OK(hatch_line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    HATCH_TEST_OK(hatch_line_mesh_make(mesh, NULL, origin, &choice, &keep, &scratch, &lines, &err), &err);
     return lines;
 }
 

@@ -14,6 +14,8 @@
 #define GAP_PX 16.0           /* shorter parts without a step are drawn, between parts with one */
 #define SPECK_PX 4.0          /* shorter parts with a step are not, between parts without one */
 
+#define RANKS 3 /* of curves: rank_of */
+
 /* Curves under construction. */
 struct gathering {
     struct hatch_line_eye eye;
@@ -171,6 +173,13 @@ static enum hatch_status add_chains(struct gathering *gathering, const struct ha
     return HATCH_OK;
 }
 
+/* Returns the place of curves among those of a frame: curves that are the same in all frames come first, so that their
+ * numbers are the same, too. */
+static int rank_of(const struct hatch_line_curves *curves)
+{
+    return curves->silhouettes ? 2 : curves->deformed ? 1 : 0;
+}
+
 enum hatch_status outlines_trace(const struct hatch_lines *lines, const struct hatch_view *view, double height_px,
                                  const struct hatch_occluders *occluders, struct hatch_arena *arena,
                                  struct hatch_vector_curves *curves, struct hatch_err *err)
@@ -185,9 +194,9 @@ enum hatch_status outlines_trace(const struct hatch_lines *lines, const struct h
     struct hatch_line_curves *sets;
     uint32_t count;
     HATCH_TRY(hatch_lines_pose(lines, view, height_px, arena, &sets, &count, err));
-    for (int silhouettes = 0; silhouettes < 2; silhouettes++)
+    for (int rank = 0; rank < RANKS; rank++)
         for (uint32_t i = 0; i < count; i++)
-            if (sets[i].silhouettes == (silhouettes == 1))
+            if (rank_of(&sets[i]) == rank)
                 HATCH_TRY(add_chains(&gathering, &sets[i], err));
     *curves = (struct hatch_vector_curves){.count = gathering.count,
                                            .curves = (const void *)gathering.curves.data,

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "line/edges.h"
+
 /* Items that are one surface: those from first to before end that are not cut out. */
 struct run {
     uint32_t first, end;
@@ -83,7 +85,7 @@ static void copy_faces(const struct hatch_unit_scene *scene, const struct run *r
 static enum hatch_status join(const struct hatch_unit_scene *scene, const struct run *run, struct hatch_arena *arena,
                               struct hatch_mesh *joined, struct hatch_err *err)
 {
-    static const char *const used[] = {"NORMAL", "JOINTS_0", "WEIGHTS_0", HATCH_MORPH_POSITION};
+    static const char *const used[] = {"NORMAL", "JOINTS_0", "WEIGHTS_0", HATCH_MORPH_POSITION, HATCH_MORPH_NORMAL};
     const struct hatch_mesh *first = mesh_of(scene, run->first);
     struct hatch_mesh made = *first;
     if (run->parts > 1) {
@@ -107,18 +109,22 @@ static enum hatch_status make_body(const struct hatch_unit_scene *scene, const s
                                    const struct hatch_line_choice *choice, struct hatch_arena *arena,
                                    struct hatch_arena *scratch, struct hatch_line_body *body, struct hatch_err *err)
 {
-    static const double zero[3] = {0, 0, 0};
     const struct hatch_item *item = &scene->items[run->first];
-    const struct hatch_line_choice chosen = {choice->kinds, choice->crease_rad, run->normals_authored, item->deformed};
     struct hatch_mesh joined;
     uint32_t face = 0;
+    body->choice = (struct hatch_line_choice){choice->kinds, choice->crease_rad, run->normals_authored};
     HATCH_TRY(HATCH_ALLOC(arena, &body->double_sided, run->face_count, err));
     for (uint32_t i = run->first; i < run->end; i++)
         for (uint32_t f = 0; f < mesh_of(scene, i)->face_count && !scene->items[i].cut_out; f++)
             body->double_sided[face++] = scene->items[i].double_sided;
+    if (item->deformed) {
+        HATCH_TRY(join(scene, run, arena, &body->mesh, err));
+        HATCH_TRY(HATCH_ALLOC(arena, &body->edges, 1, err));
+        return hatch_line_edges_find(&body->mesh, true, arena, scratch, body->edges, err);
+    }
     HATCH_TRY(join(scene, run, scratch, &joined, err));
-    return hatch_line_mesh_make(&joined, item->deformed ? zero : scene->meshes[item->mesh].origin, &chosen, arena,
-                                scratch, &body->lines, err);
+    return hatch_line_mesh_make(&joined, NULL, scene->meshes[item->mesh].origin, &body->choice, arena, scratch,
+                                &body->lines, err);
 }
 
 /* Finds the surfaces, in room for one per item. */

@@ -191,6 +191,34 @@ refuses "light that moves in a film of drawings" "--animate light: a drawing, wh
     -n 2 --animate light=0:0..9:9 -o a%d.svg
 ok "any technique draws lines" render-gl -q squares.obj -t gouraud --crease 30 -n 2 --animate zoom=1..2 -o any%d.svg
 
+# A sheet that a morph target folds has a crease in the second frame only. The triangle behind it in the file, which
+# stays as it is, keeps its number.
+perl -MMIME::Base64 -e '
+    my $data = pack("f<*", (-3, 0, 0, -2, 0, 0, -1, 0, 0, -3, 1, 0, -2, 1, 0, -1, 1, 0),
+        (0) x 6, -1, 0, 1, (0) x 6, -1, 0, 1, (1, 0, 0, 2, 0, 0, 1, 1, 0), 0, 1, 0, 1)
+        . pack("v*", 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4);
+    my @views = map { qq({"buffer":0,"byteOffset":$_->[0],"byteLength":$_->[1]}) }
+        [0, 72], [72, 72], [144, 36], [180, 8], [188, 8], [196, 24];
+    my @of = (["VEC3", 6, qq("min":[-3,0,0],"max":[-1,1,0],)], ["VEC3", 6, qq("min":[-1,0,0],"max":[0,0,1],)],
+        ["VEC3", 3, qq("min":[1,0,0],"max":[2,1,0],)], ["SCALAR", 2, qq("min":[0],"max":[1],)], ["SCALAR", 2, ""]);
+    my @accessors = map { qq({"bufferView":$_,"type":"$of[$_][0]","count":$of[$_][1],$of[$_][2]"componentType":5126}) }
+        0 .. 4;
+    printf q({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":1}],
+        "meshes":[{"weights":[0],"primitives":[{"attributes":{"POSITION":0},"indices":5,"targets":[{"POSITION":1}]}]},
+        {"primitives":[{"attributes":{"POSITION":2}}]}],"animations":[{"samplers":[{"input":3,"output":4}],
+        "channels":[{"sampler":0,"target":{"node":0,"path":"weights"}}]}],"bufferViews":[%s],"accessors":[%s,
+        {"bufferView":5,"type":"SCALAR","count":12,"componentType":5123}],
+        "buffers":[{"byteLength":220,"uri":"data:application/octet-stream;base64,%s"}]}),
+        join(",", @views), join(",", @accessors), encode_base64($data, "")' >sheet.gltf
+render-gl -q sheet.gltf -n 2 --rate 1 --camera 0,2,9:0,0,0 --lines creases --size 300x200 -o fold%d.svg
+is "a fold is a crease in the frames in which it is folded" "$(grep -c '<path' fold0.svg fold1.svg | tr '\n' ' ')" \
+    "fold0.svg:0 fold1.svg:1 "
+render-gl -q sheet.gltf -n 2 --rate 1 --camera 0,2,9:0,0,0 --lines creases,boundaries --size 300x200 -o sheet%d.svg
+for frame in 0 1; do
+    grep 'id="outlines-1"' sheet$frame.svg | grep -oE '[0-9.]+ [0-9.]+' | sort >corners$frame
+done
+ok "what stays the same keeps its number" cmp corners0 corners1
+
 render-gl -q squares.obj --turntable -n 3 --size 200x200 -o f%d.svg
 is "a film has a drawing per frame" "$(grep -c 'id="outlines-1"' f0.svg f1.svg f2.svg | tr '\n' ' ')" \
     "f0.svg:1 f1.svg:1 f2.svg:1 "

@@ -1,7 +1,7 @@
 /* Features of a mesh: creases and boundaries. */
 #include "fail_alloc.h"
 #include "lines.h"
-#include "mesh/edge_kinds.h"
+#include "line/edges.h"
 
 #define CREASE_RAD 0.7
 
@@ -162,14 +162,14 @@ END_TEST
 START_TEST(authored_normals_decide_on_creases)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true, false};
+    const struct hatch_line_choice choice = {HATCH_LINES_CREASES, CREASE_RAD, true};
     struct hatch_mesh torus = shape_of(HATCH_SHAPE_TORUS, 300), box = cube(-1, 1);
     struct hatch_line_mesh lines;
     HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &box, 0.0f, &err), &err);
     ck_assert_uint_gt(lines_of(&torus, HATCH_LINES_CREASES, CREASE_RAD).feature_count, 20);
-    HATCH_TEST_OK(hatch_line_mesh_make(&torus, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    HATCH_TEST_OK(hatch_line_mesh_make(&torus, NULL, origin, &choice, &keep, &scratch, &lines, &err), &err);
     ck_assert_uint_eq(lines.feature_count, 0);
-    HATCH_TEST_OK(hatch_line_mesh_make(&box, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    HATCH_TEST_OK(hatch_line_mesh_make(&box, NULL, origin, &choice, &keep, &scratch, &lines, &err), &err);
     ck_assert_uint_eq(lines.feature_count, 12);
 }
 END_TEST
@@ -201,9 +201,11 @@ END_TEST
 static uint32_t deformed_features(const struct hatch_mesh *mesh)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, false, true};
+    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, false};
+    struct hatch_line_edges edges;
     struct hatch_line_mesh lines;
-    HATCH_TEST_OK(hatch_line_mesh_make(mesh, origin, &choice, &keep, &scratch, &lines, &err), &err);
+    HATCH_TEST_OK(hatch_line_edges_find(mesh, true, &keep, &scratch, &edges, &err), &err);
+    HATCH_TEST_OK(hatch_line_mesh_make(mesh, &edges, origin, &choice, &keep, &scratch, &lines, &err), &err);
     return lines.feature_count;
 }
 
@@ -256,9 +258,9 @@ static enum hatch_status make(void *context, struct hatch_arena *arena, struct h
                               struct hatch_err *error)
 {
     static const double origin[3] = {0, 0, 0};
-    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true, true};
+    const struct hatch_line_choice choice = {HATCH_LINES_ALL, CREASE_RAD, true};
     struct hatch_line_mesh lines;
-    return hatch_line_mesh_make(context, origin, &choice, arena, temporary, &lines, error);
+    return hatch_line_mesh_make(context, NULL, origin, &choice, arena, temporary, &lines, error);
 }
 
 START_TEST(extraction_survives_every_failed_allocation)

@@ -167,6 +167,88 @@ START_TEST(each_mesh_keeps_its_sides)
 }
 END_TEST
 
+/* A sheet of two meshes, from -1 to 1, that is flat at rest and folded by a right angle along x = 0 with its morph
+ * target, or the reverse. The target moves normals, too. */
+static void open_fold(bool folded_at_rest, float *weight)
+{
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200), sheet = unwelded(&plane), halves[2];
+    float *p = sheet.attributes[0].data, *n = hatch_mesh_find(&sheet, "NORMAL", 3), *moves, *turns;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sheet, HATCH_MORPH_POSITION, 3, &moves, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sheet, HATCH_MORPH_NORMAL, 3, &turns, &err), &err);
+    for (uint32_t v = 0; v < sheet.vertex_count; v++) {
+        const float *at = plane.attributes[0].data;
+        const uint32_t *face = &plane.indices[v - v % 3];
+        bool right = at[3 * face[0]] + at[3 * face[1]] + at[3 * face[2]] > 0;
+        float x = right ? p[3 * v] : 0, sign = folded_at_rest ? -1 : 1;
+        moves[3 * v] = -sign * x;
+        moves[3 * v + 2] = sign * x;
+        turns[3 * v] = right ? -sign : 0;
+        turns[3 * v + 2] = right ? -sign : 0;
+        p[3 * v] -= folded_at_rest ? x : 0;
+        p[3 * v + 2] = folded_at_rest ? x : 0;
+        n[3 * v] = folded_at_rest && right ? -1 : 0;
+        n[3 * v + 2] = folded_at_rest && right ? 0 : 1;
+    }
+    halves[0] = halves[1] = sheet;
+    halves[0].face_count = 60; /* up to y = -0.4 */
+    halves[1].face_count = 140;
+    halves[1].indices += 180;
+    open_scene(halves, 2, 1);
+    scene.nodes[0].weights = weight;
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+}
+
+START_TEST(a_fold_is_a_crease_while_it_is_folded)
+{
+    float weight;
+    uint32_t paths;
+    for (int folded_at_rest = 0; folded_at_rest < 2; folded_at_rest++) {
+        open_fold(folded_at_rest, &weight);
+        for (int moved = 0; moved < 3; moved++) {
+            weight = (float)(moved % 2);
+            ck_assert_double_eq_tol(drawn(HATCH_LINES_CREASES, &paths), moved % 2 != folded_at_rest ? 2 : 0, 1e-5);
+            ck_assert_uint_eq(paths, moved % 2 != folded_at_rest);
+            ck_assert_double_eq_tol(drawn(HATCH_LINES_BOUNDARIES, &paths), 8, 1e-5);
+        }
+    }
+}
+END_TEST
+
+/* Normals that stay the same across a fold make it smooth up to an angle of 60 degrees. */
+START_TEST(normals_at_the_pose_decide_on_creases)
+{
+    float weight = 0.5f; /* the right half turns by 45 degrees */
+    uint32_t paths;
+    open_fold(false, &weight);
+    ck_assert_double_eq_tol(drawn(HATCH_LINES_CREASES, &paths), 2, 1e-5);
+    for (uint32_t v = 0; v < scene.meshes[0].mesh.vertex_count; v++)
+        memset(hatch_mesh_find(&scene.meshes[0].mesh, HATCH_MORPH_NORMAL, 3) + 3 * (size_t)v, 0, 12);
+    ck_assert_double_eq(drawn(HATCH_LINES_CREASES, &paths), 0);
+}
+END_TEST
+
+static enum hatch_status trace_fold(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
+                                    struct hatch_err *error)
+{
+    const struct hatch_view view = view_from(3, 2, 4, true);
+    struct hatch_lines lines = *(const struct hatch_lines *)context;
+    struct hatch_line_curves *curves;
+    uint32_t count;
+    lines.scratch = temporary;
+    return hatch_lines_pose(&lines, &view, 400, arena, &curves, &count, error);
+}
+
+START_TEST(posing_survives_every_failed_allocation)
+{
+    const struct hatch_line_style style = {.kinds = HATCH_LINES_ALL, .width_px = 2, .crease_rad = 0.7};
+    struct hatch_lines lines;
+    float weight = 1;
+    open_fold(false, &weight);
+    HATCH_TEST_OK(hatch_lines_make(&unit, &style, &keep, &scratch, &lines, &err), &err);
+    ck_assert_uint_gt(hatch_test_fail_alloc(trace_fold, &lines, NULL, 0), 20);
+}
+END_TEST
+
 static enum hatch_status make(void *context, struct hatch_arena *arena, struct hatch_arena *temporary,
                               struct hatch_err *error)
 {
@@ -196,6 +278,9 @@ static Suite *suite(void)
     tcase_add_test(tests, meshes_of_different_nodes_are_apart);
     tcase_add_test(tests, a_surface_ends_where_a_mesh_is_cut_out);
     tcase_add_test(tests, each_mesh_keeps_its_sides);
+    tcase_add_test(tests, a_fold_is_a_crease_while_it_is_folded);
+    tcase_add_test(tests, normals_at_the_pose_decide_on_creases);
+    tcase_add_test(tests, posing_survives_every_failed_allocation);
     tcase_add_test(tests, joining_survives_every_failed_allocation);
     suite_add_tcase(made, tests);
     return made;
