@@ -5,6 +5,7 @@
 
 #define PIECE_PX 1.5     /* largest length of a piece */
 #define STEP_PX 4.0      /* least step in depth across a silhouette, in pixels at its distance */
+#define DOT_PX 0.5       /* chains that reach less far are left out: between others that are drawn nobody misses them */
 #define ERROR_MAX_PX 0.5 /* lines are drawn only where the error of float positions is at most this */
 
 /* A segment after projection and clipping. */
@@ -188,10 +189,31 @@ static void add_pieces(struct walk *w, const struct cut *cut, uint32_t segment)
     }
 }
 
+/* Returns whether a chain is a dot in the picture, inside or outside the tile: of an object that is scaled to nothing,
+ * all chains are. */
+static bool is_dot(const struct walk *w, const uint32_t *nodes, uint32_t segment_count)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (uint32_t i = 0; i <= segment_count; i++) {
+        const double *point = &w->trace->nodes[3 * (size_t)nodes[i]];
+        double depth = hatch_line_depth(w->view, point), at[2];
+        project(w->view, w->tile, point, depth, at);
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], at[k]);
+            high[k] = fmax(high[k], at[k]);
+        }
+        if (!(depth > 0 && high[0] - low[0] < DOT_PX && high[1] - low[1] < DOT_PX))
+            return false;
+    }
+    return true;
+}
+
 static void walk_chain(struct walk *w, const struct hatch_line_chains *chains, uint32_t number)
 {
     const struct hatch_line_chain *chain = &chains->chains[number];
     const uint32_t *nodes = &chains->nodes[chain->first + number];
+    if (is_dot(w, nodes, chain->segment_count))
+        return;
     bool whole = true, joined = chain->closed || chain->joined[0];
     for (uint32_t i = 0; i < chain->segment_count; i++) {
         struct cut cut = {.count = 0};

@@ -188,6 +188,29 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
 END_TEST
 
 /* Haloes split a line into parts; short uncovered parts are hidden, independent of the length under the halo. */
+/* A cube that a node scales to nothing, or to a fifth of a pixel, is no dot; one of two pixels is. */
+START_TEST(objects_without_size_have_no_lines)
+{
+    static const double scales[] = {0, 1e-9, 1e-3, 1e-2};
+    struct hatch_mesh mesh = cube(-1, 1);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, 0.7);
+    for (int i = 0; i < 8; i++) {
+        struct hatch_view view = view_from(0, 0, 4, i / 4 == 0);
+        const struct hatch_line_eye eye = {&view, 200 / view.half_height};
+        const struct hatch_line_picture picture = {&view, &whole, 4};
+        struct hatch_line_shape shape = shape_in_place(&lines);
+        struct hatch_line_strips strips;
+        struct hatch_line_trace trace;
+        for (int k = 0; k < 3; k++)
+            shape.to_unit[5 * k] = scales[i % 4];
+        HATCH_TEST_OK(hatch_line_trace_features(&shape, &eye, &keep, &trace, &err), &err);
+        HATCH_TEST_OK(hatch_line_strips_make(&trace, &lines.chains, &picture, &keep, &strips, &err), &err);
+        ck_assert_uint_eq(strips.piece_count > 0, i % 4 == 3);
+        ck_assert_uint_eq(strips.strip_count > 0, i % 4 == 3);
+    }
+}
+END_TEST
+
 START_TEST(specks_between_haloes_are_hidden)
 {
     struct hatch_line_strips strips = square();
@@ -396,6 +419,7 @@ static Suite *suite(void)
     tcase_add_test(tests, ends_at_hidden_parts_are_trimmed);
     tcase_add_test(tests, parts_joined_by_a_line_are_no_specks);
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
+    tcase_add_test(tests, objects_without_size_have_no_lines);
     tcase_add_test(tests, specks_between_haloes_are_hidden);
     tcase_add_test(tests, only_pieces_near_haloes_are_tested_again);
     tcase_add_test(tests, longer_gaps_are_closed_where_nothing_hides_the_line);
