@@ -1,5 +1,6 @@
 #include "line/lines.h"
 
+#include <math.h>
 #include <string.h>
 
 #define GAP_PX 4.0   /* shorter hidden gaps are closed: they arise where a surface just touches the line */
@@ -8,6 +9,8 @@
 /* About this much is cut off a visible part where it meets a hidden one: the visibility test looks up to 1.25 pixels
  * around a sample, so lines show slightly too far. */
 #define TRIM_PX 1.0
+
+#define CLOSED_PX 17.0 /* gaps and folds that are closed are shorter than this (smooth.c), with what is cut off */
 
 /* The strips of a surface's features, or those of its silhouettes. */
 struct hatch_line_part {
@@ -28,6 +31,17 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
     return HATCH_OK;
 }
 
+static double speck_px(const struct hatch_line_style *style)
+{
+    return SPECK_PX + 2 * style->width_px;
+}
+
+uint32_t hatch_lines_reach_px(const struct hatch_line_style *style)
+{
+    double reach_px = 0.5 * style->width_px + speck_px(style) + CLOSED_PX;
+    return (uint32_t)ceil(fmax(HATCH_LINES_REACH_PX, reach_px));
+}
+
 /* State of tracing a frame. */
 struct tracing {
     const struct hatch_lines *lines;
@@ -43,7 +57,7 @@ static enum hatch_status add_trace(struct tracing *tracing, const struct hatch_i
 {
     const struct hatch_line_style *style = &tracing->lines->style;
     const struct hatch_line_picture picture = {tracing->eye.view, tracing->tile,
-                                               hatch_line_brush_is_used(&style->brush) ? HATCH_LINES_REACH_PX
+                                               hatch_line_brush_is_used(&style->brush) ? hatch_lines_reach_px(style)
                                                                                        : style->width_px + 2};
     struct hatch_line_part *part;
     HATCH_TRY(HATCH_ALLOC(tracing->arena, &part, 1, err));
@@ -130,14 +144,13 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
                                    size_t *count, struct hatch_err *err)
 {
     const struct hatch_line_brush *brush = &lines->style.brush;
-    double speck_px = SPECK_PX + 2 * lines->style.width_px;
     size_t at = 0;
     uint8_t *visible;
     HATCH_TRY(HATCH_ALLOC(arena, &visible, frame->sample_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, segments, frame->sample_count, err));
     *count = 0;
     for (const struct hatch_line_part *part = frame->parts; part; part = part->next) {
-        hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px, TRIM_PX, seen + at, visible + at);
+        hatch_line_strips_smooth(&part->strips, GAP_PX, speck_px(&lines->style), TRIM_PX, seen + at, visible + at);
         HATCH_TRY(hatch_line_strips_drop_doubles(&part->strips, visible + at, arena, err));
         struct hatch_line_touch *touches = NULL;
         if (hatch_line_brush_is_used(brush))

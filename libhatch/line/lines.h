@@ -45,6 +45,10 @@ enum hatch_status hatch_lines_make(struct hatch_unit_scene *scene, const struct 
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_lines *lines,
                                    struct hatch_err *err) HATCH_MUST_USE;
 
+/* Returns how far outside a tile lines affect those inside, in pixels: half their width, and as far as it takes to tell
+ * whether a part is too short to be drawn, which depends on their width, too. At least HATCH_LINES_REACH_PX. */
+uint32_t hatch_lines_reach_px(const struct hatch_line_style *style);
+
 /* Traces the lines of the posed scene in a tile of a picture.
  *   arena  for the frame; not the scratch arena of hatch_lines_make */
 enum hatch_status hatch_lines_trace(const struct hatch_lines *lines, const struct hatch_view *view,

@@ -5,7 +5,8 @@
 
 #include "line/trace.h"
 
-#define HATCH_LINES_REACH_PX 40u /* lines further outside a tile do not affect those inside */
+/* Narrow lines further outside a tile do not affect those inside; of wide ones hatch_lines_reach_px tells (lines.h). */
+#define HATCH_LINES_REACH_PX 40u
 
 /* A straight piece of a line, in pixels from the tile's lower left corner. */
 struct hatch_line_piece {

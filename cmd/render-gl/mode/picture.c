@@ -50,7 +50,8 @@ enum hatch_status picture_draw_tile(const struct picture *picture, const struct 
 static uint32_t reach_px(const struct picture *picture)
 {
     uint32_t reach = technique_reach_px(picture->context, picture->instance, line_px(picture));
-    return picture->lines && reach < HATCH_LINES_REACH_PX ? HATCH_LINES_REACH_PX : reach;
+    uint32_t lines = picture->lines ? hatch_lines_reach_px(&picture->lines->lines.style) : 0;
+    return reach > lines ? reach : lines;
 }
 
 /* Draws the tiles of a picture, or foresees them.

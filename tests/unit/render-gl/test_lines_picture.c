@@ -252,6 +252,25 @@ START_TEST(tiles_have_no_seams)
 }
 END_TEST
 
+/* A ridge along x, of which two plates before it leave a part in sight. It is too short for a line 24 pixels wide if it
+ * is shorter than 6 + 2 * 24 pixels, also in tiles that end within it. Plates have no creases. */
+START_TEST(tiles_agree_on_short_parts_of_wide_lines)
+{
+    static const float ends_px[2][2] = {{143, 191.5f}, {133, 197}};
+    static const uint32_t faces[24] = {0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4, 6, 7, 9, 6, 9, 8, 10, 11, 13, 10, 13, 12};
+    const float left = ends_px[_i][0] / 100 - 2, right = ends_px[_i][1] / 100 - 2;
+    const float corners[42] = {-2,   -1, -1, 2,  -1, -1, -2,   0, 0, 2,     0,  0, -2, 1,  -1, 2,     1, -1, -2, -1, 1,
+                               left, -1, 1,  -2, 1,  1,  left, 1, 1, right, -1, 1, 2,  -1, 1,  right, 1, 1,  2,  1,  1};
+    struct hatch_mesh mesh = mesh_of(corners, 14, faces, 8);
+    struct hatch_view view = view_from(0, 0, 4, true);
+    show(&mesh, HATCH_LINES_CREASES, 24);
+    struct hatch_image one = draw(&view, 400, 1), tiled = draw(&view, 230, 1);
+    ck_assert_double_eq_tol(ink_of(&one), _i ? 64 * 24 + PI * 12 * 12 : 0, 80);
+    for (uint32_t i = 0; i < 3 * 400 * 400; i++)
+        ck_assert_float_eq_tol(one.pixels[i], tiled.pixels[i], 0.01f);
+}
+END_TEST
+
 /* The eye lies on a vertex, inside the mesh, and in the plane of a face. Some amounts of ink are known: 0 from inside
  * the cube; 1600 for a square of 200 pixels, such as the orthographic cube, and for half of the lines around the whole
  * picture. The others were measured once, and detect lines that stray from a corner near the eye. */
@@ -281,6 +300,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, hidden_parts_of_a_torus_are_left_out, 0, 3);
     tcase_add_loop_test(tests, silhouettes_need_a_step_of_four_pixels, 0, 2);
     tcase_add_test(tests, tiles_have_no_seams);
+    tcase_add_loop_test(tests, tiles_agree_on_short_parts_of_wide_lines, 0, 2);
     tcase_add_loop_test(tests, cameras_on_or_inside_the_mesh_draw_the_right_lines, 0, 4);
     suite_add_tcase(suite, tests);
     return suite;
