@@ -142,8 +142,9 @@ static void sample(const struct hatch_animation_channel *channel, double time_s,
         local[offset[channel->path] + (int)i] = (float)value[i];
 }
 
-static double wrap_time(double time_s, double duration_s)
+double hatch_animation_wrap(const struct hatch_animation *animation, double time_s)
 {
+    double duration_s = (double)animation->duration_s;
     if (!(duration_s > 0))
         return 0;
     if (time_s >= 0 && time_s <= duration_s)
@@ -163,7 +164,7 @@ void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, doubl
     if (animation != HATCH_NONE) {
         assert(animation < scene->animation_count);
         const struct hatch_animation *a = &scene->animations[animation];
-        double at = wrap_time(time_s, (double)a->duration_s);
+        double at = hatch_animation_wrap(a, time_s);
         for (uint32_t c = 0; c < a->channel_count; c++)
             sample(&a->channels[c], at, &world[(size_t)a->channels[c].node * 16]);
     }
@@ -195,7 +196,7 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
         if (channel->path != HATCH_PATH_WEIGHTS || channel->node != node || channel->key_count == 0)
             continue;
         assert(channel->targets == count);
-        value_at(channel, wrap_time(time_s, (double)a->duration_s), weights);
+        value_at(channel, hatch_animation_wrap(a, time_s), weights);
     }
 }
 

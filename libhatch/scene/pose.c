@@ -157,8 +157,7 @@ enum hatch_status hatch_pose_each_corner(struct hatch_pose *pose, const struct h
                                          struct hatch_err *err)
 {
     for (uint32_t moment = 0; moment < span->moments; moment++) {
-        double share = moment ? (double)moment / (double)(span->moments - 1) : 0;
-        hatch_pose_set(pose, span->animation, span->begin_s + share * (span->end_s - span->begin_s));
+        hatch_pose_set(pose, span->animation, span->times_s ? span->times_s[moment] : 0);
         for (uint32_t node = 0; node < pose->scene->node_count; node++) {
             const struct hatch_node *at = &pose->scene->nodes[node];
             if (at->backdrop)

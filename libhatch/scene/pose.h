@@ -68,12 +68,28 @@ void hatch_pose_matrix(const struct hatch_pose *pose, uint32_t node, double matr
  *   normal  out: column-major; it changes the lengths of normals */
 bool hatch_pose_normal_matrix(const double matrix[16], double normal[9]);
 
-/* Evenly spaced moments of an animation. */
+/* Moments of an animation. */
 struct hatch_pose_span {
     uint32_t animation;    /* index, or HATCH_NONE: the rest pose */
-    double begin_s, end_s; /* first and last moment */
-    uint32_t moments;      /* number of moments, at least 1; 1: begin_s alone */
+    const double *times_s; /* one per moment; NULL: all are 0 */
+    uint32_t moments;      /* number of moments, at least 1 */
 };
+
+/* The pictures of a film. The time of each is begin_s + its number from 0 / rate. */
+struct hatch_film {
+    uint32_t animation; /* index, or HATCH_NONE: the rest pose */
+    double begin_s;
+    double rate;     /* frames per second, over 0 */
+    uint32_t frames; /* number of pictures, at least 1 */
+};
+
+/* Chooses moments whose bounds are those of a whole film: the times of its pictures and of the keys that it passes,
+ * each once although the animation repeats. Where a film is long or its meshes are large, times are left out evenly, so
+ * that posing the scene at all moments takes bounded time; 17 are always left. span  out: its times, 0 .. the
+ * animation's duration and ascending, are in arena; a film of one picture or at rest has one moment */
+enum hatch_status hatch_film_span(const struct hatch_scene *scene, const struct hatch_film *film,
+                                  struct hatch_arena *arena, struct hatch_pose_span *span,
+                                  struct hatch_err *err) HATCH_MUST_USE;
 
 /* A callback that receives a face corner in world coordinates; three successive calls are one face. */
 typedef void (*hatch_pose_visit)(void *context, const double point[3]);

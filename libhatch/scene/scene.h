@@ -160,10 +160,13 @@ void hatch_scene_renumber(struct hatch_scene *scene, const uint32_t *first);
  *   first  out: per mesh and one more, as for hatch_scene_renumber */
 void hatch_scene_keep(struct hatch_scene *scene, const bool *kept, uint32_t *first);
 
+/* Returns a time of an animation, which repeats, within 0 .. duration_s. */
+double hatch_animation_wrap(const struct hatch_animation *animation, double time_s);
+
 /* Computes the world matrix of every node at a time of an animation. A matrix with a negative determinant mirrors;
  * front faces are then clockwise.
  *   animation  index, or HATCH_NONE: the rest pose
- *   time_s     any time; wrapped to 0 .. duration_s
+ *   time_s     any time; wrapped by hatch_animation_wrap
  *   world      out: 16 per node, column-major */
 void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
 

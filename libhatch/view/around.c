@@ -7,7 +7,7 @@ enum hatch_status hatch_views_make(const struct hatch_view_choice *choice, bool 
                                    struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_view_set *set,
                                    struct hatch_err *err)
 {
-    const struct hatch_pose_span rest = {HATCH_NONE, 0, 0, 1};
+    const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     const struct hatch_framing framing = {&rest, bounds, size[0] / size[1]};
     struct hatch_view_set made = {bounds, alone ? 1 : HATCH_VIEWS_AROUND, NULL, size[0], size[1]};
     HATCH_TRY(HATCH_ALLOC(arena, &made.views, made.count, err));

@@ -32,6 +32,7 @@ struct fit {
     const struct hatch_view *view;
     const struct hatch_bounds *bounds;
     int turns;
+    double cosines[TURNS], sines[TURNS]; /* of the angles of the turns */
     double left, right, down, up; /* per side of the frustum: largest ±x + z·tan of any corner; see frame_scene */
     double nearest;               /* largest z: that of the corner nearest to the camera */
     bool any;
@@ -45,7 +46,7 @@ static void fit_point(void *context, const double point[3])
     double p[3];
     hatch_bounds_to_unit(fit->bounds, point, p);
     for (int turn = 0; turn < fit->turns; turn++) {
-        double angle = 2.0 * 3.14159265358979324 * turn / fit->turns, c = cos(angle), s = sin(angle);
+        double c = fit->cosines[turn], s = fit->sines[turn];
         double q[3] = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0]};
         double x = hatch_vec_dot(q, view->right), y = hatch_vec_dot(q, view->up), z = hatch_vec_dot(q, view->back);
         fit->right = fit->any ? fmax(fit->right, x + z * tan_x) : x + z * tan_x;
@@ -69,6 +70,11 @@ static enum hatch_status frame_scene(const struct hatch_view_choice *choice, str
                                                 level * cos(choice->azimuth_rad)});
     view->half_height = tan(0.5 * choice->fov_rad);
     struct fit fit = {.view = view, .bounds = framing->bounds, .turns = choice->turntable ? TURNS : 1};
+    for (int turn = 0; turn < fit.turns; turn++) {
+        double angle = 2.0 * 3.14159265358979324 * turn / fit.turns;
+        fit.cosines[turn] = cos(angle);
+        fit.sines[turn] = sin(angle);
+    }
     HATCH_TRY(hatch_pose_each_corner(pose, framing->span, scratch, fit_point, &fit, err));
     double tan_y = FILL * view->half_height, tan_x = tan_y * view->aspect;
     double x = 0.5 * (fit.right - fit.left), y = 0.5 * (fit.up - fit.down);

@@ -103,7 +103,7 @@ double hatch_view_pixels_per_unit(const struct hatch_view *view, const double po
 /* Moves the eye along the view axis until it is closer by a factor to the face in the middle of the picture, or to the
  * pivot if there is no face. For an orthographic view, half the picture's height is divided by the factor instead.
  *   pose    in, out: left at the moment, except for an orthographic view
- *   moment  its begin_s is used
+ *   moment  the only one of its span
  *   factor  over 0 */
 enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
                                   const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,

@@ -52,9 +52,8 @@ enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_po
         view->half_height /= factor;
         return HATCH_OK;
     }
-    const struct hatch_pose_span now = {moment->animation, moment->begin_s, moment->begin_s, 1};
     struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
-    HATCH_TRY(hatch_pose_each_corner(pose, &now, scratch, take_corner, &ray, err));
+    HATCH_TRY(hatch_pose_each_corner(pose, moment, scratch, take_corner, &ray, err));
     double distance = isfinite(ray.distance) ? ray.distance : view->pivot;
     struct hatch_pair step = hatch_pair_sum(distance / factor, -distance);
     for (int k = 0; k < 3; k++) {

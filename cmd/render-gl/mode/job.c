@@ -10,7 +10,8 @@
 #include "shared/map.h"
 #include "shared/scene.h"
 
-#define SPAN_MOMENTS 9 /* times at which the bounds of an animation are measured */
+#define WINDOW_MOMENTS 65u /* times, besides those of keys, at which the bounds of a window's animation are measured   \
+                            */
 
 /* Finds the file of a mesh: returns its name, and in *index the number of the mesh there. */
 static const char *file_of(const struct job *job, uint32_t *index)
@@ -178,13 +179,17 @@ static void set_span(struct job *job)
 {
     const struct options *options = job->options;
     bool moves = options->animated && job->values.animation_count;
-    job->span = (struct hatch_pose_span){.animation = moves ? options->animation : HATCH_NONE,
-                                         .begin_s = options->time_s,
-                                         .end_s = time_of(job, options->frames - 1)};
-    if (moves && options->window)
-        job->span.end_s = (double)job->values.animations[options->animation].duration_s;
-    moves = moves && job->span.end_s > job->span.begin_s;
-    job->span.moments = moves ? SPAN_MOMENTS : 1;
+    struct hatch_film film = {.animation = moves ? options->animation : HATCH_NONE,
+                              .begin_s = options->time_s,
+                              .rate = options->rate,
+                              .frames = options->frames};
+    double duration_s = moves ? (double)job->values.animations[options->animation].duration_s : 0;
+    if (options->window && duration_s > 0) {
+        film.rate = (WINDOW_MOMENTS - 1) / duration_s;
+        film.frames = WINDOW_MOMENTS;
+    }
+    struct hatch_err err;
+    cmd_check(hatch_film_span(&job->values, &film, &job->args.keep, &job->span, &err), job->name, &err);
 }
 
 /* Makes the view that the options describe, with the aspect of fixed_view. */
@@ -342,7 +347,7 @@ static enum hatch_status pose_scene(struct job *job, double time_s, struct hatch
 void job_view(struct job *job, double time_s, struct hatch_view *view)
 {
     const struct hatch_view_choice choice = options_view(job->options);
-    const struct hatch_pose_span now = {.animation = job->span.animation, .begin_s = time_s, .moments = 1};
+    const struct hatch_pose_span now = {.animation = job->span.animation, .times_s = &time_s, .moments = 1};
     struct hatch_unit_scene *unit = &job->scene.unit;
     struct hatch_err err;
     *view = job->fixed_view;

@@ -28,7 +28,7 @@ struct job {
     bool has_lines;                  /* `lines` has been made */
     struct cmd_output **outputs;     /* one per frame, or one for a report; NULL with a window */
     struct cmd_output *times_output; /* of --times; NULL: not given */
-    struct hatch_pose_span span;     /* the animation, and its time span over all frames */
+    struct hatch_pose_span span;     /* the animation, and moments that bound all frames */
     bool empty;                      /* the scene has nothing to show, of which a warning has told */
     struct hatch_view fixed_view;    /* the view of all frames, unless it follows the scene's pose */
     struct hatch_view first_view;    /* the view of the first frame */

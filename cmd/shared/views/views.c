@@ -6,7 +6,7 @@ void cmd_make_views(struct cmd_args *args, const char *name, const struct hatch_
                     const struct cmd_view_options *options, struct hatch_pose *pose, struct hatch_bounds *bounds,
                     struct hatch_view_set *views)
 {
-    const struct hatch_pose_span rest = {HATCH_NONE, 0, 0, 1};
+    const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     const struct hatch_view_choice choice = {.kind = HATCH_VIEW_FRAMED,
                                              .azimuth_rad = options->alone ? options->from_deg[0] * HATCH_RADIANS : 0,
                                              .elevation_rad = options->alone ? options->from_deg[1] * HATCH_RADIANS : 0,

@@ -25,7 +25,6 @@
 #define FOV_DEG 30 /* render-gl's default */
 #define SAME 0.005 /* relative difference in depth of what counts as the same point */
 #define MEANS 2
-#define SPAN_MOMENTS 9    /* times at which render-gl measures the bounds of an animation */
 #define OPERANDS_BEFORE 4 /* operands before the frames */
 
 static struct cmd_args args;
@@ -172,14 +171,14 @@ static void compare_pixel(const struct shot *before, const struct shot *now, uin
 static void take(const struct hatch_scene *scene, const double from_deg[2], int frame, int frames, struct shot *shot)
 {
     const bool moves = rate > 0;
-    const struct hatch_pose_span span = {.animation = moves ? 0 : HATCH_NONE,
-                                         .end_s = moves ? (frames - 1) / rate : 0,
-                                         .moments = moves ? SPAN_MOMENTS : 1};
+    const struct hatch_film film = {
+        .animation = moves ? 0 : HATCH_NONE, .rate = moves ? rate : 1, .frames = (uint32_t)frames};
     const struct hatch_view_choice choice = {.kind = HATCH_VIEW_FRAMED,
                                              .azimuth_rad = from_deg[0] * HATCH_RADIANS,
                                              .elevation_rad = from_deg[1] * HATCH_RADIANS,
                                              .fov_rad = FOV_DEG * HATCH_RADIANS};
     struct hatch_arena *arena = &shot->arena;
+    struct hatch_pose_span span;
     struct hatch_bounds bounds;
     struct hatch_pose pose;
     struct hatch_unit_scene unit;
@@ -188,6 +187,7 @@ static void take(const struct hatch_scene *scene, const double from_deg[2], int 
     read_frame(paper ? paper : args.operands[OPERANDS_BEFORE + frame], shot);
     const double width = shot->width, height = shot->height;
     const struct hatch_framing framing = {&span, &bounds, width / height};
+    cmd_check(hatch_film_span(scene, &film, arena, &span, &err), NULL, &err);
     cmd_check(hatch_pose_make(scene, arena, &pose, &err), NULL, &err);
     cmd_check(hatch_pose_bounds(&pose, &span, &args.scratch, &bounds, &err), NULL, &err);
     cmd_check(hatch_view_make(&choice, &pose, &framing, &args.scratch, &view, &err), NULL, &err);

@@ -48,6 +48,22 @@ is "morph targets survive dirfield and lapped-param" "$(apart lapped.png half.pn
 draw morph.gltf turn%d.png --frames 3 --rate 2
 is "frames follow the animation of morph targets" "$(apart turn0.png still.png)$(apart turn1.png half.png)" 00
 
+# Films whose pictures keep step with the animation: within a second the square goes ten to the right and back.
+perl -e 'print pack "f<*", 0,.5,1, 0,0,0, 10,0,0, 0,0,0' >swing.bin
+perl -MJSON::PP -0777 -ne '
+    my $scene = decode_json($_);
+    push @{$scene->{buffers}}, {uri => "swing.bin", byteLength => 48};
+    push @{$scene->{bufferViews}}, {buffer => 1, byteLength => 12}, {buffer => 1, byteOffset => 12, byteLength => 36};
+    push @{$scene->{accessors}}, {bufferView => 5, componentType => 5126, count => 3, type => "SCALAR", min => [0], max => [1]},
+        {bufferView => 6, componentType => 5126, count => 3, type => "VEC3"};
+    $scene->{animations} = [{channels => [{sampler => 0, target => {node => 0, path => "translation"}}],
+        samplers => [{input => 6, output => 7}]}];
+    print encode_json($scene);' still.gltf >swing.gltf
+for film in 193 "17 --rate 2"; do
+    try render-gl swing.gltf -t gouraud --size 32x24 --samples 1 -o swing%d.png --frames $film
+    is "a repeating animation stays in the picture, --frames $film" "$status $(cat .err)" "0 "
+done
+
 square glass 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.49]}' '}]}'
 square solid 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}' '}]}'
 draw glass.gltf glass.png

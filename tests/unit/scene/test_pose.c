@@ -103,6 +103,86 @@ START_TEST(targets_move_before_joints_do)
 }
 END_TEST
 
+/* A triangle one wide that goes from 0 to 10 and back within a second. */
+static struct hatch_mesh wide;
+static float turns[3] = {0, 0.5f, 1}, places[9] = {0, 0, 0, 10, 0, 0, 0, 0, 0};
+static struct hatch_animation_channel moving = {0, HATCH_PATH_TRANSLATION, HATCH_LINEAR, 3, turns, places, 0};
+static struct hatch_animation swing = {1, &moving, 1};
+
+static void begin_film(void)
+{
+    begin();
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &wide, &err), &err);
+    wide.attributes[0].data[3] = 1;
+    wide.attributes[0].data[7] = 1;
+    for (uint32_t v = 0; v < 3; v++)
+        wide.indices[v] = v;
+}
+
+/* Measures the bounds of a film of the triangle. Returns the number of its moments. */
+static uint32_t measure_film(const struct hatch_film *film, double *low, double *high)
+{
+    struct hatch_scene moved;
+    struct hatch_pose_span span;
+    struct hatch_bounds bounds;
+    HATCH_TEST_OK(hatch_scene_of_mesh(&wide, &keep, &moved, &err), &err);
+    moved.animations = &swing;
+    moved.animation_count = 1;
+    HATCH_TEST_OK(hatch_film_span(&moved, film, &keep, &span, &err), &err);
+    HATCH_TEST_OK(hatch_pose_make(&moved, &keep, &pose, &err), &err);
+    HATCH_TEST_OK(hatch_pose_bounds(&pose, &span, &scratch, &bounds, &err), &err);
+    *low = bounds.center[0] - bounds.half[0];
+    *high = bounds.center[0] + bounds.half[0];
+    for (uint32_t i = 0; i < span.moments; i++)
+        ck_assert(i == 0 || span.times_s[i] > span.times_s[i - 1]);
+    return span.moments;
+}
+
+/* Moments that are spaced evenly over whole seconds would all find the triangle at the same places. */
+START_TEST(a_film_is_bounded_however_often_the_animation_repeats)
+{
+    static const struct {
+        struct hatch_film film;
+        double low, high;
+        uint32_t moments;
+    } films[] = {
+        {{HATCH_NONE, 0.25, 24, 193}, 0, 1, 1},
+        {{0, 0.25, 24, 1}, 5, 6, 1},
+        {{0, 0, 24, 193}, 0, 11, 0},
+        {{0, 0, 32, 257}, 0, 11, 33},
+        {{0, 0, 2, 17}, 0, 11, 3},
+        {{0, 8, 16, 5}, 0, 6, 5},       /* 0 to 0.25 s of the ninth round */
+        {{0, 8.75, 16, 9}, 0, 6, 10},   /* over the end of a round: 0.75 to 1 s, and 0 to 0.25 s */
+        {{0, 0.375, 4, 2}, 7.5, 11, 3}, /* the key at 0.5 s lies between its pictures */
+        {{0, 0, 1000, 4096}, 0, 11, 0},
+        {{0, 1e6 - 8, 24, 193}, 0, 11, 0},
+    };
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        double low, high;
+        const uint32_t moments = measure_film(&films[i].film, &low, &high);
+        ck_assert_double_eq_tol(low, films[i].low, 1e-6);
+        ck_assert_double_eq_tol(high, films[i].high, 1e-6);
+        ck_assert(!films[i].moments || moments == films[i].moments);
+    }
+}
+END_TEST
+
+/* A mesh so large that 17 moments remain keeps the keys, where motion turns back. */
+START_TEST(films_of_large_meshes_have_few_moments)
+{
+    const uint32_t faces = 400000;
+    const struct hatch_film film = {0, 0.013, 500, 4096};
+    double low, high;
+    wide.indices = HATCH_NEW(&keep, uint32_t, 3 * (size_t)faces, &err);
+    wide.face_count = faces;
+    wide.indices[1] = 1;
+    wide.indices[2] = 2;
+    ck_assert_uint_eq(measure_film(&film, &low, &high), 17);
+    ck_assert_double_eq_tol(low, 0, 1e-6);
+    ck_assert_double_eq_tol(high, 11, 1e-6);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render pose");
@@ -112,6 +192,11 @@ static Suite *suite(void)
     tcase_add_test(tests, without_weights_the_first_joint_carries);
     tcase_add_test(tests, targets_move_before_joints_do);
     suite_add_tcase(suite, tests);
+    TCase *films = tcase_create("films");
+    tcase_add_checked_fixture(films, begin_film, end);
+    tcase_add_test(films, a_film_is_bounded_however_often_the_animation_repeats);
+    tcase_add_test(films, films_of_large_meshes_have_few_moments);
+    suite_add_tcase(suite, films);
     return suite;
 }
 
