@@ -10,6 +10,7 @@ enum hatch_status hatch_views_make(const struct hatch_view_choice *choice, bool 
     const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     const struct hatch_framing framing = {&rest, bounds, size[0] / size[1]};
     struct hatch_view_set made = {bounds, alone ? 1 : HATCH_VIEWS_AROUND, NULL, size[0], size[1]};
+    struct hatch_view_middle middle;
     HATCH_TRY(HATCH_ALLOC(arena, &made.views, made.count, err));
     for (uint32_t i = 0; i < made.count; i++) {
         struct hatch_view_choice turned = *choice;
@@ -18,8 +19,10 @@ enum hatch_status hatch_views_make(const struct hatch_view_choice *choice, bool 
             turned.elevation_rad = asin(1 - (2.0 * i + 1) / made.count);
         }
         HATCH_TRY(hatch_view_make(&turned, pose, &framing, scratch, &made.views[i], err));
-        if (zoom != 1)
-            HATCH_TRY(hatch_view_zoom(pose, &rest, bounds, zoom, scratch, &made.views[i], err));
+        if (zoom != 1) {
+            HATCH_TRY(hatch_view_find_middle(pose, &rest, bounds, &made.views[i], scratch, &middle, err));
+            hatch_view_zoom(&middle, zoom, &made.views[i]);
+        }
     }
     *set = made;
     return HATCH_OK;

@@ -100,13 +100,27 @@ bool hatch_view_sees(const struct hatch_view *view, const double point[3]);
  *   height_px  of the picture */
 double hatch_view_pixels_per_unit(const struct hatch_view *view, const double point[3], double height_px);
 
-/* Moves the eye along the view axis until it is closer by a factor to the face in the middle of the picture, or to the
- * pivot if there is no face. For an orthographic view, half the picture's height is divided by the factor instead.
- *   pose    in, out: left at the moment, except for an orthographic view
+/* The surface in the middle of a picture. */
+struct hatch_view_middle {
+    double eye[3];   /* of the view in which it was found */
+    double point[3]; /* on the surface */
+    double distance; /* from the eye, over 0 */
+};
+
+/* Finds the face that is nearest on the view axis; without one, the pivot is taken as the surface.
+ *   pose    in, out: left at the moment
  *   moment  the only one of its span
+ *   view    perspective or orthographic; not zoomed */
+enum hatch_status hatch_view_find_middle(struct hatch_pose *pose, const struct hatch_pose_span *moment,
+                                         const struct hatch_bounds *bounds, const struct hatch_view *view,
+                                         struct hatch_arena *scratch, struct hatch_view_middle *middle,
+                                         struct hatch_err *err) HATCH_MUST_USE;
+
+/* Moves the eye along the view axis: in the view in which the middle was found, until it is closer to that by a factor;
+ * in others by the same length, or, if their eye is nearer to the middle, until that distance is divided by the factor.
+ * The views of a film that share a middle are therefore as steady as they were. For an orthographic view, half the
+ * picture's height is divided by the factor instead.
  *   factor  over 0 */
-enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
-                                  const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
-                                  struct hatch_view *view, struct hatch_err *err) HATCH_MUST_USE;
+void hatch_view_zoom(const struct hatch_view_middle *middle, double factor, struct hatch_view *view);
 
 #endif

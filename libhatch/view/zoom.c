@@ -44,17 +44,30 @@ static void take_corner(void *context, const double point[3])
         intersect_face(ray);
 }
 
-enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_pose_span *moment,
-                                  const struct hatch_bounds *bounds, double factor, struct hatch_arena *scratch,
-                                  struct hatch_view *view, struct hatch_err *err)
+enum hatch_status hatch_view_find_middle(struct hatch_pose *pose, const struct hatch_pose_span *moment,
+                                         const struct hatch_bounds *bounds, const struct hatch_view *view,
+                                         struct hatch_arena *scratch, struct hatch_view_middle *middle,
+                                         struct hatch_err *err)
+{
+    struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
+    HATCH_TRY(hatch_pose_each_corner(pose, moment, scratch, take_corner, &ray, err));
+    *middle = (struct hatch_view_middle){.distance = isfinite(ray.distance) ? ray.distance : view->pivot};
+    for (int k = 0; k < 3; k++) {
+        middle->eye[k] = view->eye[k];
+        middle->point[k] = view->eye[k] - middle->distance * view->back[k];
+    }
+    return HATCH_OK;
+}
+
+void hatch_view_zoom(const struct hatch_view_middle *middle, double factor, struct hatch_view *view)
 {
     if (view->orthographic) { /* moving the eye would not enlarge anything */
         view->half_height /= factor;
-        return HATCH_OK;
+        return;
     }
-    struct ray ray = {.view = view, .bounds = bounds, .distance = INFINITY};
-    HATCH_TRY(hatch_pose_each_corner(pose, moment, scratch, take_corner, &ray, err));
-    double distance = isfinite(ray.distance) ? ray.distance : view->pivot;
+    double distance = middle->distance;
+    if (hatch_vec_distance(view->eye, middle->eye) > 0) /* else it would be rounded */
+        distance = fmin(distance, hatch_vec_distance(view->eye, middle->point));
     struct hatch_pair step = hatch_pair_sum(distance / factor, -distance);
     for (int k = 0; k < 3; k++) {
         struct hatch_pair eye = {view->eye[k], view->eye_low[k]};
@@ -62,7 +75,6 @@ enum hatch_status hatch_view_zoom(struct hatch_pose *pose, const struct hatch_po
         view->eye[k] = eye.high;
         view->eye_low[k] = eye.low;
     }
-    view->pivot = distance / factor;
+    view->pivot = distance > 0 ? distance / factor : view->pivot;
     hatch_view_set_near_automatic(view);
-    return HATCH_OK;
 }

@@ -10,8 +10,9 @@
 #include "shared/map.h"
 #include "shared/scene.h"
 
-#define WINDOW_MOMENTS 65u /* times, besides those of keys, at which the bounds of a window's animation are measured   \
-                            */
+#define WINDOW_MOMENTS                                                                                                 \
+    65u /* times, besides those of keys, at which the bounds of a window's animation are measured                      \
+         */
 
 /* Finds the file of a mesh: returns its name, and in *index the number of the mesh there. */
 static const char *file_of(const struct job *job, uint32_t *index)
@@ -353,9 +354,12 @@ void job_view(struct job *job, double time_s, struct hatch_view *view)
     *view = job->fixed_view;
     if (!hatch_view_is_fixed(&choice, &job->values))
         cmd_check(make_view(job, &unit->pose, &unit->bounds, view, &err), job->name, &err);
+    if (options_is_given("zoom") && !(job->middle.distance > 0))
+        cmd_check(
+            hatch_view_find_middle(&unit->pose, &now, &unit->bounds, view, &job->args.scratch, &job->middle, &err),
+            job->name, &err);
     if (job->options->zoom < 1 || job->options->zoom > 1)
-        cmd_check(hatch_view_zoom(&unit->pose, &now, &unit->bounds, job->options->zoom, &job->args.scratch, view, &err),
-                  job->name, &err);
+        hatch_view_zoom(&job->middle, job->options->zoom, view);
 }
 
 enum hatch_status job_refresh(struct job *job, struct technique_instance *instance, uint32_t subjects,

@@ -31,6 +31,7 @@ struct job {
     struct hatch_pose_span span;     /* the animation, and moments that bound all frames */
     bool empty;                      /* the scene has nothing to show, of which a warning has told */
     struct hatch_view fixed_view;    /* the view of all frames, unless it follows the scene's pose */
+    struct hatch_view_middle middle; /* of --zoom, found in the first view; its distance is 0 before that */
     struct hatch_view first_view;    /* the view of the first frame */
     uint32_t changes;                /* number of calls of the technique's `changed` */
     uint32_t foreseen;               /* number of frames that have been foreseen, from the first */

@@ -64,6 +64,15 @@ for film in 193 "17 --rate 2"; do
     is "a repeating animation stays in the picture, --frames $film" "$status $(cat .err)" "0 "
 done
 
+# The square passes in front of the middle of a wall, whose outline stays where it is in the picture.
+perl -MJSON::PP -0777 -ne '
+    my $scene = decode_json($_);
+    push @{$scene->{nodes}}, {mesh => 0, scale => [20, 20, 1], translation => [-4.5, -9.5, -3]};
+    print encode_json($scene);' swing.gltf >wall.gltf
+render-gl wall.gltf --size 64x48 --from 0:0 --zoom 0.5 --frames 5 --rate 8 -o wall%d.svg
+is "--zoom of a film is steady, whatever passes" \
+    "$(cat wall?.svg | grep -o ' d="[^"]*"' | sort | uniq -c | awk '$1 == 5' | wc -l)" 1
+
 square glass 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.49]}' '}]}'
 square solid 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}' '}]}'
 draw glass.gltf glass.png

@@ -159,6 +159,44 @@ START_TEST(a_view_turns_about_the_vertical)
 }
 END_TEST
 
+/* Of a film, the first eye is 5 from a surface; a later one is nearer to it, or farther, or looks elsewhere. */
+START_TEST(a_zoom_is_as_steady_as_its_views)
+{
+    static const struct hatch_pose_span moment = {.animation = HATCH_NONE, .moments = 1};
+    static const struct hatch_bounds unit = {.radius = 1};
+    static const double eyes[][3] = {{0, 0, 5}, {0, 0, 3}, {0, 0, 9}, {0, 3, 4}, {0, 0, 0}};
+    static const double steps[] = {4, 2.4, 4, 4, 0}; /* with which the distance is divided by 5 */
+    struct hatch_mesh face;
+    struct hatch_scene scene;
+    struct hatch_pose pose;
+    struct hatch_view_middle middle;
+    struct hatch_view view = view_at(0, 0, 5, false);
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &face, &err), &err);
+    memcpy(face.attributes[0].data, (const float[]){-1, -1, 0, 1, -1, 0, 0, 1, 0}, 9 * sizeof(float));
+    for (uint32_t v = 0; v < 3; v++)
+        face.indices[v] = v;
+    HATCH_TEST_OK(hatch_scene_of_mesh(&face, &keep, &scene, &err), &err);
+    HATCH_TEST_OK(hatch_pose_make(&scene, &keep, &pose, &err), &err);
+    HATCH_TEST_OK(hatch_view_find_middle(&pose, &moment, &unit, &view, &scratch, &middle, &err), &err);
+    ck_assert_double_eq(middle.distance, 5);
+    for (int i = 0; i < 5; i++)
+        for (int side = 0; side < 2; side++) {
+            view = view_at(eyes[i][0], eyes[i][1], eyes[i][2], false);
+            hatch_view_set_back(&view, (const double[]){side, 0, 1 - side});
+            view.pivot = 1;
+            hatch_view_zoom(&middle, 5, &view);
+            ck_assert_double_eq_tol(view.eye[0], -steps[i] * side, 1e-12);
+            ck_assert_double_eq_tol(view.eye[1], eyes[i][1], 1e-12);
+            ck_assert_double_eq_tol(view.eye[2], eyes[i][2] - steps[i] * (1 - side), 1e-12);
+            ck_assert_double_gt(view.pivot, 0);
+        }
+    view = view_at(0, 0, 3, true);
+    hatch_view_zoom(&middle, 5, &view);
+    ck_assert_double_eq_tol(view.half_height, 0.1, 1e-15);
+    ck_assert_double_eq(view.eye[2], 3);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("view");
@@ -170,6 +208,7 @@ static Suite *suite(void)
     tcase_add_test(tests, pixels_follow_the_depth);
     tcase_add_test(tests, tiles_are_parts_of_the_picture);
     tcase_add_test(tests, a_view_turns_about_the_vertical);
+    tcase_add_test(tests, a_zoom_is_as_steady_as_its_views);
     suite_add_tcase(suite, tests);
     return suite;
 }
