@@ -105,6 +105,10 @@ void cmd_begin(const struct cmd_program *program, int argc, char **argv, struct 
 /* Sets the value of an option as if it stood on the command line; dies on an invalid value. */
 void cmd_set_option(const struct cmd_option *option, const char *text);
 
+/* Checks the program's rules again as if an option stood on the command line, too: it is one that others set. Dies as
+ * cmd_begin does. */
+void cmd_imply_option(const struct cmd_option *option);
+
 /* Returns the thread pool, made on the first call. */
 struct hatch_pool *cmd_pool(struct cmd_args *args);
 

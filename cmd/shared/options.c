@@ -463,7 +463,8 @@ static void find_operand(const struct cmd_program *program, struct cmd_args *arg
 
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args)
 {
-    struct table table = {.count = 0};
+    static struct table table;
+    table = (struct table){.count = 0};
     make_table(program, &table);
     common.seed = 1;
     common.max_memory = (uint64_t)4 << 30;

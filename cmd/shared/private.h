@@ -15,12 +15,13 @@ void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct 
 /* A command line that has been parsed. */
 struct cmd_line {
     const struct cmd_option *options; /* count entries: the command's own and the common ones */
-    const bool *given;                /* per option: whether it is on the command line */
+    bool *given;                      /* per option: whether it is on the command line */
     size_t count;
     const char *operand; /* the first one, or NULL */
 };
 
-/* Dies with HATCH_USAGE for the first option that is given without what it needs. */
+/* Dies with HATCH_USAGE for the first option that is given without what it needs. Keeps the arrays of the line by
+ * reference, for cmd_imply_option. */
 void cmd_check_rules(const struct cmd_rule *rules, const struct cmd_line *line);
 
 /* Prints the conditions of all rules for an option, separated by spaces. */

@@ -52,8 +52,15 @@ static void check_animation(const struct job *job)
 static void warn_if_still(const struct job *job)
 {
     const struct options *options = job->options;
-    if (options->frames > 1 && !options->turntable && !options->change_count && !job->values.animation_count)
+    if (options->frames > 1 && !options->turntable && !params_differ(options) && !job->values.animation_count)
         cmd_warn(job->name, "the scene has no animation: all frames are alike without --turntable or --animate");
+}
+
+static void warn_without_lights(const struct job *job)
+{
+    static const struct hatch_key_light beside = {.replaces = false};
+    if (options_is_given("exposure") && hatch_lights_are_key_alone(&job->values, &beside))
+        cmd_warn(job->name, "the scene has no lights: --exposure changes nothing");
 }
 
 /* Warns of strokes that do not nest, and of columns and colours that the technique does not draw. */
@@ -167,6 +174,7 @@ void job_read(struct job *job)
     job_check_faces(job, &notes);
     cmd_warn_mesh(job->name, &notes);
     warn_if_still(job);
+    warn_without_lights(job);
 }
 
 static double time_of(const struct job *job, uint32_t frame)

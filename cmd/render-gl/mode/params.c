@@ -170,9 +170,21 @@ void params_read(struct options *options)
         if (options->vectors && technique_has_pen_for(technique, param->option->name))
             cmd_usage("--animate %s: a drawing, which has the width of its --pen, does not use it",
                       param->option->name);
+        cmd_imply_option(param->option);
         options->change_count++;
     }
     options_read_view(options);
+}
+
+bool params_differ(const struct options *options)
+{
+    bool differ = false;
+    for (uint32_t i = 0; i < options->change_count; i++) {
+        const struct option_change *change = &options->changes[i];
+        for (uint32_t k = 0; k < params_count(&change->param); k++)
+            differ = differ || change->from[k] < change->to[k] || change->from[k] > change->to[k];
+    }
+    return differ;
 }
 
 uint32_t params_move(const struct options *options, double share)

@@ -21,8 +21,11 @@ void params_get(const struct param *param, double values[2]);
 bool params_set(const struct param *param, const double values[2]);
 
 /* Parses the PARAM=FROM..TO texts of --animate into options->changes, sets those options to FROM, and chooses the view
- * (options_read_view). Exits with a message on wrong usage. */
+ * (options_read_view). Exits with a message on wrong usage: also where such an option is refused when it is given. */
 void params_read(struct options *options);
+
+/* Returns whether --animate changes a value: FROM and TO are not all the same. */
+bool params_differ(const struct options *options);
 
 /* Sets the parameters of --animate to their values at a time.
  *   share  the time, 0 (first frame) .. 1 (last frame)

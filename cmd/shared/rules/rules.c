@@ -149,13 +149,27 @@ static void check(struct hatch_text option, const struct cmd_rule *rule, const s
     }
 }
 
+/* The line and the rules that have been checked last. */
+static struct cmd_line checked;
+static const struct cmd_rule *checked_rules;
+
 void cmd_check_rules(const struct cmd_rule *rules, const struct cmd_line *line)
 {
+    checked = *line;
+    checked_rules = rules;
     for (; rules && rules->options; rules++) {
         struct hatch_text options = {rules->options, strlen(rules->options)};
         while (options.length)
             check(cut(&options, ' '), rules, line);
     }
+}
+
+void cmd_imply_option(const struct cmd_option *option)
+{
+    const struct cmd_line line = checked;
+    for (size_t i = 0; i < line.count; i++)
+        line.given[i] = line.given[i] || strcmp(line.options[i].name, option->name) == 0;
+    cmd_check_rules(checked_rules, &line);
 }
 
 void cmd_print_needs(const struct cmd_rule *rules, const char *name)

@@ -137,6 +137,27 @@ refuses "--animate overlap with a technique without seed points" 2 2 "tam does n
 refuses "--animate hatch-turn with a technique without strokes" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
 refuses "--animate line-width without lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
 refuses "--style with a technique without seed points" 2 2 "not with tam" $draw torus.glb --tam map.exr --style pencil
+refuses "--animate of a look's option without the look" 2 2 "--wet needs --look watercolor" \
+    $many torus.glb -t solid --animate wet=0..1
+refuses "--animate of an option that the look does not use" 2 2 "--grain needs --look plain, watercolor or collage" \
+    $many torus.glb -t solid --look binary --animate grain=0..1
+refuses "--animate exposure with --light" 2 2 "--exposure cannot be combined with --light" \
+    $many torus.glb -t gouraud --light 0:0 --animate exposure=1..2
+refuses "--animate of both exposure and light" 2 2 "--exposure cannot be combined with --light" \
+    $many torus.glb -t gouraud --animate exposure=1..2 --animate light=0:0..9:9
+refuses "--animate stroke with a map" 2 2 "--stroke cannot be combined with --tam" \
+    $many torus.glb -t strokes --tam map.exr --animate stroke=20x1..60x3
+try $many torus.glb -t gouraud --animate exposure=1..2
+is "exposure without lights is warned of" "$status $(cat .err)" \
+    "0 render-gl: torus.glb: warning: the scene has no lights: --exposure changes nothing"
+try $many torus.glb -t gouraud --animate zoom=1..1 --animate light=0:0..0:0
+is "--animate without change is warned of" "$status $(grep -c 'all frames are alike' .err)" "0 1"
+try $many torus.glb -t gouraud --animate light=0:0..0:9
+is "--animate of one number of a pair is a change" "$status $(cat .err)" "0 "
+try $many torus.glb -t rptam --animate nib=1..2
+sed -n 's/;.*//; s/.* is not one of //p' .err | tr -d ' ' | tr , '\n' | sort >animated
+sed -n '/^\.Sh ANIMATION/,/^\.El/s/^\.Fl -\([a-z-]*\).*/\1/p' "$TOP/man/man1/render-gl.1" | grep -vx animate | sort >listed
+is "the manual lists what --animate can change" "$(comm -3 animated listed)" ""
 try $many torus.glb --tam map.exr
 is "frames without motion are warned of" "$status $(grep -c 'all frames are alike' .err)" "0 1"
 try render-gl --size 32x24 -o p0.png torus.glb --tam map.exr --ink white
