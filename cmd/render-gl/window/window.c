@@ -50,21 +50,37 @@ static bool can_save(const char *name)
     return false;
 }
 
-/* Saves the picture under the name of -o, or in the current folder; the number in the name counts the pictures. */
+/* Writes the name of a saved picture: that of -o, or one in the current folder, with a number in its field, or before
+ * its ending if it has no field. */
+static void name_picture(const char *output, uint32_t number, char *name, size_t size_bytes)
+{
+    const char *pattern = output ? output : "render-gl-%03d.png";
+    if (parse_has_frame(pattern)) {
+        parse_frame_name(pattern, number, name, size_bytes);
+        return;
+    }
+    const char *slash = strrchr(pattern, '/'), *dot = strrchr(slash ? slash : pattern, '.');
+    size_t stem = dot ? (size_t)(dot - pattern) : strlen(pattern);
+    snprintf(name, size_bytes, "%.*s-%03u%s", (int)stem, pattern, number, pattern + stem);
+}
+
+/* Saves the picture under the first number, after that of the last one, whose name is free. */
 static void save(struct window *window, const struct hatch_view *view)
 {
     struct job *job = window->job;
-    const char *pattern = job->args.output ? job->args.output : "render-gl-%03d.png";
     struct hatch_arena *keep = &job->args.keep;
     struct hatch_arena_mark mark = hatch_arena_mark(keep);
     struct hatch_buffer file = {.arena = keep};
     struct hatch_image image;
     struct hatch_err err;
     char name[4096];
-    parse_frame_name(pattern, window->saved + 1, name, sizeof name);
+    uint32_t number = window->saved;
+    do
+        name_picture(job->args.output, ++number, name, sizeof name);
+    while (access(name, F_OK) == 0);
     if (!can_save(name))
         return;
-    window->saved++;
+    window->saved = number;
     cmd_check(hatch_image_make(keep, window->canvas.width, window->canvas.height, "RGB", &image, &err), NULL, &err);
     struct cmd_output *output = cmd_open_output(name, "png exr", true);
     const struct picture picture = picture_of(window);

@@ -206,6 +206,23 @@ xdotool key q
 closed
 is "the window stays open after a refused technique" $? 0
 
+# Two sessions with the same name, which has no field: the second one's pictures come after the first one's.
+saved() {
+    [ "$(grep -c saved err)" = $picture ]
+}
+for session in 1 2; do
+    open_window teapot.glb one -o one.50%.png --technique gouraud
+    for picture in 1 2; do
+        xdotool key s
+        soon $window saved
+    done
+    cp one.50%-001.png kept$session.png
+    xdotool key q
+    closed
+done
+is "s never replaces a picture" "$(echo one*) $(cmp kept1.png kept2.png)" \
+    "one.50%-001.png one.50%-002.png one.50%-003.png one.50%-004.png "
+
 # The folder of the pictures is removed while the window is open.
 mkdir gone
 open_window teapot.glb gone/shot --tam map.exr
