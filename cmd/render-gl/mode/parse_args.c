@@ -39,6 +39,8 @@ bool parse_camera_place(const char *text, struct hatch_view_choice *view)
            (!view->has_target || hatch_text_vector((struct hatch_text){target, strlen(target)}, view->target));
 }
 
+#define WHOLE_LISTS 2 /* of the words below, those that stand alone */
+
 const char *const line_kind_names[] = {"none", "all", "silhouettes", "creases", "boundaries", NULL};
 
 uint32_t parse_line_kinds(const char *list)
@@ -50,7 +52,7 @@ uint32_t parse_line_kinds(const char *list)
         size_t size_bytes = strcspn(at, ","), i = 0;
         while (i < 5 && (strlen(line_kind_names[i]) != size_bytes || strncmp(at, line_kind_names[i], size_bytes) != 0))
             i++;
-        if (i == 5 || strcmp(at + size_bytes, ",") == 0)
+        if (i == 5 || strcmp(at + size_bytes, ",") == 0 || (i < WHOLE_LISTS && size_bytes < strlen(list)))
             break;
         kinds |= kinds_of[i];
         at += size_bytes;

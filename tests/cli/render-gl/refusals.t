@@ -136,6 +136,10 @@ refuses "--animate of one option twice" 2 2 "given twice" $many torus.glb -t rpt
 refuses "--animate overlap with a technique without seed points" 2 2 "tam does not use it" $many torus.glb --tam map.exr --animate overlap=0..1
 refuses "--animate hatch-turn with a technique without strokes" 2 2 "gouraud does not use it" $many torus.glb -t gouraud --animate hatch-turn=0..9
 refuses "--animate line-width without lines" 2 2 "without --lines" $many torus.glb -t gouraud --animate line-width=1..2
+for list in none,creases creases,none all,creases silhouettes,all none,none; do
+    refuses "--lines $list" 2 2 "want none, all, or silhouettes, creases and boundaries separated by commas" \
+        $draw torus.glb -t gouraud --lines $list
+done
 refuses "--style with a technique without seed points" 2 2 "not with tam" $draw torus.glb --tam map.exr --style pencil
 refuses "--animate of a look's option without the look" 2 2 "--wet needs --look watercolor" \
     $many torus.glb -t solid --animate wet=0..1
