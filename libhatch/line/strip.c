@@ -3,10 +3,11 @@
 #include "math/range.h"
 #include "math/vector.h"
 
-#define PIECE_PX 1.5     /* largest length of a piece */
-#define STEP_PX 4.0      /* least step in depth across a silhouette, in pixels at its distance */
-#define DOT_PX 0.5       /* chains that reach less far are left out: between others that are drawn nobody misses them */
-#define ERROR_MAX_PX 0.5 /* lines are drawn only where the error of float positions is at most this */
+#define PIECE_PX 1.5      /* largest length of a piece */
+#define STEP_PX 4.0       /* least step in depth across a silhouette, in pixels at its distance */
+#define DOT_PX 0.5        /* chains that reach less far are left out: between others that are drawn nobody misses them */
+#define DEPTH_LEAST 1e-30 /* of what lies behind a silhouette: over that of the far plane */
+#define ERROR_MAX_PX 0.5  /* lines are drawn only where the error of float positions is at most this */
 
 /* A segment after projection and clipping. */
 struct cut {
@@ -37,7 +38,8 @@ static double buffer_depth(const struct hatch_view *view, double depth)
 {
     if (view->orthographic)
         return (view->far - depth) / (view->far - view->near);
-    return view->near / fmax(depth, view->near);
+    double shift = hatch_view_depth_shift(view);
+    return (1 + shift) * view->near / fmax(depth, view->near) - shift;
 }
 
 static void project(const struct hatch_view *view, const struct hatch_tile *tile, const double point[3], double depth,
@@ -63,7 +65,7 @@ static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *t
         least = least > 1 ? INFINITY : view->near;
     double nearest = fmax(view->near, least);
     hatch_range_keep(depth[0] - nearest, depth[1] - nearest, &begin, &end);
-    if (view->orthographic)
+    if (hatch_view_ends(view))
         hatch_range_keep(view->far - depth[0], view->far - depth[1], &begin, &end);
     whole[0] = begin <= 0;
     whole[1] = end >= 1;
@@ -96,7 +98,7 @@ static bool cut_segment(const struct walk *w, double points[2][3], double slack,
         double pixel = 2 * view->half_height * (view->orthographic ? 1 : depth[i]) / tile->full_height;
         cut->limit[i] = buffer_depth(view, depth[i] - slack);
         cut->depth[i] = buffer_depth(view, depth[i]);
-        cut->behind[i] = buffer_depth(view, depth[i] + STEP_PX * pixel);
+        cut->behind[i] = fmax(buffer_depth(view, depth[i] + STEP_PX * pixel), DEPTH_LEAST);
         hatch_vec_copy(points[i], cut->place[i]);
         cut->pixel[i] = pixel;
     }

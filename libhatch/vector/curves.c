@@ -54,7 +54,8 @@ static bool cut_depth(const struct hatch_occluders *occluders, double ends[2][3]
     shares[1] = 1;
     if (!hatch_range_keep(ends[0][2] - near, ends[1][2] - near, &shares[0], &shares[1]))
         return false;
-    if (view->orthographic && !hatch_range_keep(view->far - ends[0][2], view->far - ends[1][2], &shares[0], &shares[1]))
+    if (hatch_view_ends(view) &&
+        !hatch_range_keep(view->far - ends[0][2], view->far - ends[1][2], &shares[0], &shares[1]))
         return false;
     hatch_vec_copy(ends[0], from);
     hatch_vec_sub(ends[1], ends[0], along);

@@ -60,5 +60,6 @@ void hatch_orbit_zoom(struct hatch_orbit *orbit, double factor)
         return;
     *size *= factor;
     hatch_view_set_near_automatic(&orbit->view);
+    orbit->view.finite = false;
     set_view(orbit);
 }

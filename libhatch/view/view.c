@@ -107,6 +107,7 @@ static void set_lens(const struct hatch_camera *camera, double radius, double as
     view->far = camera->zfar > camera->znear ? (double)camera->zfar / radius : view->near + 1e4;
     if (!camera->orthographic)
         view->near = fmax(view->near, 1e-7);
+    view->finite = !camera->orthographic && camera->zfar > camera->znear && view->far > view->near;
 }
 
 static enum hatch_status look_through(uint32_t index, const struct hatch_pose *pose, const struct hatch_bounds *bounds,
@@ -217,6 +218,16 @@ void hatch_view_turn(struct hatch_view *view, double angle_rad)
     turn(view->back, c, s);
 }
 
+bool hatch_view_ends(const struct hatch_view *view)
+{
+    return view->orthographic || view->finite;
+}
+
+double hatch_view_depth_shift(const struct hatch_view *view)
+{
+    return view->finite ? view->near / (view->far - view->near) : 0;
+}
+
 /* Converts a point or a direction from camera coordinates to clip coordinates of a tile: a column of a matrix.
  *   column  [3]: 1 for a point, 0 for a direction */
 static void through_lens(const struct hatch_view *view, const struct hatch_tile *tile, const double column[4],
@@ -229,9 +240,8 @@ static void through_lens(const struct hatch_view *view, const struct hatch_tile 
     double w = view->orthographic ? column[3] : -column[2];
     for (int row = 0; row < 2; row++)
         clip[row] = (float)(scale[row] * lens[row] * column[row] + shift[row] * w);
-    double depth =
-        view->orthographic ? (column[2] + view->far * column[3]) / (view->far - view->near) : view->near * column[3];
-    clip[2] = (float)depth;
+    double depth = hatch_view_ends(view) ? (column[2] + view->far * column[3]) / (view->far - view->near) : column[3];
+    clip[2] = (float)(view->orthographic ? depth : view->near * depth);
     clip[3] = (float)w;
 }
 
@@ -265,7 +275,8 @@ bool hatch_view_sees(const struct hatch_view *view, const double point[3])
     double to[3] = {point[0] - view->eye[0], point[1] - view->eye[1], point[2] - view->eye[2]};
     double depth = -hatch_vec_dot(to, view->back);
     double high = 1.1 * view->half_height * (view->orthographic ? 1.0 : depth);
-    return depth > view->near && fabs(hatch_vec_dot(to, view->up)) < high &&
+    bool ahead = depth > view->near && (!hatch_view_ends(view) || depth < view->far);
+    return ahead && fabs(hatch_vec_dot(to, view->up)) < high &&
            fabs(hatch_vec_dot(to, view->right)) < high * view->aspect;
 }
 

@@ -14,7 +14,8 @@ struct hatch_view {
     bool orthographic;
     double half_height;     /* half the picture's height: at distance 1 (perspective) or everywhere (orthographic) */
     double aspect;          /* width / height */
-    double near, far;       /* distances of the clipping planes; far is used by orthographic views only */
+    double near, far;       /* distances of the clipping planes; far is used by orthographic and finite views */
+    bool finite;            /* the far plane clips a perspective view, too */
     bool near_is_automatic; /* the near plane may be moved closer where a face is near */
     double pivot;           /* distance to the point that orbiting turns around, over 0 */
 };
@@ -77,8 +78,15 @@ void hatch_view_set_near_automatic(struct hatch_view *view);
  *   back  direction to the camera, of any length */
 void hatch_view_set_back(struct hatch_view *view, const double back[3]);
 
+/* Returns whether the far plane clips the view. */
+bool hatch_view_ends(const struct hatch_view *view);
+
+/* Returns what a finite perspective view subtracts from depth: depth plus shift is inversely proportional to the
+ * distance, and 1 plus shift at the near plane. 0 for other views. */
+double hatch_view_depth_shift(const struct hatch_view *view);
+
 /* Computes the matrix from the unit scene to clip coordinates of a tile. Depth is reversed, which suits the precision
- * of floats: 1 at the near plane, and 0 at infinity (orthographic: at the far plane).
+ * of floats: 1 at the near plane, and 0 at the far plane, or at infinity if the view does not end.
  *   clip_from_unit  out: column-major */
 void hatch_view_matrix(const struct hatch_view *view, const struct hatch_tile *tile, float clip_from_unit[16]);
 
@@ -91,8 +99,8 @@ void hatch_view_projection(const struct hatch_view *view, const struct hatch_til
  * same everywhere. */
 double hatch_view_float_error(const struct hatch_view *view, const struct hatch_tile *tile);
 
-/* Returns whether a point is beyond the near plane, and inside the picture or at most 10 % of its half width or half
- * height outside. */
+/* Returns whether a point is between the near and the far plane, and inside the picture or at most 10 % of its half
+ * width or half height outside. */
 bool hatch_view_sees(const struct hatch_view *view, const double point[3]);
 
 /* Returns how many pixels a length of 1 in the unit scene covers at a point. For points behind the camera it is
@@ -107,7 +115,7 @@ struct hatch_view_middle {
     double distance; /* from the eye, over 0 */
 };
 
-/* Finds the face that is nearest on the view axis; without one, the pivot is taken as the surface.
+/* Finds the face that is nearest on the view axis, up to the far plane; without one, the pivot is taken as the surface.
  *   pose    in, out: left at the moment
  *   moment  the only one of its span
  *   view    perspective or orthographic; not zoomed */
@@ -118,9 +126,8 @@ enum hatch_status hatch_view_find_middle(struct hatch_pose *pose, const struct h
 
 /* Moves the eye along the view axis: in the view in which the middle was found, until it is closer to that by a factor;
  * in others by the same length, or, if their eye is nearer to the middle, until that distance is divided by the factor.
- * The views of a film that share a middle are therefore as steady as they were. For an orthographic view, half the
- * picture's height is divided by the factor instead.
- *   factor  over 0 */
+ * The views of a film that share a middle are therefore as steady as they were. The far plane stays in its place. For
+ * an orthographic view, half the picture's height is divided by the factor instead. factor  over 0 */
 void hatch_view_zoom(const struct hatch_view_middle *middle, double factor, struct hatch_view *view);
 
 #endif

@@ -29,7 +29,7 @@ static void intersect_face(struct ray *ray)
         return;
     for (int k = 0; k < 3; k++)
         depth -= side[k] / volume * hatch_vec_dot(ray->corners[k], back);
-    if (depth > 0)
+    if (depth > 0 && (!hatch_view_ends(ray->view) || depth <= ray->view->far))
         ray->distance = fmin(ray->distance, depth);
 }
 
@@ -77,4 +77,5 @@ void hatch_view_zoom(const struct hatch_view_middle *middle, double factor, stru
     }
     view->pivot = distance > 0 ? distance / factor : view->pivot;
     hatch_view_set_near_automatic(view);
+    view->far = fmax(view->far + step.high, 2 * view->near);
 }

@@ -74,7 +74,8 @@ enum hatch_status halo_draw(struct halo *halo, const struct canvas *canvas, cons
                                            .outputs = {GL_R32F}};
     const struct halo_block block = {.sizes = {(float)reach, (float)cell, (float)canvas->side, 0},
                                      .depth = {view->orthographic ? (float)(half * (view->far - view->near)) : 0.0f,
-                                               view->orthographic ? 0.0f : (float)half, (float)JUMP_MIN, 0}};
+                                               view->orthographic ? 0.0f : (float)half, (float)JUMP_MIN,
+                                               (float)hatch_view_depth_shift(view)}};
     const struct gpu_program *program;
     HATCH_TRY(gpu_program_get(programs, &stages, defines, &program, err));
     gpu_block_update(&halo->buffer, BLOCK_HALOES, &block, sizeof block);

@@ -87,7 +87,9 @@ static void set_place(const struct frame *frame, const struct hatch_line_brush *
     const struct hatch_tile *tile = frame->request.tile;
     double high = 2 * view->half_height / tile->full_height;
     double wide = 2 * view->half_height * view->aspect / tile->full_width;
-    float place[4][4] = {{[3] = (float)view->near}, {0}, {0}, {[3] = (float)view->far}};
+    double shift = hatch_view_depth_shift(view);
+    float place[4][4] = {
+        {[3] = (float)((1 + shift) * view->near)}, {[3] = (float)shift}, {0}, {[3] = (float)view->far}};
     for (int k = 0; k < 3; k++) {
         double corner = (tile->x - 0.5 * tile->full_width) * wide * view->right[k] +
                         (tile->y - 0.5 * tile->full_height) * high * view->up[k];

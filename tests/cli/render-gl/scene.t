@@ -73,6 +73,30 @@ render-gl wall.gltf --size 64x48 --from 0:0 --zoom 0.5 --frames 5 --rate 8 -o wa
 is "--zoom of a film is steady, whatever passes" \
     "$(cat wall?.svg | grep -o ' d="[^"]*"' | sort | uniq -c | awk '$1 == 5' | wc -l)" 1
 
+# Cameras that see up to 7 or everything, before a square at 6 and one at 26.
+perl -MJSON::PP -0777 -ne '
+    my $scene = decode_json($_);
+    my %lens = (perspective => {yfov => .8, znear => .1}, orthographic => {xmag => 12, ymag => 9, znear => .1, zfar => 99});
+    push @{$scene->{nodes}}, {mesh => 0, translation => [3.5, .5, -20], scale => [4, 4, 1]}, {camera => 0, translation => [.5, .5, 6]};
+    for my $type (keys %lens) {
+        for my $file ("$type.gltf", "$type-near.gltf") {
+            $scene->{cameras} = [{type => $type, $type => $lens{$type}}];
+            open my $out, ">", $file;
+            print $out encode_json($scene);
+            $lens{$type}{zfar} = 7;
+        }
+    }' still.gltf
+for type in perspective orthographic; do
+    for scene in $type $type-near; do
+        render-gl -q $scene.gltf --size 96x72 -o $scene.svg
+        render-gl -q $scene.gltf --size 96x72 -t gouraud --lines all --haloes 4 -o $scene.png
+        hatchstat ink $scene.png | awk -F'\t' 'NR == 2 {printf "%.4f", $1}' >$scene.ink
+        grep -c '<path' $scene.svg >$scene.paths
+    done
+    is "a $type camera sees up to zfar" "$(cat $type.paths $type-near.paths | tr '\n' ' ')" "2 1 "
+    ok "a $type picture ends at zfar" awk "BEGIN {exit !($(cat $type-near.ink) > 0 && $(cat $type.ink) > $(cat $type-near.ink))}"
+done
+
 square glass 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.49]}' '}]}'
 square solid 0 ',"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.5]}' '}]}'
 draw glass.gltf glass.png

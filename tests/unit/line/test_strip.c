@@ -46,6 +46,23 @@ START_TEST(a_segment_becomes_pieces_of_its_projection)
 }
 END_TEST
 
+/* A line from distance 2 to distance 8, which a view that ends at 5 shows up to there. */
+START_TEST(lines_beyond_the_far_plane_are_clipped)
+{
+    static const double points[6] = {1, 0, 2, 1, 0, -4};
+    for (int finite = 0; finite < 2; finite++) {
+        struct hatch_view view = view_from(0, 0, 4, false);
+        struct hatch_line_trace trace = polyline(points, 2);
+        view.far = 5;
+        view.finite = finite != 0;
+        struct hatch_line_strips strips = strips_of(&trace, &view, &whole);
+        const struct hatch_line_piece *last = &strips.pieces[strips.piece_count - 1];
+        const double end = finite ? 5 : 8;
+        ck_assert_float_eq_tol(last->b[0], (float)(200 + 200 / (end * view.half_height)), 1e-2f);
+    }
+}
+END_TEST
+
 START_TEST(lines_behind_the_eye_are_clipped)
 {
     static const double points[6] = {0.1, 0.1, -3, 0.2, 0.3, 9};
@@ -413,6 +430,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("strips");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_segment_becomes_pieces_of_its_projection);
+    tcase_add_test(tests, lines_beyond_the_far_plane_are_clipped);
     tcase_add_test(tests, lines_behind_the_eye_are_clipped);
     tcase_add_test(tests, tiles_cut_lines_alike);
     tcase_add_test(tests, gaps_are_closed_and_specks_are_hidden);

@@ -109,6 +109,27 @@ START_TEST(points_near_the_picture_are_seen)
 }
 END_TEST
 
+/* A view that ends at 20: depth is 1 at the near plane, 0 at the far one, and linear in the inverse of the distance. */
+START_TEST(a_finite_view_ends_at_its_far_plane)
+{
+    static const double distances[] = {0.1, 0.2, 1, 10, 20, 40};
+    struct hatch_view view = view_at(0, 0, 5, false);
+    view.finite = true;
+    for (int i = 0; i < 6; i++) {
+        const double d = distances[i], point[3] = {0, 0, 5 - d};
+        double at[3];
+        project(&view, &whole, point, at);
+        ck_assert_double_eq_tol(at[2], (1 / d - 1 / 20.0) / (1 / 0.1 - 1 / 20.0), 1e-6);
+        ck_assert_double_eq_tol(at[2] + hatch_view_depth_shift(&view), (1 + hatch_view_depth_shift(&view)) * 0.1 / d,
+                                1e-6);
+        ck_assert_int_eq(hatch_view_sees(&view, point), d > 0.1 && d < 20);
+    }
+    view.finite = false;
+    ck_assert(hatch_view_sees(&view, (const double[]){0, 0, -35}));
+    ck_assert_double_eq(hatch_view_depth_shift(&view), 0);
+}
+END_TEST
+
 /* At a depth of 4 the picture is 4 high; up to the near plane the distance counts, here 5. */
 START_TEST(pixels_follow_the_depth)
 {
@@ -190,6 +211,14 @@ START_TEST(a_zoom_is_as_steady_as_its_views)
             ck_assert_double_eq_tol(view.eye[2], eyes[i][2] - steps[i] * (1 - side), 1e-12);
             ck_assert_double_gt(view.pivot, 0);
         }
+    view = view_at(0, 0, 5, false);
+    hatch_view_zoom(&middle, 5, &view);
+    ck_assert_double_eq_tol(view.far, 16, 1e-12);
+    view.finite = true; /* the face lies beyond its far plane */
+    view.far = 0.9;
+    HATCH_TEST_OK(hatch_view_find_middle(&pose, &moment, &unit, &view, &scratch, &middle, &err), &err);
+    ck_assert_double_eq(middle.distance, view.pivot);
+    middle.distance = 5;
     view = view_at(0, 0, 3, true);
     hatch_view_zoom(&middle, 5, &view);
     ck_assert_double_eq_tol(view.half_height, 0.1, 1e-15);
@@ -205,6 +234,7 @@ static Suite *suite(void)
     tcase_add_test(tests, views_are_upright);
     tcase_add_test(tests, a_framed_scene_fills_the_picture);
     tcase_add_test(tests, points_near_the_picture_are_seen);
+    tcase_add_test(tests, a_finite_view_ends_at_its_far_plane);
     tcase_add_test(tests, pixels_follow_the_depth);
     tcase_add_test(tests, tiles_are_parts_of_the_picture);
     tcase_add_test(tests, a_view_turns_about_the_vertical);

@@ -3,7 +3,8 @@
 #ifdef HALOES
 layout(std140, binding = BLOCK_HALOES) uniform Halo {
     vec4 halo_sizes; // width of haloes, a cell's side, a pixel's side
-    vec4 halo_depth; // factors from differences and ratios of depth to half heights of the picture; smallest jump
+    vec4 halo_depth; // factors from differences and ratios of depth to half heights of the picture; smallest jump;
+                     // shift of depth (view/view.h)
 };
 layout(binding = UNIT_HALO_BLOCKS) uniform sampler2D halo_blocks;  // depth of the nearest edge in 8 by 8 cells
 layout(binding = UNIT_HALO_DEPTHS) uniform sampler2D halo_depths; // 1 near .. 0 far; 0: no surface
@@ -20,7 +21,9 @@ float depth_of(ivec2 at)
 // Returns the distance between the points at two depths, in half heights of the picture at the nearer one.
 float jump_between(float nearer, float farther)
 {
-    return halo_depth.x * (nearer - farther) + halo_depth.y * (nearer / max(farther, max(1e-3 * nearer, 1e-30)) - 1.0);
+    float inverse = nearer + halo_depth.w; // of the distance, but for a factor
+    return halo_depth.x * (nearer - farther) +
+           halo_depth.y * (inverse / max(farther + halo_depth.w, max(1e-3 * inverse, 1e-30)) - 1.0);
 }
 
 const float STEEP = 3.0; // least ratio of a jump to the change by slope; at the rim of a ball the ratio is only 2.4

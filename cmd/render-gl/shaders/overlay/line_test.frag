@@ -11,8 +11,9 @@ layout(binding = UNIT_SOURCE) uniform sampler2D points; // two texels: x, y in p
                                                         // direction away from a silhouette; `behind`; depth
 layout(location = UNIFORM_LINE_SAMPLES) uniform float samples_per_pixel;
 #ifdef BRUSH
-// From pixels to the unit scene. place[0]: the eye; distance of the near plane. place[1], place[2]: change of the
-// direction, at distance 1, or of the place in orthographic views, per pixel. place[3]: the direction, or the place
+// From pixels to the unit scene. place[0]: the eye; distance of the near plane, times 1 + shift of depth. place[1],
+// place[2]: change of the direction, at distance 1, or of the place in orthographic views, per pixel; place[1].w: shift
+// of depth (view/view.h). place[3]: the direction, or the place
 // beside the eye, of the corner; distance of the far plane.
 layout(location = UNIFORM_LINE_PLACE) uniform vec4 place[4];
 layout(location = UNIFORM_LINE_BRUSH) uniform vec2 shares; // depth and tone of struct hatch_line_brush
@@ -44,7 +45,7 @@ const float DEEP = 0.12; // step in depth at which a line has half of the weight
 
 float distance_of(float depth)
 {
-    return eye.w > 0.0 ? place[0].w / max(depth, 1e-6) : place[3].w - (place[3].w - place[0].w) * depth;
+    return eye.w > 0.0 ? place[0].w / max(depth + place[1].w, 1e-6) : place[3].w - (place[3].w - place[0].w) * depth;
 }
 
 // Returns the weight, 0 .. 15, of a line: greater where the surface behind it is deeper, and in the dark.
