@@ -12,7 +12,9 @@
 #define TONE_STRIDE 2584u /* of the lattice: the preceding Fibonacci number */
 /* Side of the lattice in texture coordinates, for amounts over 1/16; it doubles with each further nesting level. */
 #define TONE_TILES 4.0
-#define TONE_PARTS 5u /* number of amounts at which a layer is measured; twice as many for a dense layer */
+#define TONE_PARTS 5u     /* number of amounts at which a layer is measured */
+#define DENSE_PARTS 24u   /* the same for a dense layer: the first half at even steps of DENSE_COVERS, */
+#define DENSE_COVERS 0.25 /* mean strokes over a point; the others each by the same factor larger */
 
 static bool is_same_stroke(const struct hatch_rptam_layer_style *a, const struct hatch_rptam_layer_style *b)
 {
@@ -136,23 +138,23 @@ static double darkness_at(const struct hatch_rptam *rptam, double progress, bool
 }
 
 /* Chooses the amounts in [0, 1) at which a layer is measured, and returns their number. They are evenly spaced, unless
- * the strokes overlap so much that a part of them already makes the tile nearly black. Then there are twice as many,
- * closer together near 0; at the first amount after 0 a point is covered by at most a third of a stroke on average. */
-static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[2 * TONE_PARTS])
+ * the strokes overlap so much that a part of them already makes the tile nearly black. */
+static uint32_t amounts_to_measure(const struct hatch_rptam_layer *layer, double amounts[DENSE_PARTS])
 {
     const struct hatch_rptam_layer_style *style = &layer->style;
     double covers = layer->count * style->length_px * style->width_px / (style->tile_px * style->tile_px);
-    bool dense = covers > 2;
-    uint32_t parts = dense ? 2 * TONE_PARTS : TONE_PARTS;
+    bool dense = covers > DENSE_PARTS / 2 * DENSE_COVERS;
+    uint32_t parts = dense ? DENSE_PARTS : TONE_PARTS, even = dense ? DENSE_PARTS / 2 : TONE_PARTS;
+    double step = dense ? DENSE_COVERS / covers : 1.0 / TONE_PARTS;
     for (uint32_t k = 0; k < parts; k++)
-        amounts[k] = pow((double)k / parts, dense ? fmax(1, log(3 * covers) / log(parts)) : 1);
+        amounts[k] = k <= even ? k * step : pow(even * step, (double)(parts - k) / (parts - even));
     return parts;
 }
 
 static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_arena *scratch, struct curve *curve,
                                  struct hatch_err *err)
 {
-    uint32_t capacity = rptam->layer_count * (2 * TONE_PARTS + 1) + 1;
+    uint32_t capacity = rptam->layer_count * (DENSE_PARTS + 1) + 1;
     bool complete[HATCH_RPTAM_LAYERS_MAX] = {false};
     double *base, *transmittance;
     HATCH_TRY(HATCH_ALLOC(scratch, &curve->progress, capacity, err));
@@ -162,7 +164,7 @@ static enum hatch_status measure(const struct hatch_rptam *rptam, struct hatch_a
     curve->count = 1; /* progress 0 */
     for (uint32_t i = 0; i < rptam->layer_count; i++) {
         const struct hatch_rptam_layer_style *style = &rptam->layers[i].style;
-        double amounts[2 * TONE_PARTS];
+        double amounts[DENSE_PARTS];
         uint32_t parts = amounts_to_measure(&rptam->layers[i], amounts);
         for (uint32_t k = 0; k < parts; k++)
             curve->progress[curve->count++] = style->low + amounts[k] * (style->high - style->low);

@@ -9,11 +9,13 @@
 
 static struct hatch_rptam rptam;
 
-static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
+/* Makes a model of four layers.
+ *   px  length and width of strokes, and side of a tile */
+static void make_strokes(const struct hatch_rptam_style *like, const double px[3])
 {
     static const double angles_rad[4] = {0, 1.5, 0.4, 2};
     const struct hatch_seeds_options how = {.cycle = {.count = 64, .seed = 1}, .layers = 4, .candidates = 50};
-    struct hatch_rptam_style style = {.law = law, .fade_size = fade_size, .overlap = overlap, .layer_count = 4};
+    struct hatch_rptam_style style = *like;
     struct hatch_seeds seeds;
     struct hatch_image stroke;
     uint64_t steps;
@@ -24,12 +26,18 @@ static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
         style.layers[i] = (struct hatch_rptam_layer_style){.low = i / 4.0,
                                                            .high = (i + 1) / 4.0,
                                                            .angle_rad = angles_rad[i],
-                                                           .length_px = 80,
-                                                           .width_px = 3,
-                                                           .tile_px = 256,
+                                                           .length_px = px[0],
+                                                           .width_px = px[1],
+                                                           .tile_px = px[2],
                                                            .ink = 1,
                                                            .stroke = &stroke};
     HATCH_TEST_OK(hatch_rptam_make(&seeds, &style, &keep, &scratch, &rptam, &err), &err);
+}
+
+static void make_model(enum hatch_fade_law law, bool fade_size, double overlap)
+{
+    const struct hatch_rptam_style style = {.law = law, .fade_size = fade_size, .overlap = overlap, .layer_count = 4};
+    make_strokes(&style, (const double[]){80, 3, 256});
 }
 
 static double mean_ink(double depth, double tone)
@@ -86,6 +94,16 @@ START_TEST(zooming_changes_the_tone_with_the_fade_law_paper)
 }
 END_TEST
 
+/* Each layer of such strokes would cover a point 64 times, so that the first one nearly makes all tones. */
+START_TEST(strokes_that_overlap_much_have_their_tones)
+{
+    const struct hatch_rptam_style style = {.overlap = 1, .layer_count = 4};
+    make_strokes(&style, (const double[]){8, 8, 8});
+    for (double tone = 0.1; tone < 0.95; tone += 0.1)
+        ck_assert_double_eq_tol(mean_ink(0, tone), tone, 0.03);
+}
+END_TEST
+
 /* While zooming out and towards lighter tones, the ink at the centres of strokes never increases. */
 START_TEST(no_stroke_appears_while_zooming_out)
 {
@@ -131,6 +149,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, zooming_keeps_the_tone_in_every_fade_mode, 0, MODES);
     tcase_add_test(tests, zooming_changes_the_tone_with_the_fade_law_paper);
+    tcase_add_test(tests, strokes_that_overlap_much_have_their_tones);
     tcase_add_loop_test(tests, no_stroke_appears_while_zooming_out, 0, MODES);
     tcase_add_test(tests, patterns_repeat_over_forty_octaves);
     suite_add_tcase(suite, tests);
