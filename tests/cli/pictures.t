@@ -80,6 +80,18 @@ printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\030\040\0\0\377\0\377\0\377\0\0\377\377
 for format in bmp tga; do
     is "$format is read like ppm" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
 done
+printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\200\0\0\201\0\200\0\201\0\0\200\201\200\200\200\201' >colours.hdr
+# webp HEX: prints a WebP file of lossless pixels
+webp() {
+    perl -e 'my $bytes = pack "H*", shift;
+        print pack "a4 V a8 V a*", "RIFF", 12 + length $bytes, "WEBPVP8L", length $bytes, $bytes' "$1"
+}
+webp 2f014000001f201048de1f3a8df9171014fc1fddfc47640fe0060c11fd0f0100 >colours.webp
+for format in ppm webp hdr; do
+    is "$format is known by its content" "$(hatchstat diff - colours.bmp <colours.$format | field max)" 0
+done
+cp colours.webp colours.jpg
+is "webp is known under another name" "$(hatchstat diff colours.jpg colours.bmp | field max)" 0
 # Pictures of four channels have transparency; more channels have no meaning here. A TIFF of one pixel of 8 bits each.
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\040\050\0\0\377\377\0\377\0\377\377\0\0\377\377\377\377\377' >alpha.tga
 is "tga with transparency is read" "$(hatchstat diff alpha.tga alpha.tga | field max)" 0

@@ -13,7 +13,8 @@ struct hatch_foreign_header {
     bool truncated;         /* JPEG: no end marker after the first scan */
 };
 
-/* Reads the header of a JPEG, TIFF, GIF or BMP file. Returns false for other formats and for headers without a size. */
+/* Reads the header of a JPEG, TIFF, GIF, BMP, WebP, JPEG 2000, PSD, DDS, HDR or netpbm file. Returns false
+ * for other formats and for headers without a size. */
 bool hatch_foreign_header_read(struct hatch_bytes file, struct hatch_foreign_header *header);
 
 #endif

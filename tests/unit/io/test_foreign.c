@@ -81,9 +81,16 @@ END_TEST
     {                                                                                                                  \
         __VA_ARGS__                                                                                                    \
     }
+#define TEXT(text) (const uint8_t *)(text), sizeof(text) - 1
 #define TIFF_LITTLE(type, ...)                                                                                         \
     'I', 'I', '*', 0, 10, 0, 0, 0, 99, 99, /* the directory is at 10 */                                                \
         2, 0, 0, 1, type, 0, 1, 0, 0, 0, __VA_ARGS__, 1, 1, type, 0, 1, 0, 0, 0
+#define WEBP(...) 'R', 'I', 'F', 'F', 9, 9, 9, 9, 'W', 'E', 'B', 'P', 'V', 'P', '8', __VA_ARGS__
+/* The marker segment of sizes: right, bottom, left, top. */
+#define J2K(...) 0xff, 0x4f, 0xff, 0x51, 9, 9, 9, 9, __VA_ARGS__
+#define JP2(...)                                                                                                       \
+    0, 0, 0, 12, 'j', 'P', ' ', ' ', '\r', '\n', 0x87, '\n', 0, 0, 0, 1, 'f', 't', 'y', 'p', 0, 0, 0, 0, 0, 0, 0, 17,  \
+        9, __VA_ARGS__ /* a box with a size of 64 bits */
 static const struct {
     const char *extension;
     const uint8_t *bytes;
@@ -116,6 +123,22 @@ static const struct {
      BYTES(0xff, 0xd8, 0xff, 0xc4, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xc8, 0, 7, 8, 9, 9, 9, 9, 0xff, 0xcc, 0, 7, 8, 9, 9, 9,
            9, 0xff, 0xc1, 0, 7, 8, 2, 5, 1, 7, 0xff, 0xda, 0, 2, 0xff, 0xd9),
      0x107, 0x205, false, false},
+    {".webp", BYTES(WEBP('X', 10, 0, 0, 0, 16, 0, 0, 0, 6, 1, 1, 4, 2, 0)), 0x10107, 0x205, false, true},
+    /* 14 bits of the width, 14 bits of the height, each less 1. */
+    {".webp", BYTES(WEBP('L', 9, 9, 9, 9, 0x2f, 0x06, 0x01, 0x81, 0x10)), 0x107, 0x205, false, true},
+    {".webp", BYTES(WEBP(' ', 9, 9, 9, 9, 9, 9, 9, 0x9d, 1, 0x2a, 7, 0x41, 5, 0x82)), 0x107, 0x205, false, true},
+    {".j2k", BYTES(J2K(0, 0, 1, 9, 0, 0, 2, 6, 0, 0, 0, 2, 0, 0, 0, 1)), 0x107, 0x205, false, true},
+    {".jp2", BYTES(JP2(0, 0, 0, 0, 'j', 'p', '2', 'c', J2K(0, 0, 1, 7, 0, 0, 2, 5, 0, 0, 0, 0, 0, 0, 0, 0))), 0x107,
+     0x205, false, true},
+    {".psd", BYTES('8', 'B', 'P', 'S', 0, 1, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 2, 5, 0, 1, 0, 7), 0x10007, 0x205, false,
+     true},
+    {".dds", BYTES('D', 'D', 'S', ' ', 124, 0, 0, 0, 9, 9, 9, 9, 5, 2, 0, 0, 7, 0, 1, 0), 0x10007, 0x205, false, true},
+    {".ppm", BYTES('P', '6', '\n', '2', '6', '3', ' ', '5', '1', '7', '\n'), 263, 517, false, false},
+    {".ppm", BYTES('P', '1', '#', '7', '\n', '#', '\n', ' ', '2', '#', '9', '\n', '3', '\n'), 2, 3, false, false},
+    {".ppm", BYTES('P', 'f', ' ', '9', '9', '9', '9', '9', '9', '9', '9', '9', '9', '9', ' ', '1'), UINT32_MAX, 1,
+     false, false},
+    {".hdr", TEXT("#?RADIANCE\nA=1\n\n-Y 517 +X 263\n"), 263, 517, false, false},
+    {".hdr", TEXT("#?RGBE\n\n+X 263 -Y 517\n"), 263, 517, false, false},
 };
 
 START_TEST(headers_have_a_size)
@@ -143,6 +166,15 @@ static const struct {
     {BYTES('I', 'I', '*', 0, 11, 0, 0, 0, 0, 0)},
     {BYTES(TIFF_LITTLE(3, 0, 0, 0, 0), 5, 2, 0, 0)},
     {BYTES(TIFF_LITTLE(3, 7, 1, 0, 0), 0, 0, 0, 0)},
+    {BYTES(WEBP(' ', 9, 9, 9, 9, 9, 9, 9, 0x9e, 1, 0x2a, 7, 0, 5, 0))},
+    {BYTES(WEBP(' ', 9, 9, 9, 9, 9, 9, 9, 0x9d, 1, 0x2a, 0, 0x40, 5, 0))},
+    {BYTES(J2K(0, 0, 1, 7, 0, 0, 2, 5, 0, 0, 1, 7, 0, 0, 0, 0))},
+    {BYTES(JP2(0, 0, 0, 7, 'j', 'p', '2', 'h', 0, 0, 0, 0))},
+    {BYTES(JP2(0xff, 0, 0, 0, 'j', 'p', '2', 'h', 0, 0, 0, 0))},
+    {BYTES('P', '7', '\n', '2', ' ', '3', '\n')},
+    {BYTES('P', '6', '\n', '2', ' ', 'x', '\n')},
+    {TEXT("#?RADIANCE\n-Y 517 +X 263\n")},
+    {TEXT("#?RADIANCE\n\n-Y 517 +Y 263\n")},
 };
 
 START_TEST(headers_may_lack_a_size)
