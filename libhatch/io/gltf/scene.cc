@@ -114,12 +114,13 @@ enum hatch_status check_skin(Reader &r, const struct hatch_node &node, const std
     return HATCH_OK;
 }
 
-/* Returns whether an image is KTX2 (Basis Universal). Such images are treated as missing, since no package decodes
- * them. */
-bool is_ktx2(struct hatch_bytes bytes)
+/* Returns whether an image is of a kind that is treated as missing: KTX2 (Basis Universal), which no package decodes,
+ * and AVIF or another kind of HEIF, for which OpenImageIO 2.4 reads beyond its memory where a header lies. */
+bool is_left_out(struct hatch_bytes bytes)
 {
-    static const uint8_t magic[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
-    return bytes.size >= sizeof magic && std::memcmp(bytes.data, magic, sizeof magic) == 0;
+    static const uint8_t ktx2[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb}, heif[] = {'f', 't', 'y', 'p'};
+    return bytes.size >= sizeof ktx2 &&
+           (std::memcmp(bytes.data, ktx2, sizeof ktx2) == 0 || std::memcmp(bytes.data + 4, heif, sizeof heif) == 0);
 }
 
 } // namespace
@@ -202,7 +203,7 @@ enum hatch_status read_images(Reader &r)
         struct hatch_bytes bytes = {from.image.data(), from.image.size()};
         if (from.bufferView != -1)
             HATCH_TRY(find_view(r, from.bufferView, place("image", i), &bytes, &stride));
-        if (bytes.size == 0 || is_ktx2(bytes))
+        if (bytes.size == 0 || is_left_out(bytes))
             continue;
         uint8_t *copy = HATCH_NEW(r.arena, uint8_t, bytes.size, r.err);
         if (!copy)

@@ -115,6 +115,10 @@ printf "$zero$one$one$one$zero$zero" >>bumpy.bin
 try $draw bumpy.gltf -t gouraud --pixel-light
 is "a missing normal map is left out with one warning" "$status $(cat .err)" \
     "0 render-gl: bumpy.gltf: warning: 1 image could not be read and is left out: bumps.png"
+printf '\000\000\000\034ftypavif\000\000\000\000avifmif1' >bumps.png
+try $draw bumpy.gltf -t gouraud --pixel-light
+is "a normal map in AVIF is missing, too" "$status $(cat .err)" \
+    "0 render-gl: bumpy.gltf: warning: 1 image could not be read and is left out: bumps.png"
 perl -e 'print pack "H*", "524946462c000000574542505650384c1f000000" .
     "2f014000001f201048de1f3a8df9171014fc1fddfc47640fe0060c11fd0f0100"' >bumps.png
 ok "a normal map in WebP is read" $draw bumpy.gltf -t gouraud --pixel-light

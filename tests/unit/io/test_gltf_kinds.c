@@ -209,6 +209,11 @@ START_TEST(images_of_extensions_are_found)
     reads("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"data:image/avif;base64,++++\"}],"
           "\"textures\":[{\"source\":0}],\"materials\":[" COLOUR("0") "]}");
     ck_assert(scene.textures[0].size == 3 && memcmp(scene.textures[0].data, "\xfb\xef\xbe", 3) == 0);
+    /* The first 8 bytes of an AVIF file. */
+    reads("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"data:image/avif;base64,AAAAHGZ0eXA=\"}],"
+          "\"textures\":[{\"extensions\":{\"EXT_texture_avif\":{\"source\":0}}}],\"materials\":[" COLOUR("0") "]}");
+    ck_assert_uint_eq(scene.materials[0].base.texture, HATCH_NONE);
+    ck_assert_uint_eq(notes.images_missing, 1);
     reads(MATERIALS(COLOUR("0") "," COLOUR("1")));
     ck_assert_uint_eq(notes.images_missing, 0); /* no material refers to one */
     reads(MATERIALS(COLOUR("2") "," COLOUR("2") ",{\"normalTexture\":{\"index\":3}}"));
