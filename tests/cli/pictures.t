@@ -95,17 +95,31 @@ is "webp is known under another name" "$(hatchstat diff colours.jpg colours.bmp 
 # Pictures of four channels have transparency; more channels have no meaning here. A TIFF of one pixel of 8 bits each.
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\040\050\0\0\377\377\0\377\0\377\377\0\0\377\377\377\377\377' >alpha.tga
 is "tga with transparency is read" "$(hatchstat diff alpha.tga alpha.tga | field max)" 0
-for channels in 4 5; do
-    perl -e 'my $n = shift; my $at = 8; my $more = $at + 2 + 12 * 10 + 4;
+# tif EXTRA VALUE ...: prints a TIFF file of one pixel of 8 bits each; EXTRA is the kind of channels after the third: 0
+# none, 1 alpha by which colours are multiplied, 2 alpha
+tif() {
+    perl -e 'my ($extra, @values) = @ARGV; my $n = @values; my $at = 8; my $more = $at + 2 + 12 * 10 + 4;
         my @entries = ([256, 3, 1, 1], [257, 3, 1, 1], [258, 3, $n, $more], [259, 3, 1, 1], [262, 3, 1, 2],
-            [273, 4, 1, $more + 2 * $n], [277, 3, 1, $n], [278, 3, 1, 1], [279, 4, 1, $n], [338, 3, $n - 3, $n > 4 ? 0 : 2]);
+            [273, 4, 1, $more + 2 * $n], [277, 3, 1, $n], [278, 3, 1, 1], [279, 4, 1, $n], [338, 3, $n - 3, $extra]);
         print pack("a2 v V v", "II", 42, $at, 10), map({ pack "v v V V", @$_ } @entries), pack("V v*", 0, (8) x $n),
-            "\377" x $n' "$channels" >"channels$channels.tif"
-done
+            pack "C*", @values' "$@"
+}
+tif 2 255 255 255 255 >channels4.tif
+tif 0 255 255 255 255 255 >channels5.tif
 is "tif of four channels is read" "$(hatchstat diff channels4.tif channels4.tif | field max)" 0
 try hatchstat diff channels5.tif channels5.tif
 refused "a picture of five channels" 3 1
 ok "the message tells how many" grep -q '5 channels, want 1 to 4' .err
+# Codes that are multiplied by alpha: 17 of 51 is 85 of 255, and none is over 255.
+tif 1 17 60 0 51 >multiplied.tif
+tif 2 85 255 0 51 >straight.tif
+is "colours of tif are divided by alpha where they are multiplied by it" \
+    "$(hatchstat diff multiplied.tif straight.tif | field max)" 0
+# Pixels of 200, 100, 50, 127 and 255, 0, 128, 51; OpenImageIO multiplies the codes by alpha and rounds them.
+webp 2f010000100f30644ffe3fa0ec6798421a19d1ff0000 >alpha.webp
+printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\040\050\062\144\310\177\200\0\377\063' >alpha.tga
+try hatchstat diff --srgb --max-difference 0.01 alpha.webp alpha.tga
+is "colours of webp are not multiplied by alpha" $status 0
 is "formats are recognised by content, not by name" \
     "$(hatchstat diff - colours.ppm <colours.bmp | field max)" 0
 for format in ppm bmp tga; do

@@ -72,7 +72,8 @@ static enum hatch_status fail_plugin(const char *message, struct hatch_err *err)
     return hatch_fail_quoting(err, HATCH_BAD_INPUT, message, "the picture cannot be read");
 }
 
-/* Decodes sRGB by table: the file's values have 8 or 16 bits, so each is a multiple of 1 / 65535. */
+/* Decodes sRGB by table: the file's values have 8 or 16 bits, so each is a multiple of 1 / 65535, or was divided by
+ * alpha; quotients are limited to 1. */
 static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
@@ -85,13 +86,14 @@ static enum hatch_status decode_srgb(struct hatch_arena *scratch, struct hatch_i
     for (size_t i = 0; i < texels; i++)
         for (uint32_t c = 0; c < colors; c++) {
             float *value = &image->pixels[i * channels + c];
-            *value = linear[(uint32_t)(*value * (SRGB_CODES - 1) + 0.5f)];
+            *value = linear[(uint32_t)(fminf(*value, 1) * (SRGB_CODES - 1) + 0.5f)];
         }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
 
-/* Divides colours by alpha: those of OpenEXR files are multiplied by it. Where alpha is 0, colours are light alone. */
+/* Divides colours by alpha: those of OpenEXR files, for example, are multiplied by it. Where alpha is 0, colours are
+ * light alone. */
 static void divide_by_alpha(struct hatch_image *image)
 {
     size_t texels = (size_t)image->width * image->height;
@@ -116,10 +118,10 @@ static enum hatch_status read_opened(const struct hatch_oiio_plugin *plugin, voi
     HATCH_TRY(hatch_image_make(arena, info->width, info->height, names[info->channels], &made, err));
     if (!plugin->read(opened, made.pixels, message, sizeof message))
         return fail_plugin(message, err);
+    if (info->is_premultiplied && info->channels % 2 == 0)
+        divide_by_alpha(&made); /* encoded colours, too, are multiplied as they are in the file */
     if (info->is_encoded)
         HATCH_TRY(decode_srgb(scratch, &made, err));
-    if (info->is_premultiplied && info->channels % 2 == 0)
-        divide_by_alpha(&made);
     *image = made;
     return HATCH_OK;
 }

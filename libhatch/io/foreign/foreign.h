@@ -9,8 +9,8 @@
 
 /* Reads an image as linear light with channels Y, YA, RGB or RGBA. The format is recognised by the content, else by the
  * extension of name. Integers are decoded from sRGB, except where a file other than PNG declares them linear; floats
- * are taken as linear. Of an OpenEXR file, the finest level of the first part is read; its colours are multiplied by
- * alpha, and are divided by it.
+ * are taken as linear. Colours that are multiplied by alpha, as in OpenEXR and in some TIFF files, are divided by it.
+ * Of an OpenEXR file, the finest level of the first part is read.
  *   name    the file's name or "", for its extension; no file is opened
  *   plugin  path of hatch-oiio.so
  *   image   out: pixels in arena

@@ -69,6 +69,18 @@ bool is_encoded(const OIIO::ImageSpec &spec)
     return !OIIO::Strutil::iequals(spec.get_string_attribute("oiio:ColorSpace"), "linear");
 }
 
+/* Returns whether colours are multiplied by alpha if there is one: in OpenEXR files always, in WebP and TIFF where the
+ * reader does not say that it has left them as oiio:UnassociatedAlpha asks. That of WebP multiplies them in any case.
+ */
+bool is_premultiplied(const OIIO::ImageInput &reader)
+{
+    std::string format = reader.format_name();
+    const OIIO::ImageSpec &spec = reader.spec();
+    if (format == "webp" || format == "tiff")
+        return spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+    return format == "openexr";
+}
+
 /* Splits the name of a channel, "left.R", into its layer with the dot, and the rest. */
 std::pair<std::string, std::string> split(const std::string &name)
 {
@@ -165,7 +177,7 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
             return nullptr;
         }
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
-                 static_cast<uint32_t>(image->channels), is_encoded(spec), is_exr};
+                 static_cast<uint32_t>(image->channels), is_encoded(spec), is_premultiplied(*image->reader)};
         return image.release();
     } catch (const std::bad_alloc &) {
         set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
