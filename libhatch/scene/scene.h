@@ -39,7 +39,7 @@ struct hatch_material {
                      meshes are patches, drawn in order over each other */
 };
 
-/* An encoded PNG or JPEG image, copied from the file. */
+/* An encoded PNG, JPEG or WebP image, copied from the file. */
 struct hatch_texture {
     const uint8_t *data; /* NULL where the image's own file could not be read; no material refers to it then */
     size_t size;

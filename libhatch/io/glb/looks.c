@@ -71,7 +71,7 @@ static enum hatch_status print_images(struct hatch_glb *glb)
             continue;
         HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
-                                     glb->image_view + images++, scene->textures[t].data[0] == 0xff ? "jpeg" : "png"));
+                                     glb->image_view + images++, hatch_glb_image_kind(&scene->textures[t])));
     }
     return hatch_glb_put(glb, images ? "]" : "");
 }
@@ -84,10 +84,16 @@ static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch
                               modes[use->wrap[0]], modes[use->wrap[1]]);
 }
 
+static bool is_webp(const struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    return strcmp(hatch_glb_image_kind(&glb->scene->textures[use->texture]), HATCH_GLB_WEBP) == 0;
+}
+
 static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
-    return hatch_buffer_print(&glb->json, glb->err, "{\"sampler\":%u,\"source\":%u}", *hatch_glb_texture(glb, use),
-                              glb->image[use->texture]);
+    const char *format = is_webp(glb, use) ? "{\"sampler\":%u,\"extensions\":{\"EXT_texture_webp\":{\"source\":%u}}}"
+                                           : "{\"sampler\":%u,\"source\":%u}";
+    return hatch_buffer_print(&glb->json, glb->err, format, *hatch_glb_texture(glb, use), glb->image[use->texture]);
 }
 
 /* Prints an array with one entry per texture of the file; textures are numbered in the order of the materials. */
@@ -154,32 +160,46 @@ static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_l
     return hatch_glb_put(glb, "}");
 }
 
+struct extension {
+    bool used, required;
+    const char *name;
+};
+
+/* Prints a list of the extensions that are used, or of those of them that are required. */
+static enum hatch_status print_names(struct hatch_glb *glb, const char *key, const struct extension *extensions,
+                                     size_t count, bool required)
+{
+    bool any = false;
+    for (size_t i = 0; i < count; i++) {
+        if (!extensions[i].used || (required && !extensions[i].required))
+            continue;
+        if (!any)
+            HATCH_TRY(hatch_glb_open_array(glb, key));
+        HATCH_TRY(hatch_glb_comma(glb));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\"%s\"", extensions[i].name));
+        any = true;
+    }
+    return hatch_glb_put(glb, any ? "]" : "");
+}
+
 static enum hatch_status print_extensions(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
-    bool placed = false;
+    bool placed = false, webp = false;
     for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
         const struct hatch_texture_use *use =
             hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
         placed = placed || (use && use->has_transform);
+        webp = webp || (use && is_webp(glb, use));
     }
-    const struct {
-        bool used;
-        const char *name;
-    } extensions[] = {{placed, "KHR_texture_transform"},
-                      {scene->light_count > 0, "KHR_lights_punctual"},
-                      {glb->quantized, "KHR_mesh_quantization"},
-                      {scene->lod_count > 0, "MSFT_lod"}};
-    bool any = false;
-    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++) {
-        if (!extensions[i].used)
-            continue;
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, any ? ",\"%s\"" : ",\"extensionsUsed\":[\"%s\"",
-                                     extensions[i].name));
-        any = true;
-    }
-    HATCH_TRY(hatch_glb_put(glb, any ? "]" : ""));
-    return hatch_glb_put(glb, glb->quantized ? ",\"extensionsRequired\":[\"KHR_mesh_quantization\"]" : "");
+    const struct extension extensions[] = {{placed, false, "KHR_texture_transform"},
+                                           {webp, true, "EXT_texture_webp"},
+                                           {scene->light_count > 0, false, "KHR_lights_punctual"},
+                                           {glb->quantized, true, "KHR_mesh_quantization"},
+                                           {scene->lod_count > 0, false, "MSFT_lod"}};
+    const size_t count = sizeof extensions / sizeof *extensions;
+    HATCH_TRY(print_names(glb, "extensionsUsed", extensions, count, false));
+    return print_names(glb, "extensionsRequired", extensions, count, true);
 }
 
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)

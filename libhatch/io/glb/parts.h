@@ -57,12 +57,18 @@ struct hatch_glb {
     uint32_t *skin;                 /* per skin: index in the file; HATCH_NONE without joints */
     uint32_t skin_first;            /* index of the accessor of the first skin's matrices */
     uint32_t channel_first;         /* index of the accessor of the first animation channel's times */
-    uint32_t *image;   /* per texture: index of its image in the file; HATCH_NONE if neither PNG nor JPEG */
+    uint32_t *image;   /* per texture: index of its image in the file; HATCH_NONE if of no kind that is written */
     uint32_t *texture; /* HATCH_GLB_WRAPS per texture: index of texture and sampler in the file; HATCH_NONE if unused */
 };
 
 #define HATCH_GLB_WRAPS 9u /* combinations of wrap modes in u and v */
 #define HATCH_GLB_SLOTS 2u /* textures of a material: base colour, normals */
+
+#define HATCH_GLB_WEBP "webp"
+
+/* Returns the kind of an image, as its media type ends: "png", "jpeg" or HATCH_GLB_WEBP, which needs EXT_texture_webp;
+ * NULL for kinds that are not written. */
+const char *hatch_glb_image_kind(const struct hatch_texture *texture);
 
 /* Returns the use of a material's texture in a slot, 0 .. HATCH_GLB_SLOTS - 1, or NULL when there is no texture that
  * can be written. */

@@ -192,11 +192,17 @@ static void plan_motion(struct hatch_glb *glb)
         }
 }
 
-static bool is_png_or_jpeg(const struct hatch_texture *texture)
+const char *hatch_glb_image_kind(const struct hatch_texture *texture)
 {
-    static const uint8_t png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xff, 0xd8, 0xff};
-    return texture->data && ((texture->size > 8 && memcmp(texture->data, png, sizeof png) == 0) ||
-                             (texture->size > 8 && memcmp(texture->data, jpeg, sizeof jpeg) == 0));
+    static const struct {
+        const char *kind, *magic;
+        size_t at, size; /* of magic */
+    } kinds[] = {{"png", "\x89PNG", 0, 4}, {"jpeg", "\xff\xd8\xff", 0, 3}, {HATCH_GLB_WEBP, "WEBP", 8, 4}};
+    for (size_t i = 0; texture->data && i < sizeof kinds / sizeof *kinds; i++)
+        if (texture->size > kinds[i].at + kinds[i].size &&
+            memcmp(texture->data + kinds[i].at, kinds[i].magic, kinds[i].size) == 0)
+            return kinds[i].kind;
+    return NULL;
 }
 
 const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
@@ -213,7 +219,7 @@ static void plan_images(struct hatch_glb *glb)
     const struct hatch_scene *scene = glb->scene;
     uint32_t images = 0, textures = 0;
     for (uint32_t t = 0; t < scene->texture_count; t++) {
-        bool known = is_png_or_jpeg(&scene->textures[t]);
+        bool known = hatch_glb_image_kind(&scene->textures[t]) != NULL;
         glb->image[t] = known ? images++ : HATCH_NONE;
         for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
             glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;

@@ -11,7 +11,8 @@ static struct hatch_scene full, back;
 
 static const uint8_t png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3};
 static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 4};
-static const uint8_t webp[] = {'R', 'I', 'F', 'F', 0, 0, 0, 0, 'W', 'E', 'B', 'P'};
+static const uint8_t webp[] = {'R', 'I', 'F', 'F', 4, 0, 0, 0, 'W', 'E', 'B', 'P', 'V'};
+static const uint8_t gif[] = {'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0};
 
 static struct hatch_scene_mesh scene_meshes[5];
 static struct hatch_node nodes[7];
@@ -337,6 +338,15 @@ START_TEST(surplus_attributes_are_counted)
 }
 END_TEST
 
+static bool contains(struct hatch_buffer file, const char *text)
+{
+    size_t length = strlen(text);
+    for (size_t at = 0; at + length <= file.size; at++)
+        if (memcmp(file.data + at, text, length) == 0)
+            return true;
+    return false;
+}
+
 /* min and max are those of the written values. */
 START_TEST(bounds_are_exact)
 {
@@ -351,18 +361,14 @@ START_TEST(bounds_are_exact)
     ck_assert(hatch_mesh_bounds(mesh, low, high));
     snprintf(want, sizeof want, "\"min\":[%.9g,%.9g,%.9g],\"max\":[%.9g,%.9g,%.9g]", (double)low[0], (double)low[1],
              (double)low[2], (double)high[0], (double)high[1], (double)high[2]);
-    size_t length = strlen(want);
-    bool found = false;
-    for (size_t at = 0; at + length <= file.size && !found; at++)
-        found = memcmp(file.data + at, want, length) == 0;
-    ck_assert_msg(found, "no %s", want);
+    ck_assert_msg(contains(file, want), "no %s", want);
 }
 END_TEST
 
 /* References to them are removed, and later ones renumbered. */
 START_TEST(unsupported_images_and_empty_skins_are_left_out)
 {
-    textures[2] = (struct hatch_texture){webp, sizeof webp};
+    textures[2] = (struct hatch_texture){gif, sizeof gif};
     textures[3] = textures[1];
     textures[1] = (struct hatch_texture){NULL, 0};
     full.texture_count = 4;
@@ -399,6 +405,20 @@ START_TEST(meshes_without_faces_are_left_out)
     ck_assert_uint_eq(back.nodes[1].mesh_count, 1);
     ck_assert_uint_eq(back.nodes[3].first_mesh, 2);
     ck_assert_uint_eq(back.nodes[4].mesh_count, 0);
+}
+END_TEST
+
+START_TEST(webp_needs_an_extension)
+{
+    ck_assert(!contains(write_and_read(&full), "EXT_texture_webp"));
+    textures[1] = (struct hatch_texture){webp, sizeof webp};
+    materials[1].base.texture = 1;
+    struct hatch_buffer file = write_and_read(&full);
+    ck_assert_mem_eq(back.textures[back.materials[1].base.texture].data, webp, sizeof webp);
+    ck_assert(contains(file, "\"mimeType\":\"image/webp\"") && contains(file, "\"mimeType\":\"image/png\""));
+    ck_assert(contains(file, "\"extensions\":{\"EXT_texture_webp\":{\"source\":1}}"));
+    ck_assert(contains(file, "\"extensionsUsed\":[\"KHR_texture_transform\",\"EXT_texture_webp\","));
+    ck_assert(contains(file, "\"extensionsRequired\":[\"EXT_texture_webp\"]"));
 }
 END_TEST
 
@@ -447,6 +467,7 @@ static Suite *suite(void)
     tcase_add_test(tests, surplus_attributes_are_counted);
     tcase_add_test(tests, bounds_are_exact);
     tcase_add_test(tests, unsupported_images_and_empty_skins_are_left_out);
+    tcase_add_test(tests, webp_needs_an_extension);
     tcase_add_test(tests, an_empty_scene_is_written);
     tcase_add_test(tests, meshes_without_faces_are_left_out);
     tcase_add_test(tests, over_four_gigabytes_are_refused);
