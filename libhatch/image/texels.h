@@ -3,6 +3,7 @@
 #ifndef HATCH_IMAGE_TEXELS_H
 #define HATCH_IMAGE_TEXELS_H
 
+#include <stdbool.h>
 #include <string.h>
 
 #include "image/image.h"
@@ -27,6 +28,7 @@ struct hatch_texels {
     uint8_t *texels[HATCH_MIP_LEVELS_MAX]; /* per level: its layers (or slices) one after another, each row by row from
                                               the top, channels interleaved, no padding */
     enum hatch_texels_code code;
+    bool srgb; /* a file said that colours are encoded as sRGB; alpha is not */
 };
 
 /* Converts 0 .. 1 to 8 bits, rounded to nearest; values outside are clamped. Clamping works on the bits of the float as

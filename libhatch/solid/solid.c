@@ -164,13 +164,18 @@ enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct ha
     if (texture->code != HATCH_TEXELS_PLAIN || texture->channels == 2)
         return hatch_fail(err, HATCH_BAD_INPUT, "texels of a format other than R8, RGB8 and RGBA8");
     HATCH_TRY(check_shape(texture->width, texture->height, depth, err));
-    if (texture->channels != 4) {
+    if (texture->channels != 4 && !texture->srgb) {
         *solid = (struct hatch_solid){
             .size = texture->width, .channels = texture->channels, .texels = texture->texels[0], .depth = depth};
         return HATCH_OK;
     }
-    HATCH_TRY(hatch_solid_make_like(arena, &(struct hatch_solid){.depth = depth}, texture->width, 3, solid, err));
+    uint8_t values[256]; /* of each code */
+    for (unsigned code = 0; code < 256; code++)
+        values[code] = texture->srgb ? hatch_unorm8(hatch_srgb_to_linear((float)code / 255)) : (uint8_t)code;
+    HATCH_TRY(hatch_solid_make_like(arena, &(struct hatch_solid){.depth = depth}, texture->width,
+                                    texture->channels == 1 ? 1 : 3, solid, err));
     for (size_t i = 0; i < hatch_solid_count(solid); i++)
-        memcpy(solid->texels + 3 * i, texture->texels[0] + 4 * i, 3);
+        for (uint32_t c = 0; c < solid->channels; c++)
+            solid->texels[i * solid->channels + c] = values[texture->texels[0][i * texture->channels + c]];
     return HATCH_OK;
 }

@@ -71,8 +71,8 @@ bool hatch_solid_is_slices(const struct hatch_mipmap *parts, uint32_t count);
 enum hatch_status hatch_solid_of_slices(const struct hatch_mipmap *parts, uint32_t count, struct hatch_arena *arena,
                                         struct hatch_solid *solid, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Takes the solid texture from a texture that a file held.
- *   solid  out: its finest level, by reference; in arena if the texture had alpha, which is left out
+/* Takes the solid texture from a texture that a file held. Values in sRGB are decoded.
+ *   solid  out: its finest level, by reference; in arena if the texture was in sRGB or had alpha, which is left out
  * HATCH_BAD_INPUT, with the reason, when it is neither a cube nor a square of plain texels with one, three or four
  * channels whose side is a power of two in range; HATCH_LIMIT when the memory does not suffice. */
 enum hatch_status hatch_solid_take(const struct hatch_texels *texture, struct hatch_arena *arena,

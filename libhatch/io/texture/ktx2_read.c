@@ -17,15 +17,17 @@ struct header {
     uint32_t vk_format, type_size, width, height, depth, layers, faces, levels, scheme;
 };
 
-/* The formats that are read: those of linear light, and the same as sRGB. */
+/* The formats that are read. */
 static const struct format {
     uint32_t vk_format, channels;
     enum hatch_texels_code code;
+    bool srgb;
 } formats[] = {
-    {9, 1, HATCH_TEXELS_PLAIN},  {15, 1, HATCH_TEXELS_PLAIN}, {16, 2, HATCH_TEXELS_PLAIN}, {22, 2, HATCH_TEXELS_PLAIN},
-    {23, 3, HATCH_TEXELS_PLAIN}, {29, 3, HATCH_TEXELS_PLAIN}, {37, 4, HATCH_TEXELS_PLAIN}, {43, 4, HATCH_TEXELS_PLAIN},
-    {98, 1, HATCH_TEXELS_R32UI}, {131, 3, HATCH_TEXELS_BC1},  {132, 3, HATCH_TEXELS_BC1},  {139, 1, HATCH_TEXELS_BC4},
-    {145, 4, HATCH_TEXELS_BC7},  {146, 4, HATCH_TEXELS_BC7},
+    {9, 1, HATCH_TEXELS_PLAIN, false},  {15, 1, HATCH_TEXELS_PLAIN, true},  {16, 2, HATCH_TEXELS_PLAIN, false},
+    {22, 2, HATCH_TEXELS_PLAIN, true},  {23, 3, HATCH_TEXELS_PLAIN, false}, {29, 3, HATCH_TEXELS_PLAIN, true},
+    {37, 4, HATCH_TEXELS_PLAIN, false}, {43, 4, HATCH_TEXELS_PLAIN, true},  {98, 1, HATCH_TEXELS_R32UI, false},
+    {131, 3, HATCH_TEXELS_BC1, false},  {132, 3, HATCH_TEXELS_BC1, true},   {139, 1, HATCH_TEXELS_BC4, false},
+    {145, 4, HATCH_TEXELS_BC7, false},  {146, 4, HATCH_TEXELS_BC7, true},
 };
 
 /* Returns the format of a VkFormat, or NULL. */
@@ -90,7 +92,8 @@ static enum hatch_status check_header(const struct header *header, struct hatch_
                                      .layers = header->layers,
                                      .channels = format->channels,
                                      .level_count = header->levels ? header->levels : 1,
-                                     .code = format->code};
+                                     .code = format->code,
+                                     .srgb = format->srgb};
     if (texture->level_count > hatch_texels_chain_length(texture))
         return hatch_fail(err, HATCH_BAD_INPUT, "%u levels, want at most %u", texture->level_count,
                           hatch_texels_chain_length(texture));

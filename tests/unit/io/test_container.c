@@ -60,7 +60,7 @@ static struct hatch_bytes write_ktx2(const struct hatch_texels *texture)
 static void same(const struct hatch_texels *a, const struct hatch_texels *b)
 {
     ck_assert(a->width == b->width && a->height == b->height && a->depth == b->depth);
-    ck_assert(a->layers == b->layers && a->channels == b->channels && a->code == b->code);
+    ck_assert(a->layers == b->layers && a->channels == b->channels && a->code == b->code && a->srgb == b->srgb);
     ck_assert_uint_eq(a->level_count, b->level_count);
     for (uint32_t level = 0; level < a->level_count; level++)
         ck_assert(memcmp(a->texels[level], b->texels[level], hatch_texels_level_size(a, level)) == 0);
@@ -209,14 +209,16 @@ START_TEST(wrong_headers_are_refused)
 END_TEST
 
 static const struct {
-    uint32_t vk_format; /* as in vulkan_core.h: of UNORM or UINT, then the same as SRGB */
+    uint32_t vk_format; /* as in vulkan_core.h */
     uint32_t channels;
     enum hatch_texels_code code;
+    bool srgb;
 } formats[] = {
-    {9, 1, HATCH_TEXELS_PLAIN},  {15, 1, HATCH_TEXELS_PLAIN}, {16, 2, HATCH_TEXELS_PLAIN}, {22, 2, HATCH_TEXELS_PLAIN},
-    {23, 3, HATCH_TEXELS_PLAIN}, {29, 3, HATCH_TEXELS_PLAIN}, {37, 4, HATCH_TEXELS_PLAIN}, {43, 4, HATCH_TEXELS_PLAIN},
-    {98, 1, HATCH_TEXELS_R32UI}, {131, 3, HATCH_TEXELS_BC1},  {132, 3, HATCH_TEXELS_BC1},  {139, 1, HATCH_TEXELS_BC4},
-    {145, 4, HATCH_TEXELS_BC7},  {146, 4, HATCH_TEXELS_BC7},
+    {9, 1, HATCH_TEXELS_PLAIN, false},  {15, 1, HATCH_TEXELS_PLAIN, true},  {16, 2, HATCH_TEXELS_PLAIN, false},
+    {22, 2, HATCH_TEXELS_PLAIN, true},  {23, 3, HATCH_TEXELS_PLAIN, false}, {29, 3, HATCH_TEXELS_PLAIN, true},
+    {37, 4, HATCH_TEXELS_PLAIN, false}, {43, 4, HATCH_TEXELS_PLAIN, true},  {98, 1, HATCH_TEXELS_R32UI, false},
+    {131, 3, HATCH_TEXELS_BC1, false},  {132, 3, HATCH_TEXELS_BC1, true},   {139, 1, HATCH_TEXELS_BC4, false},
+    {145, 4, HATCH_TEXELS_BC7, false},  {146, 4, HATCH_TEXELS_BC7, true},
 };
 
 /* All other numbers near these are refused. */
@@ -227,6 +229,7 @@ START_TEST(formats_are_those_of_vulkan)
         struct hatch_texels got, want = {.width = 16, .height = 16, .level_count = 1};
         want.channels = known ? formats[i].channels : 1;
         want.code = known ? formats[i].code : HATCH_TEXELS_PLAIN;
+        want.srgb = known && formats[i].srgb;
         HATCH_TEST_OK(hatch_texels_make(&keep, &want, &err), &err);
         struct hatch_bytes file = write_ktx2(&want);
         put((uint8_t *)(uintptr_t)file.data + 12, vk_format, 4);

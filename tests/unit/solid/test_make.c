@@ -217,6 +217,26 @@ START_TEST(mip_levels_are_means)
 }
 END_TEST
 
+/* Code 188 of sRGB is 0.5029 in linear light, 128 of 255; 64 is 0.0513, 13 of 255. Alpha is left out. */
+START_TEST(codes_of_srgb_are_decoded)
+{
+    static const uint8_t codes[] = {0, 64, 188, 255}, values[2][4] = {{0, 64, 188, 255}, {0, 13, 128, 255}};
+    for (uint32_t channels = 1; channels <= 4; channels += channels == 1 ? 2 : 1)
+        for (int srgb = 0; srgb < 2; srgb++) {
+            struct hatch_solid taken;
+            struct hatch_texels texture = {
+                .width = 8, .height = 8, .channels = channels, .level_count = 1, .srgb = srgb != 0};
+            HATCH_TEST_OK(hatch_texels_make(&keep, &texture, &err), &err);
+            for (size_t i = 0; i < 64 * channels; i++)
+                texture.texels[0][i] = codes[i / channels % 4];
+            HATCH_TEST_OK(hatch_solid_take(&texture, &keep, &taken, &err), &err);
+            ck_assert_uint_eq(taken.channels, channels == 1 ? 1 : 3);
+            for (size_t i = 0; i < 64 * taken.channels; i++)
+                ck_assert_uint_eq(taken.texels[i], values[srgb][i / taken.channels % 4]);
+        }
+}
+END_TEST
+
 /* Makes a texture of n slices of a and the rest of b, as the parts of an OpenEXR file. */
 static enum hatch_status join(struct hatch_image *a, uint32_t n, struct hatch_image *b, struct hatch_solid *solid)
 {
@@ -309,6 +329,7 @@ static Suite *suite(void)
     tcase_add_test(tests, slices_are_a_cube);
     tcase_add_test(tests, strokes_are_reported_as_they_are_made);
     tcase_add_test(tests, mip_levels_are_means);
+    tcase_add_test(tests, codes_of_srgb_are_decoded);
     tcase_add_test(tests, textures_survive_every_failed_allocation);
     suite_add_tcase(suite, tests);
     return suite;
