@@ -17,9 +17,10 @@ enum hatch_status hatch_ktx2_write(const struct hatch_texels *texture, const cha
 
 /* Reads a KTX2 file of format R8, RG8, RGB8, RGBA8, BC1, BC4 or BC7, linear or sRGB (values are not
  * converted; texture->srgb tells), or R32UI, with or without Zstandard supercompression.
+ * Rows that run from the bottom up, which the key KTXorientation tells (ru, rui), are turned.
  *   texture  out: texels in arena
- * HATCH_BAD_INPUT for other formats, cube maps, arrays of 3D textures, and truncated or
- * damaged files; HATCH_LIMIT, before any allocation, when the texels exceed the arena's limit. */
+ * HATCH_BAD_INPUT for other formats and orientations, blocks from the bottom up, cube maps, arrays of 3D textures, and
+ * truncated or damaged files; HATCH_LIMIT, before any allocation, when the texels exceed the arena's limit. */
 enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *arena, struct hatch_texels *texture,
                                   struct hatch_err *err) HATCH_MUST_USE;
 

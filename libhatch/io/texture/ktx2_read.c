@@ -122,6 +122,94 @@ static enum hatch_status check_memory(const struct hatch_texels *texture, const 
     return HATCH_OK;
 }
 
+static bool is_text(const uint8_t *bytes, size_t size)
+{
+    return size > 0 && memchr(bytes, 0, size) == bytes + size - 1;
+}
+
+/* A key and its value, which is text that ends with a zero, in the file; without value: it is no text. */
+struct pair {
+    const char *key, *value;
+};
+
+/* Opens the key and value pairs of a file. */
+static enum hatch_status open_pairs(struct hatch_bytes file, struct hatch_reader *pairs, struct hatch_err *err)
+{
+    struct hatch_reader reader = hatch_reader_of(file);
+    reader.at = PAIRS_ENTRY;
+    uint32_t offset = hatch_read_u32(&reader), size = hatch_read_u32(&reader);
+    if (offset > file.size || size > file.size - offset)
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the key and value pairs end after the file's %zu bytes",
+                          file.size);
+    *pairs = hatch_reader_of((struct hatch_bytes){file.data + offset, size});
+    return HATCH_OK;
+}
+
+/* Reads a key, its terminating zero and a value, padded to four bytes. */
+static enum hatch_status read_pair(struct hatch_reader *reader, struct pair *pair, struct hatch_err *err)
+{
+    uint32_t size = hatch_read_u32(reader);
+    const uint8_t *key = hatch_read_bytes(reader, size);
+    if (reader->cut)
+        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the key and value pairs");
+    const uint8_t *end = size ? memchr(key, 0, size) : NULL;
+    size_t padding = (4 - size % 4) % 4, key_size = end ? (size_t)(end - key) : 0;
+    if (hatch_reader_left(reader) >= padding)
+        hatch_read_bytes(reader, padding);
+    bool has_text = end && is_text(end + 1, size - key_size - 1);
+    *pair = (struct pair){(const char *)key, has_text ? (const char *)end + 1 : NULL};
+    return HATCH_OK;
+}
+
+/* Returns the orientation of the axes in a file, "rd" or "rdi" if it names none; damaged pairs name none. */
+static const char *orientation_of(struct hatch_bytes file, const struct hatch_texels *texture)
+{
+    struct hatch_reader pairs;
+    struct pair pair;
+    enum hatch_status status = open_pairs(file, &pairs, NULL);
+    while (status == HATCH_OK && hatch_reader_left(&pairs) > 0) {
+        status = read_pair(&pairs, &pair, NULL);
+        if (status == HATCH_OK && pair.value && strcmp(pair.key, "KTXorientation") == 0)
+            return pair.value;
+    }
+    return texture->depth ? "rdi" : "rd";
+}
+
+/* Finds out whether the rows of a file run from the bottom up. Fails for other orientations than the usual one. */
+static enum hatch_status check_orientation(struct hatch_bytes file, const struct hatch_texels *texture, bool *turned,
+                                           struct hatch_err *err)
+{
+    const char *orientation = orientation_of(file, texture);
+    *turned = strcmp(orientation, texture->depth ? "rui" : "ru") == 0;
+    if (!*turned && strcmp(orientation, texture->depth ? "rdi" : "rd") != 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "KTXorientation %.8s is not supported; want %s", orientation,
+                          texture->depth ? "rdi or rui" : "rd or ru");
+    if (*turned && hatch_texels_block_side(texture->code) > 1)
+        return hatch_fail(err, HATCH_BAD_INPUT,
+                          "rows of compressed blocks run from the bottom up (KTXorientation %s): store them from the "
+                          "top down",
+                          orientation);
+    return HATCH_OK;
+}
+
+/* Turns the rows of each slice of a level upside down. */
+static void turn_rows(const struct hatch_texels *texture, uint32_t level)
+{
+    uint32_t height = hatch_mip_size(texture->height, level);
+    size_t row =
+        (size_t)hatch_mip_size(texture->width, level) * hatch_texels_block_bytes(texture->code, texture->channels);
+    size_t slices = hatch_texels_level_size(texture, level) / (row * height);
+    for (size_t slice = 0; slice < slices; slice++) {
+        uint8_t *top = texture->texels[level] + slice * row * height;
+        for (uint32_t y = 0; y < height / 2; y++)
+            for (size_t i = 0; i < row; i++) {
+                uint8_t *a = top + y * row + i, *b = top + (height - 1 - y) * row + i, kept = *a;
+                *a = *b;
+                *b = kept;
+            }
+    }
+}
+
 static enum hatch_status decompress(struct hatch_bytes packed, uint8_t *texels, size_t size, uint32_t level,
                                     struct hatch_err *err)
 {
@@ -176,11 +264,15 @@ enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *a
     struct hatch_reader reader = hatch_reader_of(file);
     struct header header = {0};
     struct hatch_texels made;
+    bool turned = false;
     HATCH_TRY(read_header(&reader, &header, err));
     HATCH_TRY(check_header(&header, &made, err));
     HATCH_TRY(check_memory(&made, arena, err));
+    HATCH_TRY(check_orientation(file, &made, &turned, err));
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
     enum hatch_status status = read_levels(&reader, &header, arena, &made, err);
+    for (uint32_t level = 0; status == HATCH_OK && turned && level < made.level_count; level++)
+        turn_rows(&made, level);
     if (status == HATCH_OK)
         *texture = made;
     else
@@ -188,53 +280,28 @@ enum hatch_status hatch_ktx2_read(struct hatch_bytes file, struct hatch_arena *a
     return status;
 }
 
-static bool is_text(const uint8_t *bytes, size_t size)
-{
-    return size > 0 && memchr(bytes, 0, size) == bytes + size - 1;
-}
-
-/* Reads a key, its terminating zero and a value, padded to four bytes.
- *   pair          out: key and value, if the value is text
- *   is_text_pair  out: whether pair was set */
-static enum hatch_status read_pair(struct hatch_reader *reader, struct hatch_arena *arena, const char **pair,
-                                   bool *is_text_pair, struct hatch_err *err)
-{
-    uint32_t size = hatch_read_u32(reader);
-    const uint8_t *key = hatch_read_bytes(reader, size);
-    if (reader->cut)
-        return hatch_fail(err, HATCH_BAD_INPUT, "truncated in the key and value pairs");
-    const uint8_t *end = size ? memchr(key, 0, size) : NULL;
-    size_t padding = (4 - size % 4) % 4, key_size = end ? (size_t)(end - key) : 0;
-    if (hatch_reader_left(reader) >= padding)
-        hatch_read_bytes(reader, padding);
-    *is_text_pair = end && is_text(end + 1, size - key_size - 1);
-    if (!*is_text_pair)
-        return HATCH_OK;
-    pair[0] = hatch_arena_text(arena, (const char *)key, key_size, err);
-    pair[1] = hatch_arena_text(arena, (const char *)end + 1, size - key_size - 2, err);
-    return pair[0] && pair[1] ? HATCH_OK : HATCH_LIMIT;
-}
-
 enum hatch_status hatch_ktx2_read_keys(struct hatch_bytes file, struct hatch_arena *arena,
                                        const char *const **key_values, struct hatch_err *err)
 {
-    struct hatch_reader reader = hatch_reader_of(file);
+    struct hatch_reader reader = hatch_reader_of(file), pairs;
     struct header header = {0};
     HATCH_TRY(read_header(&reader, &header, err));
-    reader.at = PAIRS_ENTRY;
-    uint32_t offset = hatch_read_u32(&reader), size = hatch_read_u32(&reader), count = 0;
-    if (offset > file.size || size > file.size - offset)
-        return hatch_fail(err, HATCH_BAD_INPUT, "truncated: the key and value pairs end after the file's %zu bytes",
-                          file.size);
-    struct hatch_reader pairs = hatch_reader_of((struct hatch_bytes){file.data + offset, size});
+    HATCH_TRY(open_pairs(file, &pairs, err));
     /* A pair takes at least eight bytes. */
-    const char **made = HATCH_NEW(arena, const char *, (size_t)size / 8 * 2 + 3, err);
+    const char **made = HATCH_NEW(arena, const char *, pairs.size / 8 * 2 + 3, err);
     if (!made)
         return HATCH_LIMIT;
+    uint32_t count = 0;
     while (hatch_reader_left(&pairs) > 0) {
-        bool is_text_pair = false;
-        HATCH_TRY(read_pair(&pairs, arena, made + count, &is_text_pair, err));
-        count += is_text_pair ? 2 : 0;
+        struct pair pair;
+        HATCH_TRY(read_pair(&pairs, &pair, err));
+        if (!pair.value)
+            continue;
+        made[count] = hatch_arena_text(arena, pair.key, strlen(pair.key), err);
+        made[count + 1] = hatch_arena_text(arena, pair.value, strlen(pair.value), err);
+        if (!made[count] || !made[count + 1])
+            return HATCH_LIMIT;
+        count += 2;
     }
     made[count] = NULL;
     *key_values = made;

@@ -221,6 +221,51 @@ static const struct {
     {145, 4, HATCH_TEXELS_BC7, false},  {146, 4, HATCH_TEXELS_BC7, true},
 };
 
+/* Changes the orientation of a file, whose first key it is: its first or second letter. */
+static void orient(struct hatch_bytes file, size_t letter, char direction)
+{
+    size_t pairs = file.data[56] | (size_t)file.data[57] << 8, value = pairs + 4 + sizeof "KTXorientation";
+    ck_assert_uint_eq(file.data[value], 'r');
+    ((uint8_t *)(uintptr_t)file.data)[value + letter] = (uint8_t)direction;
+}
+
+START_TEST(rows_from_the_bottom_up_are_turned)
+{
+    struct hatch_texels texture = make((size_t)_i), got;
+    struct hatch_bytes file = write_ktx2(&texture);
+    size_t texel = hatch_texels_block_bytes(texture.code, texture.channels);
+    orient(file, 1, 'u');
+    enum hatch_status status = hatch_ktx2_read(file, &keep, &got, &err);
+    if (hatch_texels_block_side(texture.code) > 1) {
+        ck_assert_int_eq(status, HATCH_BAD_INPUT);
+        ck_assert_ptr_nonnull(strstr(err.text, "compressed blocks run from the bottom up"));
+        return;
+    }
+    HATCH_TEST_OK(status, &err);
+    for (uint32_t level = 0; level < texture.level_count; level++) {
+        size_t row = texel * hatch_mip_size(texture.width, level), height = hatch_mip_size(texture.height, level);
+        size_t rows = hatch_texels_level_size(&texture, level) / row;
+        for (size_t y = 0; y < rows; y++) {
+            size_t turned = y / height * height + height - 1 - y % height;
+            ck_assert(memcmp(got.texels[level] + y * row, texture.texels[level] + turned * row, row) == 0);
+        }
+    }
+}
+END_TEST
+
+START_TEST(other_orientations_are_refused)
+{
+    for (size_t kind = 0; kind < KINDS; kind++) {
+        struct hatch_texels texture = make(kind), got;
+        struct hatch_bytes file = write_ktx2(&texture);
+        orient(file, 0, 'l');
+        ck_assert_int_eq(hatch_ktx2_read(file, &keep, &got, &err), HATCH_BAD_INPUT);
+        ck_assert_str_eq(err.text, texture.depth ? "KTXorientation ldi is not supported; want rdi or rui"
+                                                 : "KTXorientation ld is not supported; want rd or ru");
+    }
+}
+END_TEST
+
 /* All other numbers near these are refused. */
 START_TEST(formats_are_those_of_vulkan)
 {
@@ -393,6 +438,8 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, a_truncated_file_is_refused, 0, KINDS);
     tcase_add_loop_test(tests, wrong_headers_are_refused, 0, sizeof faults / sizeof *faults);
     tcase_add_loop_test(tests, ktx2_describes_its_texels, 0, KINDS);
+    tcase_add_loop_test(tests, rows_from_the_bottom_up_are_turned, 0, KINDS);
+    tcase_add_test(tests, other_orientations_are_refused);
     tcase_add_test(tests, formats_are_those_of_vulkan);
     tcase_add_test(tests, an_arena_as_large_as_the_texels_is_enough);
     tcase_add_test(tests, entries_may_end_where_the_file_ends);
