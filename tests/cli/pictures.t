@@ -153,6 +153,14 @@ for compression in 5 6 7 8 9; do
     exr $compression R=3800 G=3c00 B=3400 >lossy.exr
     is "an OpenEXR file of compression $compression" "$(hatchstat diff lossy.exr plain.exr | field max)" 0
 done
+# In a display window that has a row above and a column to the left, 4 of 9 pixels are theirs: 4 (0.5 + 1 + 0.25) / 27.
+exr 7 R=3800 G=3c00 B=3400 >lossy.exr
+flat black3.ppm 0 3 3
+for file in plain lossy; do
+    perl -0777 -pe 's/(displayWindow.box2i.{5}).{16}/$1 . pack "l<4", -1, -1, 1, 1/es' $file.exr >"$file.framed.exr"
+    is "$file.exr in a larger display window" "$(hatchstat diff "$file.framed.exr" black3.ppm | field mean)" 0.259259259
+done
+is "both are placed alike" "$(hatchstat diff plain.framed.exr lossy.framed.exr | field max)" 0
 exr 0 L.R=3800 L.G=3c00 L.B=3400 >layer.exr
 is "an OpenEXR file with a layer" "$(hatchstat diff layer.exr plain.exr | field max)" 0
 exr 0 R=3800 G=3c00 B=3400 L.R=0 L.G=0 L.B=0 M.R=0 M.G=0 M.B=0 >many.exr

@@ -32,6 +32,18 @@ enum hatch_status hatch_exr_read(struct hatch_bytes file, struct hatch_pool *poo
  *                  unchanged if the result is false */
 bool hatch_exr_is_other_kind(struct hatch_bytes file, uint32_t *width, uint32_t *height);
 
+/* The place of a picture's pixels, its data window, in the picture, its display window. */
+struct hatch_exr_frame {
+    uint32_t width, height; /* of the picture */
+    int64_t left, top;      /* of the pixels' first one; outside the picture if it is not in 0 .. width, height */
+};
+
+/* Finds out where the pixels of a file's first part belong.
+ *   frame  out: all 0 if the pixels are just those of the picture
+ * HATCH_BAD_INPUT and HATCH_LIMIT as from hatch_exr_read. */
+enum hatch_status hatch_exr_frame_read(struct hatch_bytes file, struct hatch_exr_frame *frame,
+                                       struct hatch_err *err) HATCH_MUST_USE;
+
 struct hatch_exr_writer;
 
 /* Begins a file in which all parts have the size, the number of levels and the channels of base. Several levels are

@@ -1,4 +1,4 @@
-/* Tells files that hatch_exr_read refuses although they are sound. */
+/* Tells files that hatch_exr_read refuses although they are sound, and those whose pixels are not the whole picture. */
 #include <string.h>
 
 #include "io/exr/exr.h"
@@ -68,4 +68,27 @@ bool hatch_exr_is_other_kind(struct hatch_bytes file, uint32_t *width, uint32_t 
     }
     exr_finish(&context);
     return known && other;
+}
+
+enum hatch_status hatch_exr_frame_read(struct hatch_bytes file, struct hatch_exr_frame *frame, struct hatch_err *err)
+{
+    struct hatch_exr_stream stream = {.file = file};
+    exr_context_t context;
+    exr_attr_box2i_t data, display;
+    exr_result_t result = hatch_exr_open_read(&stream, &context);
+    if (result != EXR_ERR_SUCCESS)
+        return hatch_exr_fail(&stream, result, HATCH_BAD_INPUT, err);
+    result = exr_get_data_window(context, 0, &data);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_get_display_window(context, 0, &display);
+    exr_finish(&context);
+    if (result != EXR_ERR_SUCCESS)
+        return hatch_exr_fail(&stream, result, HATCH_BAD_INPUT, err);
+    *frame = (struct hatch_exr_frame){0};
+    if (memcmp(&data, &display, sizeof data) != 0)
+        *frame = (struct hatch_exr_frame){.width = (uint32_t)((int64_t)display.max.x - display.min.x + 1),
+                                          .height = (uint32_t)((int64_t)display.max.y - display.min.y + 1),
+                                          .left = (int64_t)data.min.x - display.min.x,
+                                          .top = (int64_t)data.min.y - display.min.y};
+    return HATCH_OK;
 }

@@ -15,6 +15,7 @@
 
 #define SIDE_MAX (1u << 24)
 #define SRGB_CODES 65536u
+#define FRAME_PIXELS ((uint64_t)1 << 25) /* 8192 x 4096 */
 #define PLUGIN_BYTES ((size_t)512 << 20) /* address space for the plugin, docs/notes/io.md */
 
 static enum hatch_status check_size(const struct hatch_arena *arena, uint64_t width, uint64_t height, uint64_t channels,
@@ -184,10 +185,10 @@ static enum hatch_status copy_colors(const struct hatch_image *from, struct hatc
     return HATCH_OK;
 }
 
-/* Reads an OpenEXR file; by the plugin if it is of a kind that hatch_exr_read refuses. If both fail, the message is
- * that of hatch_exr_read. */
-static enum hatch_status read_exr(struct hatch_bytes file, const char *plugin, struct hatch_arena *arena,
-                                  struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
+/* Reads the pixels of an OpenEXR file; by the plugin if it is of a kind that hatch_exr_read refuses. If both fail, the
+ * message is that of hatch_exr_read. */
+static enum hatch_status read_exr_pixels(struct hatch_bytes file, const char *plugin, struct hatch_arena *arena,
+                                         struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
 {
     struct hatch_mipmap *parts = NULL;
     uint32_t count = 0, width, height;
@@ -200,6 +201,52 @@ static enum hatch_status read_exr(struct hatch_bytes file, const char *plugin, s
         return status;
     HATCH_TRY(check_size(arena, width, height, 1, err));
     return read_by_plugin(file, ".exr", plugin, arena, scratch, image, NULL) == HATCH_OK ? HATCH_OK : status;
+}
+
+/* Places pixels in the picture that they belong to. Those outside are cut off, missing ones are 0. Fails for pictures
+ * of a size that no such pixels need: a header of 300 bytes could ask for any amount of memory. */
+static enum hatch_status place(const struct hatch_image *pixels, const struct hatch_exr_frame *frame,
+                               struct hatch_arena *arena, struct hatch_image *image, struct hatch_err *err)
+{
+    struct hatch_image made = *pixels;
+    uint64_t count = (uint64_t)pixels->width * pixels->height;
+    if ((uint64_t)frame->width * frame->height > FRAME_PIXELS + 16 * count)
+        return hatch_fail(err, HATCH_BAD_INPUT, "a display window of %ux%u pixels, of which the file holds %ux%u",
+                          frame->width, frame->height, pixels->width, pixels->height);
+    HATCH_TRY(check_size(arena, frame->width, frame->height, pixels->channel_count, err));
+    made.width = frame->width;
+    made.height = frame->height;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.pixels, (size_t)made.width * made.height * made.channel_count, err));
+    int64_t first = frame->left > 0 ? frame->left : 0, end = frame->left + pixels->width;
+    end = end < frame->width ? end : frame->width;
+    for (int64_t y = 0; y < frame->height && first < end; y++) {
+        int64_t row = y - frame->top;
+        if (row < 0 || row >= pixels->height)
+            continue;
+        const float *from = pixels->pixels + (row * pixels->width + first - frame->left) * pixels->channel_count;
+        memcpy(made.pixels + (y * frame->width + first) * made.channel_count, from,
+               (size_t)(end - first) * made.channel_count * sizeof *from);
+    }
+    *image = made;
+    return HATCH_OK;
+}
+
+/* Reads an OpenEXR file: its display window. */
+static enum hatch_status read_exr(struct hatch_bytes file, const char *plugin, struct hatch_arena *arena,
+                                  struct hatch_arena *scratch, struct hatch_image *image, struct hatch_err *err)
+{
+    struct hatch_exr_frame frame;
+    struct hatch_image pixels;
+    struct hatch_arena window;
+    HATCH_TRY(hatch_exr_frame_read(file, &frame, err));
+    if (frame.width == 0)
+        return read_exr_pixels(file, plugin, arena, scratch, image, err);
+    hatch_arena_init(&window, arena->limit_bytes);
+    enum hatch_status status = read_exr_pixels(file, plugin, &window, scratch, &pixels, err);
+    if (status == HATCH_OK)
+        status = place(&pixels, &frame, arena, image, err);
+    hatch_arena_free(&window);
+    return status;
 }
 
 enum hatch_status hatch_image_read_any(struct hatch_bytes file, const char *name, const char *plugin,

@@ -211,6 +211,72 @@ START_TEST(colours_of_exr_are_divided_by_alpha)
 }
 END_TEST
 
+/* Writes a picture of 3 x 2 pixels, whose values are 1 to 6, and changes its display window.
+ *   window  least x and y, largest x and y */
+static struct hatch_bytes framed(const int32_t window[4])
+{
+    struct hatch_image image;
+    struct hatch_mipmap part = {.level_count = 1, .levels = &image};
+    struct hatch_buffer file = {.arena = &keep};
+    static const char key[] = "displayWindow\0box2i\0\20\0\0";
+    HATCH_TEST_OK(hatch_image_make(&keep, 3, 2, "Y", &image, &err), &err);
+    for (uint32_t i = 0; i < 6; i++)
+        image.pixels[i] = (float)(i + 1);
+    HATCH_TEST_OK(hatch_exr_write(&part, &keep, &file, &err), &err);
+    size_t at = 0;
+    while (memcmp(file.data + at, key, sizeof key) != 0)
+        at++;
+    for (size_t i = 0; i < 16; i++)
+        file.data[at + sizeof key + i] = (uint8_t)((uint32_t)window[i / 4] >> i % 4 * 8);
+    return (struct hatch_bytes){file.data, file.size};
+}
+
+static const struct {
+    int32_t window[4];
+    float want[12]; /* row by row */
+} frames[] = {
+    {{0, 0, 2, 1}, {1, 2, 3, 4, 5, 6}},
+    {{-1, 0, 3, 1}, {0, 1, 2, 3, 0, 0, 4, 5, 6, 0}},
+    {{0, -1, 2, 0}, {0, 0, 0, 1, 2, 3}},
+    {{1, 0, 1, 2}, {2, 5, 0}},
+    {{2, 1, 4, 3}, {6}},
+    {{3, 0, 4, 1}, {0}},
+    {{-4, -3, -1, -1}, {0}},
+    {{0, 2, 1, 2}, {0}},
+    {{1 << 29, 5, 1 << 29, 5}, {0}},
+};
+
+/* OpenEXR refuses windows whose largest coordinate is the smaller one, so that no picture is empty. */
+START_TEST(pictures_of_exr_have_their_display_window)
+{
+    const int32_t *window = frames[_i].window;
+    struct hatch_image got;
+    HATCH_TEST_OK(hatch_image_read_any(framed(window), "", "/none/plugin.so", &keep, &scratch, &got, &err), &err);
+    ck_assert_int_eq((int)got.width, window[2] - window[0] + 1);
+    ck_assert_int_eq((int)got.height, window[3] - window[1] + 1);
+    for (uint32_t i = 0; i < got.width * got.height; i++)
+        ck_assert_float_eq(got.pixels[i], frames[_i].want[i]);
+    const int32_t empty[] = {window[2], window[1], window[2] - 1, window[3]};
+    ck_assert_int_eq(hatch_image_read_any(framed(empty), "", "", &keep, &scratch, &got, &err), HATCH_BAD_INPUT);
+}
+END_TEST
+
+/* Up to 2^25 pixels are allowed; they need more memory than there is. */
+START_TEST(display_windows_are_limited)
+{
+    static const int32_t allowed[] = {0, 0, 4095, 8191}, larger[] = {0, 0, 8191, 8191}, most[] = {0, 0, INT32_MAX, 0};
+    struct hatch_image got;
+    struct hatch_arena small;
+    hatch_arena_init(&small, 1 << 16);
+    ck_assert_int_eq(hatch_image_read_any(framed(allowed), "", "", &small, &scratch, &got, &err), HATCH_LIMIT);
+    ck_assert_int_eq(hatch_image_read_any(framed(larger), "", "", &small, &scratch, &got, &err), HATCH_BAD_INPUT);
+    ck_assert_str_eq(err.text, "a display window of 8192x8192 pixels, of which the file holds 3x2");
+    ck_assert_int_ne(hatch_image_read_any(framed(most), "", "", &small, &scratch, &got, &err), HATCH_OK);
+    ck_assert_uint_le(small.peak_bytes, 1 << 16);
+    hatch_arena_free(&small);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io foreign");
@@ -221,6 +287,8 @@ static Suite *suite(void)
     tcase_add_test(tests, rows_may_run_from_the_top_down);
     tcase_add_test(tests, an_image_has_four_bytes_at_least);
     tcase_add_test(tests, colours_of_exr_are_divided_by_alpha);
+    tcase_add_loop_test(tests, pictures_of_exr_have_their_display_window, 0, sizeof frames / sizeof *frames);
+    tcase_add_test(tests, display_windows_are_limited);
     tcase_add_loop_test(tests, headers_have_a_size, 0, sizeof headers / sizeof *headers);
     tcase_add_loop_test(tests, headers_may_lack_a_size, 0, sizeof without_size / sizeof *without_size);
     suite_add_tcase(suite, tests);
