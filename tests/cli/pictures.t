@@ -80,7 +80,13 @@ printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\2\0\030\040\0\0\377\0\377\0\377\0\0\377\377
 for format in bmp tga; do
     is "$format is read like ppm" "$(hatchstat diff colours.$format colours.ppm | field max)" 0
 done
-printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n\200\0\0\201\0\200\0\201\0\0\200\201\200\200\200\201' >colours.hdr
+# hdr AXES PIXEL ...: prints a Radiance file of 2 x 2 pixels
+red='\200\0\0\201' green='\0\200\0\201' blue='\0\0\200\201' white='\200\200\200\201'
+hdr() {
+    printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n%s\n' "$1"
+    printf "$2$3$4$5"
+}
+hdr '-Y 2 +X 2' $red $green $blue $white >colours.hdr
 # webp HEX: prints a WebP file of lossless pixels
 webp() {
     perl -e 'my $bytes = pack "H*", shift;
@@ -90,6 +96,16 @@ webp 2f014000001f201048de1f3a8df9171014fc1fddfc47640fe0060c11fd0f0100 >colours.w
 for format in ppm webp hdr; do
     is "$format is known by its content" "$(hatchstat diff - colours.bmp <colours.$format | field max)" 0
 done
+hdr '+Y 2 +X 2' $blue $white $red $green >up.hdr
+hdr '-Y 2 -X 2' $green $red $white $blue >left.hdr
+hdr '+Y 2 -X 2' $white $blue $green $red >up_left.hdr
+for file in up left up_left; do
+    is "hdr: rows may run $file" "$(hatchstat diff $file.hdr colours.bmp | field max)" 0
+done
+hdr '+X 2 -Y 2' $red $blue $green $white >columns.hdr
+try hatchstat diff columns.hdr columns.hdr
+refused "hdr: columns after one another" 3 1
+ok "hdr: the message tells that they are columns" grep -q 'stored column by column' .err
 cp colours.webp colours.jpg
 is "webp is known under another name" "$(hatchstat diff colours.jpg colours.bmp | field max)" 0
 # Pictures of four channels have transparency; more channels have no meaning here. A TIFF of one pixel of 8 bits each.

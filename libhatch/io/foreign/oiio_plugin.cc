@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <exception>
@@ -117,6 +118,46 @@ bool choose_colors(Image &image)
     return false;
 }
 
+/* Returns the orientation of the pixels of a Radiance file, which those of other files have as they are stored: 1 as
+ * they should be, 2 from right to left, 3 also from the bottom up, 4 from the bottom up only, 5 .. 8 column by column.
+ */
+int orientation_of(const OIIO::ImageInput &reader)
+{
+    return std::string(reader.format_name()) == "hdr" ? reader.spec().get_int_attribute("Orientation", 1) : 1;
+}
+
+/* Returns the reason why an image is not read, or "". Chooses the channels of an OpenEXR file. */
+std::string fault_of(Image &image)
+{
+    const OIIO::ImageSpec &spec = image.reader->spec();
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+        return "not a two-dimensional image";
+    if (!tiles_are_plausible(spec))
+        return "tiles of " + std::to_string(spec.tile_width) + "x" + std::to_string(spec.tile_height) +
+               " pixels, the image has " + std::to_string(spec.width) + "x" + std::to_string(spec.height);
+    if (std::string(image.reader->format_name()) == "openexr" && !choose_colors(image))
+        return "neither a channel Y nor channels R, G and B";
+    if (orientation_of(*image.reader) > 4)
+        return "its pixels are stored column by column (+X or -X first); store them row by row";
+    return "";
+}
+
+/* Turns the pixels of a Radiance file the right way round. */
+void turn(const Image &image, float *pixels)
+{
+    int orientation = orientation_of(*image.reader);
+    bool upwards = orientation == 3 || orientation == 4, leftwards = orientation == 2 || orientation == 3;
+    size_t width = static_cast<size_t>(image.reader->spec().width);
+    size_t height = static_cast<size_t>(image.reader->spec().height), channels = static_cast<size_t>(image.channels);
+    for (size_t y = 0; y < height && (upwards || leftwards); y++)
+        for (size_t x = 0; x < width; x++) {
+            size_t from = y * width + x;
+            size_t to = (upwards ? height - 1 - y : y) * width + (leftwards ? width - 1 - x : x);
+            if (from < to)
+                std::swap_ranges(pixels + from * channels, pixels + (from + 1) * channels, pixels + to * channels);
+        }
+}
+
 /* Since 2.5, OpenImageIO takes messages of libtiff, which it is linked to, per file; libtiff then prints them, too. */
 void silence_libtiff()
 {
@@ -160,20 +201,10 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
             return nullptr;
         }
         const OIIO::ImageSpec &spec = image->reader->spec();
-        if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1) {
-            set_message("not a two-dimensional image", message, size);
-            return nullptr;
-        }
-        if (!tiles_are_plausible(spec)) {
-            set_message("tiles of " + std::to_string(spec.tile_width) + "x" + std::to_string(spec.tile_height) +
-                            " pixels, the image has " + std::to_string(spec.width) + "x" + std::to_string(spec.height),
-                        message, size);
-            return nullptr;
-        }
-        bool is_exr = format == "exr";
         image->channels = spec.nchannels;
-        if (is_exr && !choose_colors(*image)) {
-            set_message("neither a channel Y nor channels R, G and B", message, size);
+        std::string fault = fault_of(*image);
+        if (!fault.empty()) {
+            set_message(fault, message, size);
             return nullptr;
         }
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
@@ -213,8 +244,10 @@ int read_image(void *opened, float *pixels, char *message, size_t size)
         OIIO::ImageInput &reader = *image.reader;
         bool done = read_pixels(image, pixels);
         std::string error = reader.geterror();
-        if (done && error.empty())
+        if (done && error.empty()) {
+            turn(image, pixels);
             return 1;
+        }
         set_message(error, message, size);
     } catch (const std::bad_alloc &) {
         set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
