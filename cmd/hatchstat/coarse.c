@@ -8,13 +8,6 @@ static const char *const columns[] = {
     "file",       "faces_full", "faces", "displacement_px", "displacement_p999_px", "outline_px", "outline_p999_px",
     "normal_deg", NULL};
 
-static void read_flat(struct cmd_args *args, const char *path, struct hatch_scene *scene, struct hatch_mesh *mesh)
-{
-    struct hatch_err err;
-    cmd_read_scene(args, path, CMD_SCENE_AS_IS, scene);
-    cmd_check(hatch_scene_flatten(scene, &args->keep, &args->scratch, mesh, &err), path, &err);
-}
-
 enum hatch_status stat_coarse(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     const char *name = args->operands[1];
@@ -28,13 +21,16 @@ enum hatch_status stat_coarse(struct cmd_args *args, const struct stat_options *
     struct hatch_err err;
     chosen.size_px[0] = options->size_px[0];
     chosen.size_px[1] = options->size_px[1];
-    read_flat(args, name, &scene, &full);
+    cmd_read_scene(args, name, CMD_SCENE_AS_IS, &scene);
     cmd_make_views(args, name, &scene, &chosen, &pose, &bounds, &views);
+    cmd_check(hatch_scene_flatten(&scene, bounds.center, &args->keep, &args->scratch, &full, &err), name, &err);
     cmd_report_begin(&report, args, args->operand_count > 3 ? columns : columns + 1);
     for (int i = 2; i < args->operand_count; i++) {
         struct hatch_coarse_figures f;
         struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
-        read_flat(args, args->operands[i], &scene, &coarse);
+        cmd_read_scene(args, args->operands[i], CMD_SCENE_AS_IS, &scene);
+        cmd_check(hatch_scene_flatten(&scene, bounds.center, &args->keep, &args->scratch, &coarse, &err),
+                  args->operands[i], &err);
         cmd_check(hatch_measure_coarse(&full, &coarse, &views, NULL, cmd_pool(args), &args->scratch, &f, &err),
                   args->operands[i], &err);
         hatch_arena_rewind(&args->scratch, mark);

@@ -1,6 +1,8 @@
 /* hatchstat mesh FILE ...: measures meshes and scenes; the report has one row per file. */
-#include "shared/scene.h"
+#include "math/vector.h"
 #include "measure/mesh_figures.h"
+#include "scene/pose.h"
+#include "shared/scene.h"
 #include "subject.h"
 
 /* clang-format off */
@@ -16,18 +18,24 @@ static const char *const columns[] = {
     "texels_p95",     NULL};
 /* clang-format on */
 
-/* Removes the translation of a scene's only node and returns it in origin. A mesh file far from the origin is read as a
- * mesh around the origin whose node has a translation; measured without the translation, the mesh keeps the precision
- * of floats.
- *   origin  in, out: unchanged if the scene has several nodes, or its node a matrix or a skin */
-static void remove_origin(struct hatch_scene *scene, double origin[3])
+#define FAR 2 /* distance from the origin, in radii, at which a scene is measured around a point of its own */
+
+/* Finds a place near which floats keep the precision of a scene that is far from the origin. A mesh file there is read
+ * as a mesh around the origin whose node has a translation, which is that place.
+ *   origin  out: 0 0 0 for a scene of several nodes near the origin */
+static void find_origin(struct cmd_args *args, const char *name, const struct hatch_scene *scene, double origin[3])
 {
-    struct hatch_node *node = scene->nodes;
+    const struct hatch_pose_span rest = {HATCH_NONE, 0, 0, 1};
+    const struct hatch_node *node = scene->nodes;
     bool single = scene->node_count == 1 && !node->has_matrix && node->skin == HATCH_NONE;
-    for (int k = 0; k < 3 && single; k++) {
-        origin[k] = (double)node->translation[k];
-        node->translation[k] = 0;
-    }
+    struct hatch_pose pose;
+    struct hatch_bounds bounds;
+    struct hatch_err err;
+    cmd_check(hatch_pose_make(scene, &args->keep, &pose, &err), name, &err);
+    cmd_check(hatch_pose_bounds(&pose, &rest, &args->scratch, &bounds, &err), name, &err);
+    bool far = !bounds.empty && hatch_vec_length(bounds.center) > FAR * bounds.radius;
+    for (int k = 0; k < 3; k++)
+        origin[k] = single ? (double)node->translation[k] : far ? bounds.center[k] : 0;
 }
 
 static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double origin[3],
@@ -68,10 +76,10 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     struct hatch_mesh_figures figures;
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
-    double origin[3] = {0, 0, 0};
+    double origin[3];
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
-    remove_origin(&scene, origin);
-    cmd_check(hatch_scene_flatten(&scene, &args->keep, &args->scratch, &mesh, &err), name, &err);
+    find_origin(args, name, &scene, origin);
+    cmd_check(hatch_scene_flatten(&scene, origin, &args->keep, &args->scratch, &mesh, &err), name, &err);
     cmd_check(hatch_measure_mesh(&mesh, &args->scratch, &figures, &err), name, &err);
     uint32_t added = 0;
     for (uint32_t n = 0; n < scene.node_count; n++)

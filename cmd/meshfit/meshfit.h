@@ -11,7 +11,7 @@ struct meshfit {
     const char *name; /* of the input */
     const struct hatch_scene *scene;
     uint64_t faces;         /* of all meshes of the scene */
-    struct hatch_mesh full; /* all meshes of the scene in world coordinates; no faces: no node draws any */
+    struct hatch_mesh full; /* all meshes, in the world relative to bounds.center; no faces: no node draws any */
     struct hatch_pose pose;
     struct hatch_bounds bounds;
     struct hatch_view_set views;

@@ -6,15 +6,16 @@
 struct flat {
     const struct hatch_scene *scene;
     const float *world; /* world matrices of the nodes */
+    double origin[3];
     struct hatch_mesh mesh;
     float *normals, *texcoords; /* NULL: omitted */
     uint32_t vertex, face;      /* numbers of vertices and faces added so far */
 };
 
-static void transform(const float *matrix, const float *p, float *out)
+static void transform(const float *matrix, const double origin[3], const float *p, float *out)
 {
     for (int row = 0; row < 3; row++) {
-        double sum = (double)matrix[12 + row];
+        double sum = (double)matrix[12 + row] - origin[row];
         for (int k = 0; k < 3; k++)
             sum += (double)matrix[k * 4 + row] * (double)p[k];
         out[row] = (float)sum;
@@ -50,7 +51,7 @@ static void add_mesh(struct flat *f, const struct hatch_mesh *mesh, const float 
     const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         size_t to = f->vertex + v;
-        transform(matrix, &positions[v * 3], &f->mesh.attributes[0].data[to * 3]);
+        transform(matrix, f->origin, &positions[v * 3], &f->mesh.attributes[0].data[to * 3]);
         if (f->normals)
             turn_normal(cofactor, determinant, &normals[v * 3], &f->normals[to * 3]);
         if (f->texcoords)
@@ -101,8 +102,9 @@ static enum hatch_status flatten(struct flat *f, struct totals total, struct hat
     return hatch_mesh_check(&f->mesh, err);
 }
 
-enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_err *err)
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3],
+                                      struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                      struct hatch_err *err)
 {
     struct totals total = count(scene);
     if (total.faces == 0)
@@ -115,7 +117,7 @@ enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct ha
     float *world;
     HATCH_TRY(HATCH_ALLOC(scratch, &world, (size_t)scene->node_count * 16, err));
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
-    struct flat f = {.scene = scene, .world = world};
+    struct flat f = {.scene = scene, .world = world, .origin = {origin[0], origin[1], origin[2]}};
     enum hatch_status status = flatten(&f, total, arena, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

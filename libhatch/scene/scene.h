@@ -183,13 +183,14 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
  *   joints  out: 16 per joint, column-major */
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
-/* Joins the meshes of all nodes at rest into one mesh in world coordinates. It has POSITION, and NORMAL and TEXCOORD_0
- * if all meshes have them. Skinned meshes keep their bind pose. Under a mirroring matrix the winding of faces is
- * reversed, so that they stay counter-clockwise.
- *   mesh  out: in arena
+/* Joins the meshes of all nodes at rest into one mesh in world coordinates, relative to an origin: floats are precise
+ * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Skinned meshes keep their bind
+ * pose. Under a mirroring matrix the winding of faces is reversed, so that they stay counter-clockwise.
+ *   origin  of the mesh, in the world
+ *   mesh    out: in arena
  * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also if there are too many faces for one mesh. */
-enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, struct hatch_arena *arena,
-                                      struct hatch_arena *scratch, struct hatch_mesh *mesh,
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3],
+                                      struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
 /* Counts in notes what a scene may have been meant otherwise: see struct hatch_mesh_notes. Changes nothing. Normals are

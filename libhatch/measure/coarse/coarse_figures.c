@@ -220,6 +220,7 @@ static enum hatch_status measure(const struct hatch_mesh *full, const struct hat
         for (size_t v = 0; v < meshes[side]->vertex_count; v++) {
             double world[3];
             hatch_vec_of(&meshes[side]->attributes[0].data[3 * v], world);
+            hatch_vec_add_scaled(world, 1, views->bounds->center, world);
             pixels[side][v] = hatch_views_pixels(views, world);
         }
     }

@@ -14,7 +14,8 @@ struct hatch_coarse_figures {
     double normal_deg;                  /* mean angle between the normals of both surfaces */
 };
 
-/* Measures two meshes in world coordinates, each sampled against the other. The outlines are those of pictures in which
+/* Measures two meshes, each sampled against the other. Their positions are those in the world relative to the centre of
+ * the views' bounds, so that they keep their precision far from the origin. The outlines are those of pictures in which
  * a pixel is divided into HATCH_OUTLINE_PARTS parts each way; their distances are multiples of such a part, with an
  * error of one.
  *   full, coarse  have faces

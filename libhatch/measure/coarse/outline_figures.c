@@ -30,10 +30,9 @@ struct outlines {
 static bool project(const struct outlines *all, uint32_t view_index, const float position[3], double out[2])
 {
     const struct hatch_view *view = &all->views->views[view_index];
-    double world[3], unit[3], to[3];
-    hatch_vec_of(position, world);
-    hatch_bounds_to_unit(all->views->bounds, world, unit);
-    hatch_vec_sub(unit, view->eye, to);
+    double to[3];
+    for (int k = 0; k < 3; k++)
+        to[k] = (double)position[k] / all->views->bounds->radius - view->eye[k];
     double depth = view->orthographic ? 1 : -hatch_vec_dot(to, view->back);
     double half = HATCH_OUTLINE_PARTS * all->views->height_px / 2, scale = half / (view->half_height * depth);
     out[0] = HATCH_OUTLINE_PARTS * all->views->width_px / 2 + scale * hatch_vec_dot(to, view->right);

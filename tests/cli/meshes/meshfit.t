@@ -19,6 +19,10 @@ displacement() {
 json() {
     tail -c +21 "$1" | head -c "$(od -An -tu4 -j12 -N4 "$1" | tr -d ' ')"
 }
+# difference A B: how far A is from B
+difference() {
+    awk -v a="$1" -v b="$2" 'BEGIN {print (a > b ? a - b : b - a)}'
+}
 # below A B: whether A is at most B
 below() {
     awk -v a="$1" -v b="$2" 'BEGIN {exit !(a <= b)}'
@@ -87,6 +91,14 @@ awk 'BEGIN {
 ok "a mesh without normals" meshfit $small --error 1 waves.obj -o waves.glb
 ok "becomes coarser" test "$(faces waves.glb)" -lt 1600
 is "and has normals" "$(json waves.glb | grep -c '"NORMAL"')" 1
+# Scans lie far from the origin: at 10^6 floats are 1/16 apart, more than twice the width of a face.
+awk '$1 == "v" {printf "v %.6f %.6f %.6f\n", $2 + 1e6, $3 - 1e6, $4 + 1e6} $1 == "f"' waves.obj >far.obj
+meshfit $small --error 1 far.obj -o far.glb
+ok "far from the origin it becomes as coarse" below "$(difference "$(faces far.glb)" "$(faces waves.glb)")" 10
+ok "and is measured as precisely" below "$(difference "$(displacement far.obj far.glb)" "$(displacement waves.obj waves.glb)")" 0.01
+meshfit $small -q --levels 2 far.obj -o far.levels.glb
+ok "where figures of several nodes are those near the origin" below "$(difference \
+    "$(hatchstat mesh -q far.levels.glb | column area)" "$(meshfit $small -q waves.obj | hatchstat mesh -q | column area)")" 1e-5
 printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '0 0 1' '1 0 1' '1 1 1' '0 1 1' >box.obj
 printf 'f %s\n' '1 4 3 2' '5 6 7 8' '1 2 6 5' '2 3 7 6' '3 4 8 7' '4 1 5 8' >>box.obj
 meshfit $small -q box.obj -o box.glb

@@ -137,6 +137,23 @@ START_TEST(faces_know_their_worst_displacement)
 }
 END_TEST
 
+/* Positions are relative to the centre of the bounds, wherever that is. Seen from a camera at a distance of 2, lengths
+ * count as in the orthographic picture. */
+START_TEST(figures_do_not_depend_on_the_place_in_the_world)
+{
+    struct hatch_mesh full = square(9, 0, 0, 0), coarse = square(1, 0.01, 0, 0);
+    const struct hatch_bounds far = {.center = {1e7, -3e6, 2e7}, .radius = 1, .half = {1, 1, 1}};
+    struct hatch_view view = view_facing;
+    view.orthographic = false;
+    view.half_height = 0.5;
+    const struct hatch_view_set views = {&far, 1, &view, 100, 100};
+    struct hatch_coarse_figures figures;
+    HATCH_TEST_OK(hatch_measure_coarse(&full, &coarse, &views, NULL, NULL, &scratch, &figures, &err), &err);
+    ck_assert_double_eq_tol(figures.displacement_px, 0.01 * PIXELS, 1e-5);
+    ck_assert_double_eq(figures.outline_px, 0.5);
+}
+END_TEST
+
 /* One place in a thousand may be farther away than the percentile: a far small face beside a large square. */
 START_TEST(the_percentile_leaves_out_few_places)
 {
@@ -186,6 +203,7 @@ static Suite *suite(void)
     tcase_add_test(tests, normals_of_vertices_come_before_those_of_faces);
     tcase_add_test(tests, a_tilted_square_tilts_its_normals);
     tcase_add_test(tests, faces_know_their_worst_displacement);
+    tcase_add_test(tests, figures_do_not_depend_on_the_place_in_the_world);
     tcase_add_test(tests, the_percentile_leaves_out_few_places);
     tcase_add_test(tests, allocations_may_fail);
     suite_add_tcase(suite, tests);

@@ -229,6 +229,8 @@ static struct hatch_mesh make_sphere(void)
     return mesh;
 }
 
+static const double at_zero[3] = {0, 0, 0};
+
 START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
 {
     hatch_arena_init(&keep, (size_t)1 << 28);
@@ -243,7 +245,7 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
     nodes[2].mesh_count = 0;
     const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 3, .nodes = nodes};
     struct hatch_err err;
-    HATCH_TEST_OK(hatch_scene_flatten(&scene, &keep, &scratch, &flat, &err), &err);
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), &err);
     ck_assert_uint_eq(flat.face_count, 2 * sphere.face_count);
     const float *normals = hatch_mesh_find(&flat, "NORMAL", 3);
     uint32_t back = 0;
@@ -263,7 +265,35 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
     ck_assert_float_eq_tol(low[0], -1, 0.03f);
     ck_assert_float_eq_tol(high[0], 12, 0.06f);
     nodes[0].mesh_count = nodes[1].mesh_count = 0;
-    ck_assert_int_eq(hatch_scene_flatten(&scene, &keep, &scratch, &flat, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), HATCH_BAD_INPUT);
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+END_TEST
+
+/* Two nodes 10^7 from the origin, where floats are a whole unit apart: a small mesh keeps its shape. */
+START_TEST(a_flat_scene_is_precise_near_its_origin)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+    hatch_arena_init(&scratch, (size_t)1 << 28);
+    struct hatch_mesh sphere = make_sphere(), flat;
+    struct hatch_scene_mesh meshes[1] = {{.mesh = sphere, .material = HATCH_NONE}};
+    struct hatch_node nodes[2] = {resting, resting};
+    for (int i = 0; i < 2; i++) {
+        nodes[i].mesh_count = 1;
+        nodes[i].translation[0] = 1e7f;
+        nodes[i].translation[2] = 2 * (float)i;
+    }
+    const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 2, .nodes = nodes};
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, (const double[3]){1e7, 0, 2}, &keep, &scratch, &flat, &err), &err);
+    const float *from = sphere.attributes[0].data, *to = flat.attributes[0].data;
+    for (size_t v = 0; v < 2 * (size_t)sphere.vertex_count; v++)
+        for (size_t k = 0; k < 3; k++) {
+            double moved = k == 2 && v < sphere.vertex_count ? -2 : 0;
+            ck_assert_double_eq_tol((double)to[3 * v + k], (double)from[3 * (v % sphere.vertex_count) + k] + moved,
+                                    2e-7);
+        }
     hatch_arena_free(&scratch);
     hatch_arena_free(&keep);
 }
@@ -280,7 +310,7 @@ static enum hatch_status flatten_one(void *context, struct hatch_arena *kept, st
     struct flattening *f = context;
     struct hatch_scene scene;
     enum hatch_status status = hatch_scene_of_mesh(&f->scene.meshes[0].mesh, kept, &scene, err);
-    return status == HATCH_OK ? hatch_scene_flatten(&scene, kept, temporary, &f->mesh, err) : status;
+    return status == HATCH_OK ? hatch_scene_flatten(&scene, at_zero, kept, temporary, &f->mesh, err) : status;
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
@@ -332,6 +362,7 @@ static Suite *suite(void)
     tcase_add_test(tests, rotations_turn_about_their_axis);
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);
+    tcase_add_test(tests, a_flat_scene_is_precise_near_its_origin);
     tcase_add_test(tests, meshes_are_left_out_and_nodes_draw_the_others);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
