@@ -10,6 +10,7 @@
 #define FACE_TRIES 14 /* tolerances for one number of faces */
 #define CLOSE 0.97    /* share of the number of faces that is near enough */
 #define CAUTION 0.85  /* factor of the tolerance that should lead to the error */
+#define NO_ERROR 1e-3 /* displacement in pixels of which nobody wants less */
 #define ERROR_MAX 1e5 /* largest tolerance in pixels: that of a mesh of very few faces */
 
 static uint64_t count_faces(const struct meshfit *fit, const struct hatch_mesh *meshes)
@@ -124,22 +125,37 @@ void meshfit_by_error(struct meshfit *fit, double error_px, struct meshfit_level
     take_scene(fit, level);
 }
 
+/* Returns whether the meshes of a level lie where those of the scene do. Where two tolerances leave as many faces, a
+ * smaller one then changes nothing but its own roundings. */
+static bool is_exact(struct meshfit *fit, struct meshfit_level *level)
+{
+    if (fit->full.face_count > 0)
+        measure(fit, false, level);
+    return level->figures.displacement_px <= NO_ERROR;
+}
+
 void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level *level)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&fit->args->keep);
     struct hatch_err err;
     double low = 0, high = INFINITY, tolerance = 1;
+    uint64_t fewest = 0; /* faces with the tolerance `high` */
     take_scene(fit, level);
     if (level->faces <= faces)
         return;
     for (int i = 0; i < FACE_TRIES; i++) {
         hatch_arena_rewind(&fit->args->keep, mark);
         make(fit, tolerance, NULL, level);
+        bool same = level->faces == fewest;
         if (level->faces > faces)
             low = tolerance;
-        else
+        else {
             high = tolerance;
+            fewest = level->faces;
+        }
         if ((level->faces <= faces && (double)level->faces >= CLOSE * (double)faces) || low >= ERROR_MAX)
+            break;
+        if (same && is_exact(fit, level))
             break;
         /* The number of faces falls about as the tolerance grows. */
         double next = tolerance * (double)level->faces / (double)faces;

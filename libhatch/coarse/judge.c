@@ -117,6 +117,50 @@ static double full_tolerance(const struct hatch_coarse_work *work, uint32_t face
     return tolerance;
 }
 
+/* A row of places on a new face, with numbers from first to last. */
+struct row {
+    double from[3], along[3]; /* place 0, and the vector from one to the next */
+    double first, last;
+};
+
+static void place_on(const struct row *row, double number, double at[3])
+{
+    hatch_vec_add_scaled(row->from, number, row->along, at);
+}
+
+/* Returns the last of the places after one that are all near a full face, as that one is. Two places are enough to show
+ * it for those between them, since a face is convex. */
+static double last_near(const struct hatch_coarse_work *work, const struct row *row, double number, double distance,
+                        uint32_t face)
+{
+    bool grows = true;
+    for (double step = 1; step >= 1; step *= grows ? 2 : 0.5) {
+        double at[3];
+        place_on(row, number + step, at);
+        if (number + step <= row->last && hatch_nearest_is_near(&work->full, face, at, distance))
+            number += step;
+        else
+            grows = false;
+    }
+    return number;
+}
+
+static bool row_lies_near(const struct hatch_coarse_work *work, const struct row *row, double tolerance, uint32_t *hint)
+{
+    uint32_t before = HATCH_COARSE_NONE;
+    for (double number = row->first; number <= row->last; number++) {
+        double at[3];
+        place_on(row, number, at);
+        if (!hatch_nearest_within(&work->full, at, tolerance, hint) ||
+            !hatch_nearest_within(&work->full, at, full_tolerance(work, *hint), hint))
+            return false;
+        if (*hint == before)
+            number = last_near(work, row, number, fmin(tolerance, full_tolerance(work, *hint)), *hint);
+        before = *hint;
+    }
+    return true;
+}
+
 /* Tests that a face lies near the full surface: at places in rows along its longest side. The samples alone do not see
  * a face that stands out between them.
  *   hint  in, out: a face of the full meshes that may be near */
@@ -132,16 +176,15 @@ static bool lies_near(const struct hatch_coarse_work *work, double corners[3][3]
     hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
     double rows = fmin(fmax(ceil(hatch_vec_length(normal) / (base * step)), 2), GRID_MAX);
     const double *a = corners[first], *b = corners[(first + 1) % 3], *apex = corners[(first + 2) % 3];
-    for (double row = 0; row < rows; row++) {
-        double columns = fmin(fmax(ceil(base * (1 - row / rows) / step), 2), GRID_MAX), at[3];
-        for (double column = row == 0 ? 1 : 0; column <= columns - (row == 0); column++) {
-            for (int k = 0; k < 3; k++)
-                at[k] = work->middle[k] + a[k] + row / rows * (apex[k] - a[k]) +
-                        (1 - row / rows) * column / columns * (b[k] - a[k]);
-            if (!hatch_nearest_within(&work->full, at, tolerance, hint) ||
-                !hatch_nearest_within(&work->full, at, full_tolerance(work, *hint), hint))
-                return false;
+    for (double i = 0; i < rows; i++) {
+        double columns = fmin(fmax(ceil(base * (1 - i / rows) / step), 2), GRID_MAX);
+        struct row row = {.first = i == 0, .last = columns - (i == 0)};
+        for (int k = 0; k < 3; k++) {
+            row.from[k] = work->middle[k] + a[k] + i / rows * (apex[k] - a[k]);
+            row.along[k] = (1 - i / rows) / columns * (b[k] - a[k]);
         }
+        if (!row_lies_near(work, &row, tolerance, hint))
+            return false;
     }
     return true;
 }

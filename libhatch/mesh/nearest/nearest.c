@@ -291,6 +291,13 @@ bool hatch_nearest_within(const struct hatch_nearest *nearest, const double poin
     return best.distance <= distance * distance;
 }
 
+bool hatch_nearest_is_near(const struct hatch_nearest *nearest, uint32_t face, const double point[3], double distance)
+{
+    struct hatch_nearest_place place = {.distance = INFINITY};
+    test_face(nearest, nearest->place[face], point, &place);
+    return place.distance <= distance * distance;
+}
+
 /* Adds a face to a list in the order of distances; returns false when the list is full. */
 static bool add_item(struct hatch_nearest_list *list, double distance, uint32_t place)
 {

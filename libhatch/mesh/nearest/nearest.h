@@ -38,6 +38,9 @@ void hatch_nearest_find(const struct hatch_nearest *nearest, const double point[
  *   hint  in, out: as above; the face found */
 bool hatch_nearest_within(const struct hatch_nearest *nearest, const double point[3], double distance, uint32_t *hint);
 
+/* Returns whether a face is at most `distance` from a point. */
+bool hatch_nearest_is_near(const struct hatch_nearest *nearest, uint32_t face, const double point[3], double distance);
+
 #define HATCH_NEAREST_LIST_MAX 16u
 
 /* The faces of which one is the nearest to any point of a ball. */

@@ -69,6 +69,10 @@ meshfit $small --faces 400 torus.glb -o few.glb
 is "the file tells the command" "$(strings few.glb | grep -o 'meshfit [^"]*')" "meshfit --faces 400 $small --fov 30 --zoom 1"
 ok "--faces is not exceeded" test "$(faces few.glb)" -le 400
 ok "and nearly reached" test "$(faces few.glb)" -ge 380
+meshgen plane --faces 3000 -o flat.glb
+is "a plane has no more than two" "$(meshfit $small --faces 4 flat.glb | hatchstat mesh | column faces)" 2
+used=$(milliseconds 4000 meshfit $small --faces 4 flat.glb -o /dev/null)
+ok "which are found in under 4 seconds ($used ms)" test "$used" -le 4000
 meshfit $small --faces 5000 torus.glb -q -o same.glb
 is "more faces than there are: all are kept" "$(faces same.glb)" "$(faces torus.glb)"
 try meshfit $small --faces 4 torus.glb -o /dev/null

@@ -106,6 +106,8 @@ static void check_mesh(const struct hatch_mesh *mesh)
         uint32_t found = hint;
         ck_assert(hatch_nearest_within(&nearest, point, least * (1 + 1e-12), &found));
         ck_assert_double_le(distance_to(mesh, found, point), least * (1 + 1e-12));
+        ck_assert(hatch_nearest_is_near(&nearest, place.face, point, least * (1 + 1e-12)));
+        ck_assert(least == 0 || !hatch_nearest_is_near(&nearest, place.face, point, least * (1 - 1e-12)));
         found = hint;
         ck_assert(least == 0 || !hatch_nearest_within(&nearest, point, least * (1 - 1e-12), &found));
     }
