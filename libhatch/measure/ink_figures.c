@@ -51,9 +51,9 @@ static void count_greys(const float *dark, uint32_t width, uint32_t height, stru
             strokes += is_grey && !has_ink_next_to(dark, width, height, x, y);
         }
     figures->inked = (double)inked / ((double)width * height);
-    figures->grey = inked ? (double)grey / (double)inked : 0;
-    figures->grey_strokes = inked ? (double)strokes / (double)inked : 0;
-    figures->black = inked ? (double)black / (double)inked : 0;
+    figures->grey = inked ? (double)grey / (double)inked : NAN;
+    figures->grey_strokes = inked ? (double)strokes / (double)inked : NAN;
+    figures->black = inked ? (double)black / (double)inked : NAN;
 }
 
 /* Returns the sum of the changes of darkness between the pixels of all rows, columns or diagonals.
@@ -107,7 +107,7 @@ struct tables {
 
 /* Differences of mean darkness over windows. */
 struct differences {
-    double mean, magnitude, worst, squares; /* mean, mean and largest magnitude, mean square; 0 without windows */
+    double mean, magnitude, worst, squares; /* mean, mean and largest magnitude, mean square; NaN without windows */
 };
 
 /* Returns the sum over a rectangle of a summed-area table. */
@@ -138,7 +138,9 @@ static struct differences compare_windows(const struct tables *tables, uint32_t 
             sum.worst = fmax(sum.worst, fabs(difference));
             sum.squares += difference * difference;
         }
-    const double count = windows ? (double)windows : 1;
+    const double count = (double)windows;
+    if (windows == 0)
+        return (struct differences){NAN, NAN, NAN, NAN};
     return (struct differences){sum.mean / count, sum.magnitude / count, sum.worst, sum.squares / count};
 }
 
@@ -156,7 +158,7 @@ static enum hatch_status compare_tones(const float *dark, const float *reference
     figures->tone_error = tone.magnitude;
     figures->tone_worst = tone.worst;
     figures->tone_rms = sqrt(tone.squares);
-    figures->uneven24 = sqrt(fmax(even.squares - even.mean * even.mean, 0));
+    figures->uneven24 = isnan(even.mean) ? NAN : sqrt(fmax(even.squares - even.mean * even.mean, 0));
     return HATCH_OK;
 }
 
@@ -171,7 +173,7 @@ static void compare_edges(const float *dark, const float *reference, size_t coun
         edges++;
         squares += error * error;
     }
-    figures->edge_error = edges ? sqrt(squares / (double)edges) : 0;
+    figures->edge_error = edges ? sqrt(squares / (double)edges) : NAN;
 }
 
 enum hatch_status hatch_measure_ink(const struct hatch_image *picture, const struct hatch_image *reference,

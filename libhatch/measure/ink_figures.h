@@ -9,12 +9,13 @@
 #define HATCH_INK_EVEN_PX 24u   /* side of the windows of unevenness */
 
 struct hatch_ink_figures {
-    double inked;        /* share of the pixels that are not paper */
-    double grey;         /* share of the inked pixels that are grey */
-    double grey_strokes; /* share of the inked pixels that are grey and, unlike edges, have no ink next to them */
-    double black;        /* share of the inked pixels that are nearly all ink */
+    double inked; /* share of the pixels that are not paper */
+    /* Shares of the inked pixels; NaN if there are none. */
+    double grey;         /* those that are grey */
+    double grey_strokes; /* those that are grey and, unlike edges, have no ink next to them */
+    double black;        /* those that are nearly all ink */
     double width_px; /* mean width of strokes: twice the ink over the length of its outline; NaN without an outline */
-    /* Errors against the reference; NaN without one. */
+    /* Errors against the reference; NaN without one, or if it has no such windows or pixels. */
     double tone_error; /* mean of |difference of mean darkness| over the windows that the reference darkens */
     double tone_worst; /* largest of these differences */
     double edge_error; /* root mean square difference of darkness over the reference's edge pixels */

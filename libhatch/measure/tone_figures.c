@@ -98,8 +98,8 @@ enum hatch_status hatch_measure_tones(const struct hatch_tone_test *test, struct
         grey += (double)sums->grey;
         grey_all += (double)sums->grey_all;
     }
-    found.grey = inked > 0 ? grey / inked : 0;
-    found.grey_all = inked > 0 ? grey_all / inked : 0;
+    found.grey = inked > 0 ? grey / inked : NAN;
+    found.grey_all = inked > 0 ? grey_all / inked : NAN;
     hatch_arena_rewind(scratch, mark);
     *figures = found;
     return HATCH_OK;

@@ -23,7 +23,7 @@ struct hatch_tone_figures {
     double tone_worst; /* largest of these over tones */
     double error;      /* mean of |S - M| */
     double error_max;
-    double grey;     /* share of the inked samples that are grey and differ from both columns */
+    double grey;     /* share of the inked samples that are grey and differ from both columns; NaN if there are none */
     double grey_all; /* share of the inked samples that are grey */
 };
 

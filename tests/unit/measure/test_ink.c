@@ -63,10 +63,20 @@ START_TEST(paper_has_no_strokes)
     struct hatch_image image = stripes("RGB", 0, 0);
     measure(&image, &image);
     ck_assert_double_eq(figures.inked, 0);
-    ck_assert_double_eq(figures.grey, 0);
-    ck_assert_double_eq(figures.grey_strokes, 0);
-    ck_assert_double_eq(figures.tone_error, 0);
-    ck_assert_double_eq(figures.edge_error, 0);
+    ck_assert(isnan(figures.grey) && isnan(figures.grey_strokes) && isnan(figures.black));
+    ck_assert(isnan(figures.tone_error) && isnan(figures.tone_worst) && isnan(figures.tone_rms));
+    ck_assert(isnan(figures.uneven24) && isnan(figures.edge_error));
+}
+END_TEST
+
+/* Ink on a white reference: nothing says how dark it should be, and no figure says that it is right. */
+START_TEST(ink_without_tone_has_no_errors_of_tone)
+{
+    struct hatch_image image = stripes("Y", 1, 1), paper = stripes("Y", 0, 0);
+    measure(&image, &paper);
+    ck_assert_double_gt(figures.inked, 0.4);
+    ck_assert(isnan(figures.tone_error) && isnan(figures.tone_worst) && isnan(figures.tone_rms));
+    ck_assert(isnan(figures.uneven24) && isnan(figures.edge_error));
 }
 END_TEST
 
@@ -199,6 +209,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, edges_of_ink_do_not_count_as_grey_strokes, 0, 2);
     tcase_add_test(tests, grey_strokes_are_measured);
     tcase_add_test(tests, paper_has_no_strokes);
+    tcase_add_test(tests, ink_without_tone_has_no_errors_of_tone);
     tcase_add_test(tests, tone_is_compared_by_windows);
     tcase_add_test(tests, unevenness_is_the_deviation_between_windows);
     tcase_add_test(tests, a_constant_error_is_even);
