@@ -17,8 +17,8 @@ struct hatch_seed_figures {
     double distance_random; /* smallest distance between independent random points, mean of many sets */
     double distance_bayer;  /* smallest distance between the first N points of the recursive Bayer order */
     double discrepancy;     /* star discrepancy, 0 .. 1 */
-    double correlation;     /* of u and v, -1 .. 1 */
-    double power[HATCH_SEED_RINGS]; /* mean of the power spectrum at a radius; 1 for random points */
+    double correlation;     /* of u and v, -1 .. 1; NaN where u or v of all seed points is the same */
+    double power[HATCH_SEED_RINGS]; /* mean of the power spectrum at a radius; 1 for random points; NaN where none is */
     bool complete;                  /* false: astray, discrepancy and power were not measured */
 };
 

@@ -81,8 +81,8 @@ static double power_at(const struct waves *waves, uint32_t ku, int32_t kv)
     return (creal(sum) * creal(sum) + cimag(sum) * cimag(sum)) / waves->count;
 }
 
-/* Computes the mean of |sum of e^(-2 pi i k·s)|² / N over the integer frequencies k whose length is within
- * sqrt(N) / 8 of each ring's radius. */
+/* Computes the mean of |sum of e^(-2 pi i k·s)|² / N over the integer frequencies k in each ring, which begins at
+ * sqrt(N) / 8 below its radius and ends before sqrt(N) / 8 above it. */
 static enum hatch_status measure_spectrum(const struct hatch_seed_point *places, uint32_t count,
                                           struct hatch_arena *scratch, double power[HATCH_SEED_RINGS],
                                           struct hatch_err *err)
@@ -112,7 +112,7 @@ static enum hatch_status measure_spectrum(const struct hatch_seed_point *places,
             frequencies[ring]++;
         }
     for (uint32_t ring = 0; ring < HATCH_SEED_RINGS; ring++)
-        power[ring] = frequencies[ring] ? power[ring] / frequencies[ring] : 0;
+        power[ring] = frequencies[ring] ? power[ring] / frequencies[ring] : NAN;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }
@@ -219,7 +219,7 @@ static double correlate(const struct hatch_seed_point *places, uint32_t count)
         vv += dv * dv;
         uv += du * dv;
     }
-    return uu * vv > 0 ? uv / sqrt(uu * vv) : 0.0;
+    return uu * vv > 0 ? uv / sqrt(uu * vv) : NAN;
 }
 
 static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t throws, struct hatch_arena *scratch,

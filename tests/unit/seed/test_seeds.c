@@ -166,6 +166,24 @@ START_TEST(sets_nest_exactly_and_are_even)
 }
 END_TEST
 
+/* Two points at u = 1/3 and 2/3, v = 0. The rings of 1/4 and 1/2 end before length 1; that of 3/4 has (1, 0) and (0,
+ * 1), where the powers are 1/2 and 2; that of 1 has (1, 1) and (1, -1). Then points on a diagonal. */
+START_TEST(figures_of_nothing_are_not_numbers)
+{
+    struct hatch_seeds seeds;
+    struct hatch_seed_figures figures;
+    HATCH_TEST_OK(read_text("01\n", &seeds, &err), &err);
+    HATCH_TEST_OK(hatch_measure_seeds(&seeds.layers[0], 1, &scratch, &figures, &err), &err);
+    ck_assert(isnan(figures.correlation));
+    ck_assert(isnan(figures.power[0]) && isnan(figures.power[1]));
+    ck_assert_double_eq_tol(figures.power[2], 1.25, 1e-12);
+    ck_assert_double_eq_tol(figures.power[3], 0.5, 1e-12);
+    HATCH_TEST_OK(read_text("0303\n", &seeds, &err), &err);
+    HATCH_TEST_OK(hatch_measure_seeds(&seeds.layers[0], 1, &scratch, &figures, &err), &err);
+    ck_assert_double_eq_tol(figures.correlation, 1, 1e-12);
+}
+END_TEST
+
 /* A cycle with two crumbs exchanged still nests, as every cycle does, but is not uniform. */
 START_TEST(an_uneven_set_is_detected)
 {
@@ -248,6 +266,7 @@ static Suite *suite(void)
     tcase_add_test(tests, discrepancy_of_one_point_is_known);
     tcase_add_test(tests, discrepancy_is_that_of_all_boxes);
     tcase_add_test(tests, sets_nest_exactly_and_are_even);
+    tcase_add_test(tests, figures_of_nothing_are_not_numbers);
     tcase_add_test(tests, an_uneven_set_is_detected);
     tcase_add_test(tests, more_candidates_spread_seed_points_better);
     tcase_add_test(tests, candidates_share_the_steps_of_searches);
