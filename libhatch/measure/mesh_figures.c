@@ -102,18 +102,17 @@ static void measure_edges(struct work *w)
 {
     const float *positions = w->mesh->attributes[0].data;
     double sum = 0, a[3], b[3];
+    w->out->edge_min = w->out->edge_mean = w->out->edge_max = NAN;
     for (uint32_t e = 0; e < w->edges.count; e++) {
         uint32_t side = w->edges.sides[w->edges.first[e]];
         hatch_vec_of(&positions[(size_t)w->mesh->indices[side] * 3], a);
         hatch_vec_of(&positions[(size_t)w->mesh->indices[hatch_side_end(side)] * 3], b);
         double length = hatch_vec_distance(a, b);
         sum += length;
-        if (e == 0 || length < w->out->edge_min)
-            w->out->edge_min = length;
-        if (length > w->out->edge_max)
-            w->out->edge_max = length;
+        w->out->edge_min = fmin(w->out->edge_min, length); /* fmin and fmax ignore NaN */
+        w->out->edge_max = fmax(w->out->edge_max, length);
+        w->out->edge_mean = sum / (e + 1);
     }
-    w->out->edge_mean = w->edges.count ? sum / w->edges.count : 0;
 }
 
 static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
@@ -144,8 +143,8 @@ static enum hatch_status measure_uv(struct work *w, struct hatch_err *err)
         uv_area += fabs(s->uv_area);
         count++;
     }
-    out->degenerate_share = kept + degenerate > 0 ? degenerate / (kept + degenerate) : 0;
-    out->mirrored_share = kept > 0 ? mirrored / kept : 0;
+    out->degenerate_share = kept + degenerate > 0 ? degenerate / (kept + degenerate) : NAN;
+    out->mirrored_share = kept > 0 ? mirrored / kept : NAN;
     for (uint32_t i = 0; i < count; i++)
         values[i] = (struct hatch_weighted){list[i].ratio, list[i].area};
     hatch_percentiles(values, count, shares, 3, out->angle);

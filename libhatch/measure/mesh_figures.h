@@ -6,8 +6,9 @@
 #include "mesh/mesh.h"
 
 struct hatch_uv_figures {
-    double degenerate_share; /* share of the surface area in faces without texture area */
-    double mirrored_share;   /* share of the remaining area in faces with a mirrored texture */
+    double degenerate_share; /* share of the surface area in faces without texture area; NaN without surface area */
+    /* Of the remaining area; NaN if there is none. */
+    double mirrored_share; /* share of it in faces with a mirrored texture */
     double angle[3]; /* larger / smaller singular value of the map to texture space: 5th, 50th, 95th percentile by area;
                         1 preserves angles */
     double area[3];  /* texture area per surface area, relative to the mean: the same percentiles; 1 is uniform */
@@ -27,10 +28,10 @@ struct hatch_mesh_figures {
     uint32_t duplicate_faces;     /* faces with the same points as an earlier face */
     uint32_t contrary_edges;      /* edges of two faces with opposite orientations */
     double area;
-    float low[3], high[3]; /* bounding box of the used vertices */
-    double edge_min, edge_mean, edge_max;
-    bool has_uv;                /* has TEXCOORD_0 */
-    struct hatch_uv_figures uv; /* zero without TEXCOORD_0 */
+    float low[3], high[3];                /* bounding box of the used vertices */
+    double edge_min, edge_mean, edge_max; /* NaN if all faces are degenerate */
+    bool has_uv;                          /* has TEXCOORD_0 */
+    struct hatch_uv_figures uv;           /* zero without TEXCOORD_0 */
 };
 
 /* Measures a mesh. Time is nearly linear, whatever the valences.

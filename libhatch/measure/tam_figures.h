@@ -17,7 +17,7 @@ struct hatch_tam_image_figures {
     double error;            /* mean - target */
     uint64_t lighter_pixels; /* pixels lighter than in the previous column: violations of nesting */
     double seam_z[2]; /* mean jump across the tile's border, less the mean of the jumps between adjacent columns [0] or
-                         rows [1], in standard deviations of these jumps */
+                         rows [1], in standard deviations of these jumps; 0 where all are equal */
     double chroma;    /* of the image's mean; NaN in grey maps */
     double hue_error_deg; /* angle to the hue of the tone's finest image; NaN in grey maps and where either
                              chroma is at most HATCH_COLOR_CHROMA_MIN */

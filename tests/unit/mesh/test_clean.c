@@ -192,6 +192,27 @@ START_TEST(non_manifold_points_and_edges_are_reported)
 }
 END_TEST
 
+/* A face without area in the texture, and one without any. */
+START_TEST(figures_of_nothing_are_not_numbers)
+{
+    const uint32_t face[] = {0, 1, 2}, line[] = {0, 1, 1};
+    struct hatch_mesh mesh = mesh_of(square, 6, face, 1);
+    float *uv;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
+    struct hatch_mesh_figures figures = measure(&mesh);
+    ck_assert_double_eq(figures.uv.degenerate_share, 1);
+    ck_assert(isnan(figures.uv.mirrored_share) && isnan(figures.uv.angle[1]) && isnan(figures.uv.area[1]));
+    ck_assert_double_eq_tol(figures.edge_min, 1, 1e-12);
+    ck_assert_double_eq_tol(figures.edge_mean, (2 + sqrt(2)) / 3, 1e-12);
+    ck_assert_double_eq_tol(figures.edge_max, sqrt(2), 1e-12);
+    mesh = mesh_of(square, 6, line, 1);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TEXCOORD_0", 2, &uv, &err), &err);
+    figures = measure(&mesh);
+    ck_assert(isnan(figures.uv.degenerate_share) && isnan(figures.uv.mirrored_share));
+    ck_assert(isnan(figures.edge_min) && isnan(figures.edge_mean) && isnan(figures.edge_max));
+}
+END_TEST
+
 START_TEST(figures_do_not_depend_on_order_or_welding)
 {
     struct hatch_mesh mesh = sphere(900), shuffled = soup(&mesh);
@@ -351,6 +372,7 @@ static Suite *suite(void)
     tcase_add_test(tests, open_components_keep_the_side_of_most_faces);
     tcase_add_test(tests, non_orientable_surfaces_are_reported);
     tcase_add_test(tests, non_manifold_points_and_edges_are_reported);
+    tcase_add_test(tests, figures_of_nothing_are_not_numbers);
     tcase_add_test(tests, figures_do_not_depend_on_order_or_welding);
     tcase_add_test(tests, normals_of_a_sphere_point_outwards_welded_or_not);
     tcase_add_test(tests, creases_split_vertices);
