@@ -1,7 +1,11 @@
 /* Levels of detail: the nodes that carry coarser meshes. */
+#include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
 #include "meshfit.h"
+
+#define FRAMED 0.85 /* share of the picture that a framed scene fills */
 
 /* The scene that is being made. */
 struct making {
@@ -9,8 +13,57 @@ struct making {
     struct hatch_scene *scene; /* its nodes, meshes and animations are copies with room for more */
     uint32_t levels;
     uint32_t *carrier; /* per node of the first scene: the node that draws its meshes; HATCH_NONE: it draws none */
-    float *coverage;   /* per level */
+    float *coverage;   /* per node of the first scene and level: the least share of the picture for which it is drawn */
 };
+
+/* Finds the box of a node's meshes at rest, in the world.
+ *   low, high  out: low is above high if they have no vertices */
+static void find_box(struct meshfit *fit, uint32_t node, double low[3], double high[3])
+{
+    const struct hatch_node *at = &fit->scene->nodes[node];
+    struct hatch_arena *scratch = &fit->args->scratch;
+    struct hatch_err err;
+    for (int k = 0; k < 3; k++) {
+        low[k] = INFINITY;
+        high[k] = -INFINITY;
+    }
+    for (uint32_t m = at->first_mesh; m < at->first_mesh + at->mesh_count; m++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        size_t count = fit->scene->meshes[m].mesh.vertex_count;
+        double *places;
+        cmd_check(HATCH_ALLOC(scratch, &places, 3 * count, &err), fit->name, &err);
+        hatch_pose_vertices(&fit->pose, node, m, places, NULL);
+        for (size_t i = 0; i < 3 * count; i++) {
+            low[i % 3] = fmin(low[i % 3], places[i]);
+            high[i % 3] = fmax(high[i % 3], places[i]);
+        }
+        hatch_arena_rewind(scratch, mark);
+    }
+}
+
+/* Returns the share that a node's meshes have of what the scene fills of the picture, at most 1: in the views in which
+ * each is largest, as if both were balls around their boxes. */
+static double share_of(struct meshfit *fit, uint32_t node)
+{
+    double low[3], high[3], middle[3];
+    find_box(fit, node, low, high);
+    if (fit->bounds.empty || !(low[0] <= high[0]))
+        return 1;
+    for (int k = 0; k < 3; k++)
+        middle[k] = 0.5 * high[k] + 0.5 * low[k];
+    double size = hatch_vec_distance(low, high) / 2 * hatch_views_pixels(&fit->views, middle);
+    double whole = fit->bounds.radius * hatch_views_pixels(&fit->views, fit->bounds.center);
+    return fmin(size * size / (whole * whole), 1);
+}
+
+/* Sets how large a node's meshes are in the picture at each level. Where all of the scene is half as large as framed, a
+ * quarter of the picture, twice the error is as small. */
+static void set_coverage(struct making *making, uint32_t node, float *coverage)
+{
+    double share = FRAMED * share_of(making->fit, node);
+    for (uint32_t level = 0; level + 1 < making->levels; level++)
+        coverage[level] = (float)ldexp(share, -2 * (int)(level + 1));
+}
 
 /* Returns a node that draws the meshes of another at its place. */
 static struct hatch_node carrier_of(const struct hatch_node *from, uint32_t first_mesh)
@@ -36,8 +89,10 @@ static void add_nodes(struct making *making, uint32_t node_count, uint32_t mesh_
         if (node->mesh_count == 0)
             continue;
         making->carrier[n] = scene->node_count;
+        float *coverage = making->coverage + (size_t)n * making->levels;
+        set_coverage(making, n, coverage);
         scene->lods[scene->lod_count++] =
-            (struct hatch_lod){scene->node_count, scene->node_count + 1, making->levels - 1, making->coverage};
+            (struct hatch_lod){scene->node_count, scene->node_count + 1, making->levels - 1, coverage};
         for (uint32_t level = 0; level < making->levels; level++)
             scene->nodes[scene->node_count++] = carrier_of(node, node->first_mesh + level * mesh_count);
         /* A skinned mesh ignores the transforms of its parents, and should have none. */
@@ -82,7 +137,7 @@ static void allocate(struct making *making, const struct hatch_scene *from)
     cmd_check(HATCH_ALLOC(keep, &scene->animations, from->animation_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(keep, &scene->lods, nodes, &err), name, &err);
     cmd_check(HATCH_ALLOC(keep, &making->carrier, nodes, &err), name, &err);
-    cmd_check(HATCH_ALLOC(keep, &making->coverage, levels, &err), name, &err);
+    cmd_check(HATCH_ALLOC(keep, &making->coverage, nodes * levels, &err), name, &err);
     memcpy(scene->nodes, from->nodes, nodes * sizeof *from->nodes);
     if (from->animation_count > 0)
         memcpy(scene->animations, from->animations, from->animation_count * sizeof *from->animations);
@@ -113,12 +168,8 @@ void meshfit_join_levels(struct meshfit *fit, const struct meshfit_level *levels
     struct making making = {.fit = fit, .scene = scene, .levels = count};
     *scene = *from;
     allocate(&making, from);
-    /* A framed scene fills nearly all of the picture; at half the size, a quarter, twice the error is as small. */
-    float share = 0.85f;
     bool lost = false; /* strokes of a mesh */
     for (uint32_t level = 0; level < count; level++) {
-        share /= 4;
-        making.coverage[level] = level + 1 < count ? share : 0;
         for (uint32_t m = 0; m < from->mesh_count; m++) {
             const struct hatch_mesh *mesh = &levels[level].meshes[m];
             lost = lost || (from->meshes[m].curves.count > 0 && is_made(&from->meshes[m], mesh));

@@ -118,6 +118,24 @@ meshfit $small --levels 3 torus.glb -o levels.glb
 is "--levels writes coarser nodes that are not part of the scene" \
     "$(json levels.glb | grep -o '"scenes":.*"meshes"')" \
     '"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,"extensions":{"MSFT_lod":{"ids":[2,3]}},"extras":{"MSFT_screencoverage":[0.212500006,0.0531250015,0]}},{"mesh":1},{"mesh":2}],"meshes"'
+# Two tetrahedra, the second a tenth as large and at the centre of the first one's box: it fills a hundredth of the picture.
+cat >two.gltf <<'END'
+{"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}],
+ "nodes": [{"mesh": 0}, {"mesh": 0, "scale": [0.1, 0.1, 0.1], "translation": [0.45, 0.45, 0.45]}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+     {"bufferView": 1, "componentType": 5121, "count": 12, "type": "SCALAR"}],
+ "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+ "buffers": [{"byteLength": 60, "uri": "two.bin"}]}
+END
+{
+    head -c 12 /dev/zero
+    printf '\0\0\200\077\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077'
+    printf '\0\2\1\0\1\3\0\3\2\1\2\3'
+} >two.bin
+is "a small part is drawn as fine as the whole scene" \
+    "$(meshfit $small -q --levels 2 two.gltf -o two.glb && json two.glb | grep -o '"MSFT_screencoverage":[^}]*' | xargs)" \
+    "MSFT_screencoverage:[0.212500006,0] MSFT_screencoverage:[0.00212500012,0]"
 is "and names the extension" "$(json levels.glb | grep -c '"extensionsUsed":\["MSFT_lod"\]')" 1
 meshfit $small torus.glb -o first.glb
 is "others read the first level" "$(faces levels.glb)" "$(faces first.glb)"
