@@ -118,11 +118,22 @@ static void put_summary(struct cmd_report *report, const struct figures *figures
     put_row(report, "all", &all, drift);
 }
 
+/* Standard input is read once, and kept for a second pass: only here does a second name of it not fail by itself. */
+static void refuse_two_pipes(const struct cmd_args *args)
+{
+    int piped = 0;
+    for (int i = 1; i < args->operand_count; i++)
+        piped += strcmp(args->operands[i], "-") == 0;
+    if (piped > 1)
+        cmd_usage("two inputs come from standard input");
+}
+
 enum hatch_status stat_frames(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)
 {
     int count = args->operand_count - 1;
     struct hatch_err err;
     struct figures *figures;
+    refuse_two_pipes(args);
     cmd_check(HATCH_ALLOC(&args->keep, &figures, (size_t)count, &err), NULL, &err);
     struct sequence sequence = {.args = args, .srgb = options->srgb};
     if (!measure(&sequence, count, figures)) {

@@ -27,6 +27,8 @@ refused "two inputs come from standard input" 2 2
 ok "all outputs at once" tamgen --size 64 -o map.exr --strokes strokes.tsv --contact-sheet sheet.png
 try sh -c 'hatchstat diff - - <sheet.png'
 refused "two pictures come from standard input" 2 2
+try sh -c 'hatchstat frames - sheet.png - <sheet.png'
+refused "two of a sequence come from standard input" 2 2
 
 # Either all files of a set are replaced or none.
 echo old >tiles.000.00.png
