@@ -28,7 +28,7 @@ struct hatch_lapped_figures {
     double angle_area_deg[HATCH_LAPPED_SHARES]; /* the same, weighted by area */
 };
 
-/* Measures all patches that nodes use.
+/* Measures all patches that nodes use, in the coordinates of their meshes: transforms of nodes do not count.
  *   masks     image of each texture of the scene; its pixels are NULL if the texture is not an outline. Channel A is
  *             the opacity; without it the mask is opaque
  *   samples   at least 1; uniform by area
