@@ -5,7 +5,7 @@
 #include "math/vector.h"
 #include "mesh/nearest/nearest.h"
 
-#define SPACING_PX 3.0 /* between samples on a face */
+#define SPACING_PX 3.0 /* between samples on a face, at most, as far as ROWS_MAX allows */
 #define ROWS_MAX 400.0 /* rows of samples on a face, and samples of a row */
 #define RUN_MAX 16u    /* places whose nearest faces are listed together */
 #define RUN_MIN 8u
