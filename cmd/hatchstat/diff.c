@@ -11,8 +11,8 @@ enum hatch_status stat_diff(struct cmd_args *args, const struct stat_options *op
 {
     struct hatch_image a, b;
     const char *const *paths = (const char *const *)args->operands + 1;
-    stat_read_picture(args, paths[0], options->srgb, NULL, &a);
-    stat_read_picture(args, paths[1], options->srgb, NULL, &b);
+    stat_read_picture_as_is(args, paths[0], options->srgb, &a);
+    stat_read_picture_as_is(args, paths[1], options->srgb, &b);
     stat_make_alike(&args->keep, paths[1], &a, &b);
 
     struct hatch_err err;

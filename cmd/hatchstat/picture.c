@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "shared/picture.h"
 #include "subject.h"
 
@@ -12,12 +14,23 @@ static void encode_srgb(struct hatch_image *image)
         }
 }
 
+static void read_picture(struct cmd_args *args, const char *path, bool srgb, float fallback, struct hatch_arena *arena,
+                         struct hatch_image *image)
+{
+    cmd_read_picture(args, path, fallback, arena ? arena : &args->keep, image);
+    if (srgb)
+        encode_srgb(image);
+}
+
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
                        struct hatch_image *image)
 {
-    cmd_read_picture(args, path, 0, arena ? arena : &args->keep, image);
-    if (srgb)
-        encode_srgb(image);
+    read_picture(args, path, srgb, 0, arena, image);
+}
+
+void stat_read_picture_as_is(struct cmd_args *args, const char *path, bool srgb, struct hatch_image *image)
+{
+    read_picture(args, path, srgb, NAN, NULL, image);
 }
 
 static void as_rgba(const struct hatch_image *image, size_t texel, float *rgba)

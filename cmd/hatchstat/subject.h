@@ -38,11 +38,14 @@ enum hatch_status stat_solid(struct cmd_args *args, const struct stat_options *o
 enum hatch_status stat_tam(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 enum hatch_status stat_tones(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output);
 
-/* Reads a picture of any format. Warns of pixels that are not finite. Ends the process on failure.
+/* Reads a picture of any format. Numbers that are not finite become 0, with a warning. Ends the process on failure.
  *   srgb   true: encode the colours as sRGB; false: keep linear light
  *   arena  for the pixels; NULL: args->keep */
 void stat_read_picture(struct cmd_args *args, const char *path, bool srgb, struct hatch_arena *arena,
                        struct hatch_image *image);
+
+/* The same, but numbers that are not finite become NaN; the pixels are in args->keep. */
+void stat_read_picture_as_is(struct cmd_args *args, const char *path, bool srgb, struct hatch_image *image);
 
 /* Converts an image to RGBA, in arena: grey becomes equal red, green and blue, and a missing alpha becomes 1. */
 void stat_widen(struct hatch_arena *arena, struct hatch_image *image);

@@ -13,7 +13,7 @@ static size_t replace_non_finite(struct hatch_image *image, float fallback)
             float *value = &image->pixels[i * image->channel_count + c];
             if (isfinite(*value))
                 continue;
-            *value = (int)c == alpha ? 0 : fallback;
+            *value = (int)c == alpha && !isnan(fallback) ? 0 : fallback;
             replaced++;
         }
     return replaced;
@@ -27,7 +27,9 @@ void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, s
     const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
     cmd_check(hatch_image_read_any(file, path, plugin, arena, &args->scratch, image, &err), name, &err);
     size_t replaced = replace_non_finite(image, fallback);
-    if (replaced)
-        cmd_warn(name, "%zu %s finite: replaced by %g", replaced,
-                 cmd_plural(replaced, "number is not", "numbers are not"), (double)fallback);
+    const char *are = cmd_plural(replaced, "number is not", "numbers are not");
+    if (replaced && isnan(fallback))
+        cmd_warn(name, "%zu %s finite", replaced, are);
+    else if (replaced)
+        cmd_warn(name, "%zu %s finite: replaced by %g", replaced, are, (double)fallback);
 }

@@ -8,7 +8,7 @@
 /* Reads a picture. Replaces numbers that are not finite, colours by fallback and alpha by 0, and warns of them. Dies on
  * failure.
  *   path      NULL or "-": standard input
- *   fallback  value for colours that are not finite
+ *   fallback  value for colours that are not finite; NaN: for alpha, too
  *   arena     receives the pixels and the file */
 void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, struct hatch_arena *arena,
                       struct hatch_image *image);

@@ -15,6 +15,11 @@ static void assert_alike(const struct hatch_image *a, const struct hatch_image *
     assert(a->channel_count == b->channel_count);
 }
 
+static double difference_of(float a, float b)
+{
+    return isnan(a) || isnan(b) ? 0 : (double)a - (double)b;
+}
+
 void hatch_image_difference(const struct hatch_image *a, const struct hatch_image *b,
                             struct hatch_difference *difference)
 {
@@ -24,8 +29,12 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
     for (size_t i = 0; i < count; i += a->channel_count) {
         bool differs = false;
         for (uint32_t c = 0; c < a->channel_count; c++) {
-            double d = (double)a->pixels[i + c] - (double)b->pixels[i + c];
-            double size = fabs(d);
+            float left = a->pixels[i + c], right = b->pixels[i + c];
+            if (isnan(left) != isnan(right)) {
+                max = INFINITY;
+                differs = true;
+            }
+            double d = difference_of(left, right), size = fabs(d);
             max = size > max ? size : max;
             sum += size;
             sum_signed += d;
@@ -55,7 +64,7 @@ static void sum_areas(const struct hatch_image *a, const struct hatch_image *b, 
         double row = 0;
         for (uint32_t x = 0; x < a->width; x++) {
             size_t at = ((size_t)y * a->width + x) * a->channel_count + channel;
-            row += (double)a->pixels[at] - (b ? (double)b->pixels[at] : 0);
+            row += difference_of(a->pixels[at], b ? b->pixels[at] : 0);
             sums[(y + 1) * pitch + x + 1] = sums[y * pitch + x + 1] + row;
         }
     }

@@ -4,7 +4,8 @@
 
 #include "image/image.h"
 
-/* Statistics of d = a - b over all pixels and channels. */
+/* Statistics of d = a - b over all pixels and channels. Where a value is NaN in one image, d is infinite for max and
+ * differing, and 0 for the others; where it is NaN in both, d is 0. */
 struct hatch_difference {
     double max, mean; /* of |d| */
     double bias;      /* mean of d */
@@ -18,7 +19,7 @@ void hatch_image_difference(const struct hatch_image *a, const struct hatch_imag
                             struct hatch_difference *difference);
 
 /* Computes the difference of two images at low frequencies: the largest |mean of a - b| over all windows of box_px by
- * box_px pixels and all channels.
+ * box_px pixels and all channels. NaN counts as no difference.
  *   b       of a's size and channels; NULL: an image of zeros
  *   box_px  at least 1; windows are at most as large as the image */
 enum hatch_status hatch_image_low_difference(const struct hatch_image *a, const struct hatch_image *b, uint32_t box_px,

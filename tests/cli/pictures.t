@@ -33,6 +33,16 @@ try hatchstat diff black.ppm grey.ppm --max-difference 0.2159 -o report
 is "a difference within the limit" $status 0
 try hatchstat diff black.ppm grey.ppm --max-difference 0.2158 -o report
 is "a difference over the limit exits with 1" "$status $(wc -l <report) $(wc -c <.err)" "1 2 0"
+{
+    printf 'Pf\n2 1\n-1.0\n'
+    printf '\0\0\300\177\0\0\0\0' # NaN and 0
+} >nan.pfm
+printf 'P2\n2 1\n255\n0 0\n' >zero.pgm
+try hatchstat diff nan.pfm zero.pgm --max-difference 1e9 -o report
+is "a number that is not finite exceeds every limit" "$status $(field max <report) $(field mean <report) $(field differing <report)" \
+    "1 inf 0 0.5"
+is "and is warned of" "$(cat .err)" "hatchstat: nan.pfm: warning: 1 number is not finite"
+is "it is as good as another one" "$(hatchstat diff -q nan.pfm nan.pfm -m 0 | field differing)" 0
 try hatchstat diff grey.ppm wide.ppm
 refused "pictures of two sizes" 3 1
 try hatchstat diff grey.ppm

@@ -45,6 +45,28 @@ START_TEST(statistics_match_their_formulas)
 }
 END_TEST
 
+/* NaN in one image alone, in both, and a difference of 0.5 beside them. */
+START_TEST(values_that_are_no_numbers_differ_from_numbers)
+{
+    struct hatch_image a = flat(2, 2, "Y", 0.5f), b = flat(2, 2, "Y", 0.5f);
+    struct hatch_difference d;
+    double low;
+    a.pixels[0] = b.pixels[0] = NAN;
+    hatch_image_difference(&a, &b, &d);
+    ck_assert(d.max == 0 && d.mean == 0 && d.differing == 0);
+    b.pixels[1] = NAN;
+    a.pixels[2] = 1;
+    for (int side = 0; side < 2; side++) {
+        hatch_image_difference(side ? &b : &a, side ? &a : &b, &d);
+        ck_assert(isinf(d.max));
+        ck_assert_double_eq_tol(d.mean, 0.125, 1e-12);
+        ck_assert_double_eq_tol(d.differing, 0.5, 1e-12);
+        HATCH_TEST_OK(hatch_image_low_difference(&a, &b, 2, &scratch, &low, &err), &err);
+        ck_assert_double_eq_tol(low, 0.125, 1e-12);
+    }
+}
+END_TEST
+
 /* A checkerboard differs from grey in every pixel, but hardly in its low frequencies. */
 START_TEST(a_checkerboard_is_grey_at_low_frequencies)
 {
@@ -111,6 +133,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("difference");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, equal_images_do_not_differ);
+    tcase_add_test(tests, values_that_are_no_numbers_differ_from_numbers);
     tcase_add_test(tests, statistics_match_their_formulas);
     tcase_add_test(tests, a_checkerboard_is_grey_at_low_frequencies);
     tcase_add_test(tests, the_worst_window_is_found_anywhere);
