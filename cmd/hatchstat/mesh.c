@@ -25,7 +25,7 @@ static const char *const columns[] = {
  *   origin  out: 0 0 0 for a scene of several nodes near the origin */
 static void find_origin(struct cmd_args *args, const char *name, const struct hatch_scene *scene, double origin[3])
 {
-    const struct hatch_pose_span rest = {HATCH_NONE, 0, 0, 1};
+    const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     const struct hatch_node *node = scene->nodes;
     bool single = scene->node_count == 1 && !node->has_matrix && node->skin == HATCH_NONE;
     struct hatch_pose pose;
