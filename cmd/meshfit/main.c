@@ -67,7 +67,7 @@ static void report(struct meshfit *fit, struct meshfit_level *level)
         cmd_warn(fit->name, "no face can be left out: the meshes are as they were");
 }
 
-/* Leaves out the meshes that no node draws, and warns of them. */
+/* Leaves out the meshes of a scene without nodes, and warns of them. */
 static void drop_undrawn(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
@@ -126,7 +126,7 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
     fit.name = cmd_input_name(input);
 
-    cmd_read_scene(&args, input, CMD_SCENE_AS_IS, &scene);
+    cmd_read_scene_to_write(&args, input, &scene);
     drop_undrawn(&args, fit.name, &scene);
     cmd_add_normals(&args, fit.name, &scene);
     drop_flat_normals(&scene);

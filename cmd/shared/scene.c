@@ -85,6 +85,18 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
             notes->image_missing, cmd_plural(notes->images_missing, "", " and others"));
 }
 
+/* Warns of the parts of a file that a scene does not have. */
+static void warn_lost(const char *name, const struct hatch_mesh_notes *notes)
+{
+    if (notes->meshes_undrawn > 0)
+        cmd_warn(name, "%u %s", notes->meshes_undrawn,
+                 cmd_plural(notes->meshes_undrawn, "mesh that no node draws is left out",
+                            "meshes that no node draws are left out"));
+    if (notes->levels_dropped > 0)
+        cmd_warn(name, "levels of detail of %u %s left out: meshfit --levels makes them", notes->levels_dropped,
+                 cmd_plural(notes->levels_dropped, "node are", "nodes are"));
+}
+
 /* Warns of a material library that is not beside its OBJ file. */
 static void warn_library(const char *path, const char *library)
 {
@@ -151,15 +163,29 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
     }
 }
 
+static void read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care, struct hatch_scene *scene,
+                       struct hatch_mesh_notes *notes)
+{
+    struct hatch_err err;
+    *notes = (struct hatch_mesh_notes){0};
+    cmd_read_scene_silently(args, path, care, scene, notes);
+    if (scene->mesh_count == 0 && notes->primitives_skipped > 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
+                             notes->primitives_skipped, notes->primitives_skipped == 1 ? "" : "s"),
+                  cmd_input_name(path), &err);
+    hatch_scene_doubt(scene, &args->scratch, notes);
+    cmd_warn_mesh(cmd_input_name(path), notes);
+}
+
 void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care, struct hatch_scene *scene)
 {
-    struct hatch_mesh_notes notes = {0};
-    struct hatch_err err;
-    cmd_read_scene_silently(args, path, care, scene, &notes);
-    if (scene->mesh_count == 0 && notes.primitives_skipped > 0)
-        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
-                             notes.primitives_skipped, notes.primitives_skipped == 1 ? "" : "s"),
-                  cmd_input_name(path), &err);
-    hatch_scene_doubt(scene, &args->scratch, &notes);
-    cmd_warn_mesh(cmd_input_name(path), &notes);
+    struct hatch_mesh_notes notes;
+    read_scene(args, path, care, scene, &notes);
+}
+
+void cmd_read_scene_to_write(struct cmd_args *args, const char *path, struct hatch_scene *scene)
+{
+    struct hatch_mesh_notes notes;
+    read_scene(args, path, CMD_SCENE_AS_IS, scene, &notes);
+    warn_lost(cmd_input_name(path), &notes);
 }

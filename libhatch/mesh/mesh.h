@@ -62,6 +62,9 @@ struct hatch_mesh_notes {
     char library[64];           /* OBJ: name of the first material library; empty: none */
     uint32_t images_missing;    /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
+    /* Parts of a glTF that its scene does not have, and that are therefore missing in a file written from it. */
+    uint32_t meshes_undrawn; /* meshes that no node of the scene draws */
+    uint32_t levels_dropped; /* nodes whose levels of detail (MSFT_lod) are not read: only the finest is */
 };
 
 /* Makes a mesh with zeroed indices and POSITION, in arena. */

@@ -18,7 +18,8 @@ struct hatch_gltf_resolver {
     void *context;
 };
 
-/* Reads GLB or JSON: the nodes of the default scene, parents before children; triangles, strips and fans as triangles;
+/* Reads GLB or JSON: the nodes of the default scene, parents before children, and the meshes that they draw (all meshes
+ * of a file whose scene has no nodes); levels of detail are not read; triangles, strips and fans as triangles;
  * accessors of every kind (sparse, interleaved, normalised); materials, images (not decoded), cameras, lights,
  * animations and skins. Missing normals become flat normals, as the format demands. Morph targets are applied with the
  * mesh's weights at rest. They are also kept if a node or an animation gives other weights; these are then stored

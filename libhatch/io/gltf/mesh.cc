@@ -263,6 +263,39 @@ void count_users(Reader &r)
         }
 }
 
+/* Use of a glTF mesh: by nobody, by a coarser level of detail only, or by a node of the scene. */
+enum use { UNDRAWN, COARSER, DRAWN };
+
+void mark(const tinygltf::Model &model, int node, use kind, std::vector<use> *uses)
+{
+    if (node < 0 || static_cast<size_t>(node) >= model.nodes.size())
+        return;
+    const int mesh = model.nodes[static_cast<size_t>(node)].mesh;
+    if (mesh >= 0 && static_cast<size_t>(mesh) < uses->size())
+        (*uses)[static_cast<size_t>(mesh)] = std::max((*uses)[static_cast<size_t>(mesh)], kind);
+}
+
+/* Finds the use of each glTF mesh, and notes the meshes and the levels of detail that are not read. A file whose scene
+ * has no nodes is one of meshes alone: all of them are read. */
+std::vector<use> find_uses(Reader &r)
+{
+    std::vector<use> uses(r.model.meshes.size(), r.scene->node_count == 0 ? DRAWN : UNDRAWN);
+    for (size_t i = 0; i < r.model.nodes.size(); i++) {
+        if (r.node_of[i] == HATCH_NONE)
+            continue;
+        mark(r.model, static_cast<int>(i), DRAWN, &uses);
+        auto levels = r.model.nodes[i].extensions.find("MSFT_lod");
+        if (levels == r.model.nodes[i].extensions.end() || !levels->second.IsObject())
+            continue;
+        r.notes->levels_dropped++;
+        const tinygltf::Value &ids = levels->second.Get("ids");
+        for (size_t k = 0; ids.IsArray() && k < ids.ArrayLen(); k++)
+            mark(r.model, ids.Get(k).IsInt() ? ids.Get(k).GetNumberAsInt() : -1, COARSER, &uses);
+    }
+    r.notes->meshes_undrawn += static_cast<uint32_t>(std::count(uses.begin(), uses.end(), UNDRAWN));
+    return uses;
+}
+
 } // namespace
 
 enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
@@ -271,8 +304,9 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
     uint32_t *first = HATCH_NEW(r.scratch, uint32_t, count + 1, r.err);
     if (!first)
         return HATCH_LIMIT;
-    for (const tinygltf::Mesh &mesh : r.model.meshes)
-        primitives += mesh.primitives.size();
+    const std::vector<use> uses = find_uses(r);
+    for (size_t m = 0; m < count; m++)
+        primitives += uses[m] == DRAWN ? r.model.meshes[m].primitives.size() : 0;
     count_users(r);
     r.scene->meshes = HATCH_NEW(r.arena, struct hatch_scene_mesh, primitives, r.err);
     if (!r.scene->meshes)
@@ -280,7 +314,7 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
     for (size_t m = 0; m < count; m++) {
         const std::vector<tinygltf::Primitive> &list = r.model.meshes[m].primitives;
         first[m] = r.scene->mesh_count;
-        for (size_t p = 0; p < list.size(); p++) {
+        for (size_t p = 0; uses[m] == DRAWN && p < list.size(); p++) {
             if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
                 return bad(r, place("mesh", m, "primitive", p),
                            "mode " + std::to_string(list[p].mode) + ", want 0 .. 6");

@@ -43,7 +43,7 @@ static void make_meshes(void)
     scene_meshes[3].joints_used = 2;
 }
 
-/* Nodes 1 and 2 use meshes 0 and 1; no node uses mesh 2; mesh 3 has a skin; mesh 4 a node with a matrix. */
+/* Nodes 1 and 2 use meshes 0 and 1; node 6 mesh 2; mesh 3 has a skin; mesh 4 a node with a matrix. */
 static void make_nodes(void)
 {
     static const struct hatch_node plain = {.parent = HATCH_NONE,
@@ -72,6 +72,8 @@ static void make_nodes(void)
     nodes[4].mesh_count = 1;
     nodes[5].camera = 1;
     nodes[6].light = 2;
+    nodes[6].first_mesh = 2;
+    nodes[6].mesh_count = 1;
     nodes[0].light = 0;
 }
 
@@ -301,6 +303,22 @@ START_TEST(a_mesh_of_two_nodes_is_written_once)
 END_TEST
 
 /* Any UTF-8, and numbered sets after the first. */
+START_TEST(meshes_without_nodes_survive_a_round_trip)
+{
+    full.node_count = full.skin_count = full.animation_count = 0;
+    write_and_read(&full);
+    ck_assert_uint_eq(back.mesh_count, 5);
+    ck_assert_uint_eq(back.node_count, 0);
+    nodes[6].mesh_count = 0;
+    full.node_count = 7;
+    full.skin_count = 1;
+    struct hatch_buffer one_unused = written(&full);
+    nodes[6].mesh_count = 1;
+    struct hatch_buffer all_used = written(&full);
+    ck_assert_uint_le(all_used.size - one_unused.size, sizeof ",\"mesh\":0" + 3);
+}
+END_TEST
+
 START_TEST(attribute_names_are_kept)
 {
     static const char *const names[] = {"_A \"name\"\\\n", "_\xc3\xa9t\xc3\xa9", "COLOR_1", "JOINTS_1", "TEXCOORD_7"};
@@ -463,6 +481,7 @@ static Suite *suite(void)
     tcase_add_test(tests, weights_at_rest_are_applied);
     tcase_add_test(tests, a_copy_has_the_same_bytes);
     tcase_add_test(tests, a_mesh_of_two_nodes_is_written_once);
+    tcase_add_test(tests, meshes_without_nodes_survive_a_round_trip);
     tcase_add_test(tests, attribute_names_are_kept);
     tcase_add_test(tests, surplus_attributes_are_counted);
     tcase_add_test(tests, bounds_are_exact);

@@ -244,6 +244,42 @@ START_TEST(blended_materials_have_a_cutoff_of_one_half)
 }
 END_TEST
 
+/* Of two meshes that look the same: the second is that of another scene, a level of detail, or of a file without
+ * nodes. */
+START_TEST(meshes_that_no_node_draws_are_not_read)
+{
+    static const char two[] = HEAD ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":5}]},"
+                                   "{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":5},"
+                                   "{\"attributes\":{\"POSITION\":0},\"mode\":5}]}]";
+    static const struct {
+        const char *rest;
+        uint32_t nodes, meshes, undrawn, levels;
+    } files[] = {
+        {",\"scenes\":[{\"nodes\":[0]},{\"nodes\":[1]}],\"nodes\":[{\"mesh\":0},{\"mesh\":1}]}", 1, 1, 1, 0},
+        {",\"scene\":1,\"scenes\":[{\"nodes\":[0]},{\"nodes\":[1]}],\"nodes\":[{\"mesh\":0},{\"mesh\":1}]}", 1, 2, 1,
+         0},
+        {",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"extensions\":{\"MSFT_lod\":{\"ids\":[1]}}},"
+         "{\"mesh\":1}]}",
+         1, 1, 0, 1},
+        {",\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":1,\"extensions\":{\"MSFT_lod\":{\"ids\":[7,-1]}}}]}", 1, 2,
+         1, 1},
+        {",\"nodes\":[{\"children\":[1]},{\"mesh\":1}]}", 2, 2, 1, 0},
+        {",\"scenes\":[{}],\"nodes\":[{\"mesh\":1}]}", 0, 3, 0, 0},
+        {"}", 0, 3, 0, 0}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char json[4000];
+        snprintf(json, sizeof json, "%s%s", two, files[i].rest);
+        reads(json);
+        ck_assert_uint_eq(scene.node_count, files[i].nodes);
+        ck_assert_uint_eq(scene.mesh_count, files[i].meshes);
+        ck_assert_uint_eq(notes.meshes_undrawn, files[i].undrawn);
+        ck_assert_uint_eq(notes.levels_dropped, files[i].levels);
+        for (uint32_t n = 0; n < scene.node_count; n++)
+            ck_assert_uint_le(scene.nodes[n].first_mesh + scene.nodes[n].mesh_count, scene.mesh_count);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io gltf kinds");
@@ -259,6 +295,7 @@ static Suite *suite(void)
     tcase_add_test(tests, images_of_extensions_are_found);
     tcase_add_test(tests, texture_coordinates_may_be_of_any_set);
     tcase_add_test(tests, blended_materials_have_a_cutoff_of_one_half);
+    tcase_add_test(tests, meshes_that_no_node_draws_are_not_read);
     suite_add_tcase(suite, tests);
     return suite;
 }
