@@ -78,6 +78,8 @@ static enum hatch_status make_meshes(struct cmd_args *args, const struct work *w
     HATCH_TRY(HATCH_ALLOC(&args->keep, &part->made, lapped->patch_count, err));
     for (uint32_t p = 0; p < lapped->patch_count; p++) {
         part->made[p] = *part->mesh;
+        if (p > 0)
+            part->made[p].kept = (struct hatch_kept){0}; /* extras are written once */
         HATCH_TRY(hatch_lapped_mesh(&work->input, lapped, p, &args->keep, &args->scratch, &part->made[p].mesh, err));
     }
     part->made_count = lapped->patch_count;

@@ -134,7 +134,7 @@ static void encode_mask(struct cmd_args *args, const struct hatch_outline *outli
         image.pixels[2 * i + 1] = mask.pixels[i];
     }
     cmd_check(hatch_png_write(&image, HATCH_PNG_RAW, 8, NULL, &args->scratch, &file, &err), NULL, &err);
-    *texture = (struct hatch_texture){file.data, file.size};
+    *texture = (struct hatch_texture){.data = file.data, .size = file.size};
 }
 
 void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outline, uint32_t side_px,

@@ -7,6 +7,12 @@
 
 #define HATCH_NONE UINT32_MAX /* an index that refers to nothing */
 
+/* Name and extras of an object of a glTF file, kept for writing. Zeroed: none. */
+struct hatch_kept {
+    const char *name;   /* UTF-8; may be NULL */
+    const char *extras; /* JSON, without the members that the writer adds itself; may be NULL */
+};
+
 /* Texture wrapping outside of 0 .. 1. */
 enum hatch_wrap { HATCH_WRAP_CLAMP, HATCH_WRAP_REPEAT, HATCH_WRAP_MIRROR };
 
@@ -37,12 +43,14 @@ struct hatch_material {
     struct hatch_normal_map normals;
     bool outline; /* of lapped textures: the alpha of base, read with TEXCOORD_1, is the patch outline; the material's
                      meshes are patches, drawn in order over each other */
+    struct hatch_kept kept;
 };
 
 /* An encoded PNG, JPEG or WebP image, copied from the file. */
 struct hatch_texture {
     const uint8_t *data; /* NULL where the image's own file could not be read; no material refers to it then */
     size_t size;
+    struct hatch_kept kept;
 };
 
 struct hatch_scene_mesh {
@@ -55,6 +63,8 @@ struct hatch_scene_mesh {
     bool is_soup;               /* unconnected triangles, as in STL: the format cannot share vertices */
     float unseen_tolerance;     /* over 0: made for views that do not show it, within this tolerance (needs(5)) */
     struct hatch_curves curves; /* strokes on the mesh; zeroed: none */
+    struct hatch_kept kept;     /* of the primitive */
+    struct hatch_kept whole; /* of the glTF mesh that has it; meshes of one node are written with that of the first */
 };
 
 #define HATCH_NEEDLE 1000 /* ratio of a face's longest edge to its height over which it is a needle */
@@ -70,6 +80,7 @@ struct hatch_node {
     uint32_t camera; /* index, or HATCH_NONE */
     uint32_t light;  /* index, or HATCH_NONE */
     bool backdrop;   /* not part of the scene's bounds, and not framed by views */
+    struct hatch_kept kept;
 };
 
 struct hatch_camera {
@@ -78,6 +89,7 @@ struct hatch_camera {
     float ymag;        /* orthographic: half the height, world units */
     float aspect;      /* width / height; 0: the picture's */
     float znear, zfar; /* distances, world units; zfar 0: infinite */
+    struct hatch_kept kept;
 };
 
 enum hatch_light_type { HATCH_LIGHT_DIRECTIONAL, HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT };
@@ -88,12 +100,14 @@ struct hatch_light {
     float intensity;                      /* lux (directional) or candela (point, spot) */
     float range;                          /* distance beyond which there is no light, world units; 0: unlimited */
     float inner_cone_rad, outer_cone_rad; /* of a spot: angles from its axis */
+    struct hatch_kept kept;
 };
 
 struct hatch_skin {
     uint32_t joint_count;
     uint32_t *joints;    /* node index of each joint */
     float *inverse_bind; /* inverse bind matrices: 16 per joint, column-major */
+    struct hatch_kept kept;
 };
 
 enum hatch_channel_path { HATCH_PATH_TRANSLATION, HATCH_PATH_ROTATION, HATCH_PATH_SCALE, HATCH_PATH_WEIGHTS };
@@ -119,6 +133,7 @@ struct hatch_animation {
     uint32_t channel_count;
     struct hatch_animation_channel *channels;
     float duration_s; /* time of the last key of all channels */
+    struct hatch_kept kept;
 };
 
 /* Levels of detail of a node's meshes, for writing: nodes with coarser meshes that stand for the node when it is small
@@ -145,6 +160,8 @@ struct hatch_scene {
     float rounding;    /* for writing: over 0: normals, directions and texture coordinates may be integers; of vectors
                           none is then off by more than this, of texture coordinates by more than 1 / 65534 */
     bool up_undefined; /* from a format that does not define which axis points up: one node with one mesh */
+    struct hatch_kept kept;  /* of the glTF scene */
+    struct hatch_kept asset; /* of the file; name: its copyright */
 };
 
 /* Makes a scene of one node with one mesh, which shares the arrays of `mesh`. */

@@ -177,17 +177,17 @@ static void make_texture(struct hatch_texture *texture)
     struct hatch_buffer file = {.arena = &arena};
     check(hatch_image_make(&arena, 4, 4, "RGB", &image, &err));
     check(hatch_png_write(&image, HATCH_PNG_SRGB, 8, NULL, &scratch, &file, &err));
-    *texture = (struct hatch_texture){file.data, file.size};
+    *texture = (struct hatch_texture){.data = file.data, .size = file.size};
 }
 
 static float times[] = {0, 0.5f, 2}, values[27], rotations[12], inverse_bind[32];
 static uint32_t joints[] = {2, 5};
-static struct hatch_skin skin = {2, joints, inverse_bind};
+static struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = inverse_bind};
 static struct hatch_animation_channel channels[] = {{2, HATCH_PATH_TRANSLATION, HATCH_CUBIC, 3, times, values, 0},
                                                     {5, HATCH_PATH_ROTATION, HATCH_LINEAR, 3, times, rotations, 0},
                                                     {5, HATCH_PATH_SCALE, HATCH_STEP, 3, times, values, 0},
                                                     {3, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2}};
-static struct hatch_animation animation = {4, channels, 2};
+static struct hatch_animation animation = {.channel_count = 4, .channels = channels, .duration_s = 2};
 
 static void fill_motion(void)
 {
@@ -212,10 +212,12 @@ static struct hatch_material materials[] = {{.base_color = {1, 0.5f, 0.25f, 1},
                                              .double_sided = true,
                                              .alpha_cutoff = 0.5f,
                                              .blend = true}};
-static struct hatch_camera cameras[] = {{false, 0.7f, 0, 1.5f, 0.1f, 0}, {true, 0, 2, 1.5f, 0, 10}};
-static struct hatch_light lights[] = {{HATCH_LIGHT_DIRECTIONAL, {1, 1, 1}, 3, 0, 0, 0},
-                                      {HATCH_LIGHT_POINT, {1, 0, 0.5f}, 10, 7, 0, 0},
-                                      {HATCH_LIGHT_SPOT, {1, 1, 1}, 5, 0, 0.1f, 0.7f}};
+static struct hatch_camera cameras[] = {{.yfov_rad = 0.7f, .aspect = 1.5f, .znear = 0.1f},
+                                        {.orthographic = true, .ymag = 2, .aspect = 1.5f, .zfar = 10}};
+static struct hatch_light lights[] = {
+    {.type = HATCH_LIGHT_DIRECTIONAL, .color = {1, 1, 1}, .intensity = 3},
+    {.type = HATCH_LIGHT_POINT, .color = {1, 0, 0.5f}, .intensity = 10, .range = 7},
+    {.type = HATCH_LIGHT_SPOT, .color = {1, 1, 1}, .intensity = 5, .inner_cone_rad = 0.1f, .outer_cone_rad = 0.7f}};
 
 static void make_nodes(struct hatch_node nodes[6])
 {
@@ -245,8 +247,22 @@ static void save_scene(const char *folder)
     struct hatch_scene_mesh meshes[2] = {{.material = 0}};
     struct hatch_node nodes[6];
     struct hatch_texture texture;
-    const struct hatch_scene scene = {2,         6,        2,       1,      2,     3,          1,    1, meshes, nodes,
-                                      materials, &texture, cameras, lights, &skin, &animation, NULL, 0, 0,      false};
+    const struct hatch_scene scene = {.mesh_count = 2,
+                                      .node_count = 6,
+                                      .material_count = 2,
+                                      .texture_count = 1,
+                                      .camera_count = 2,
+                                      .light_count = 3,
+                                      .skin_count = 1,
+                                      .animation_count = 1,
+                                      .meshes = meshes,
+                                      .nodes = nodes,
+                                      .materials = materials,
+                                      .textures = &texture,
+                                      .cameras = cameras,
+                                      .lights = lights,
+                                      .skins = &skin,
+                                      .animations = &animation};
     struct hatch_buffer file = {.arena = &arena};
     make_meshes(meshes);
     make_nodes(nodes);

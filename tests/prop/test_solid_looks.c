@@ -209,7 +209,7 @@ static void make_material(void)
         memcpy(image.pixels + (size_t)3 * i, color[i % 8 / 4], sizeof color[0]);
     }
     HATCH_TEST_OK(hatch_png_write(&image, HATCH_PNG_SRGB, 8, NULL, &frame.args.scratch, &file, &frame.err), &frame.err);
-    texture = (struct hatch_texture){file.data, file.size};
+    texture = (struct hatch_texture){.data = file.data, .size = file.size};
     frame.scene.materials = &material;
     frame.scene.textures = &texture;
     frame.scene.material_count = frame.scene.texture_count = 1;

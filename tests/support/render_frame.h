@@ -154,7 +154,7 @@ static inline void frame_skin(struct hatch_mesh *mesh, struct test_frame *frame)
     static struct hatch_node nodes[3];
     static uint32_t joints[2] = {1, 2};
     static float inverse[32];
-    static struct hatch_skin skin = {2, joints, inverse};
+    static struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = inverse};
     struct hatch_scene *scene = &frame->scene;
     float *ids, *weights;
     HATCH_TEST_OK(hatch_mesh_add(&frame->args.keep, mesh, "JOINTS_0", 4, &ids, &frame->err), &frame->err);

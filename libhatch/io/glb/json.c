@@ -33,6 +33,12 @@ enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key)
     return hatch_glb_put(glb, ":");
 }
 
+enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *key, const char *value)
+{
+    HATCH_TRY(hatch_glb_key(glb, key));
+    return hatch_json_add_string(&glb->json, value, glb->err);
+}
+
 /* Returns value, but 0 for -0. JSON readers read -0 as the integer 0, so a file with -0 would change when it is read
  * and written again. */
 static double without_minus_zero(float value)
@@ -58,4 +64,33 @@ enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, cons
     for (uint32_t i = 0; i < count; i++)
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%c%.9g", i ? ',' : '[', without_minus_zero(values[i])));
     return hatch_buffer_add(&glb->json, "]", 1, glb->err);
+}
+
+enum hatch_status hatch_glb_open_named(struct hatch_glb *glb, const struct hatch_kept *kept)
+{
+    HATCH_TRY(hatch_glb_comma(glb));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    return kept->name ? hatch_glb_string(glb, "name", kept->name) : HATCH_OK;
+}
+
+enum hatch_status hatch_glb_close_extras(struct hatch_glb *glb, const struct hatch_kept *kept)
+{
+    if (!kept->extras || kept->extras[0] != '{')
+        return hatch_glb_put(glb, "}");
+    HATCH_TRY(hatch_glb_comma(glb));
+    return hatch_glb_put(glb, kept->extras + 1);
+}
+
+enum hatch_status hatch_glb_print_extras(struct hatch_glb *glb, const struct hatch_kept *kept)
+{
+    if (!kept->extras)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_key(glb, "extras"));
+    return hatch_glb_put(glb, kept->extras);
+}
+
+enum hatch_status hatch_glb_close_kept(struct hatch_glb *glb, const struct hatch_kept *kept)
+{
+    HATCH_TRY(hatch_glb_print_extras(glb, kept));
+    return hatch_glb_put(glb, "}");
 }

@@ -45,20 +45,26 @@ static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch
     return hatch_glb_put(glb, "}");
 }
 
+static enum hatch_status print_material_extras(struct hatch_glb *glb, const struct hatch_material *material)
+{
+    if (!material->outline)
+        return hatch_glb_print_extras(glb, &material->kept);
+    HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":\"outline\""));
+    return hatch_glb_close_extras(glb, &material->kept);
+}
+
 static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
 {
-    HATCH_TRY(hatch_glb_comma(glb));
-    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(hatch_glb_open_named(glb, &material->kept));
     HATCH_TRY(print_base(glb, material));
     HATCH_TRY(print_normals(glb, material));
     if (material->outline || material->blend)
         HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\""));
-    if (material->outline) {
-        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":\"outline\"}"));
-    } else if (material->alpha_cutoff > 0 && !material->blend) {
+    if (!material->outline && material->alpha_cutoff > 0 && !material->blend) {
         HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"MASK\""));
         HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
     }
+    HATCH_TRY(print_material_extras(glb, material));
     return hatch_glb_put(glb, material->double_sided ? ",\"doubleSided\":true}" : "}");
 }
 
@@ -69,9 +75,13 @@ static enum hatch_status print_images(struct hatch_glb *glb)
     for (uint32_t t = 0; t < scene->texture_count; t++) {
         if (glb->image[t] == HATCH_NONE)
             continue;
-        HATCH_TRY(hatch_glb_put(glb, images == 0 ? ",\"images\":[" : ","));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"bufferView\":%u,\"mimeType\":\"image/%s\"}",
-                                     glb->image_view + images++, hatch_glb_image_kind(&scene->textures[t])));
+        if (images == 0)
+            HATCH_TRY(hatch_glb_open_array(glb, "images"));
+        HATCH_TRY(hatch_glb_open_named(glb, &scene->textures[t].kept));
+        HATCH_TRY(hatch_glb_integer(glb, "bufferView", glb->image_view + images++));
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"mimeType\":\"image/%s\"",
+                                     hatch_glb_image_kind(&scene->textures[t])));
+        HATCH_TRY(hatch_glb_close_kept(glb, &scene->textures[t].kept));
     }
     return hatch_glb_put(glb, images ? "]" : "");
 }
@@ -123,9 +133,11 @@ static enum hatch_status print_textures(struct hatch_glb *glb)
 
 static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)
 {
-    HATCH_TRY(hatch_glb_comma(glb));
     const char *type = camera->orthographic ? "orthographic" : "perspective";
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\",\"%s\":{", type, type));
+    HATCH_TRY(hatch_glb_open_named(glb, &camera->kept));
+    HATCH_TRY(hatch_glb_string(glb, "type", type));
+    HATCH_TRY(hatch_glb_key(glb, type));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
     HATCH_TRY(hatch_glb_number(glb, "znear", camera->znear));
     if (camera->zfar > 0)
         HATCH_TRY(hatch_glb_number(glb, "zfar", camera->zfar));
@@ -139,14 +151,15 @@ static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_
         if (camera->aspect > 0)
             HATCH_TRY(hatch_glb_number(glb, "aspectRatio", camera->aspect));
     }
-    return hatch_glb_put(glb, "}}");
+    HATCH_TRY(hatch_glb_put(glb, "}"));
+    return hatch_glb_close_kept(glb, &camera->kept);
 }
 
 static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_light *light)
 {
     static const char *const types[] = {"directional", "point", "spot"};
-    HATCH_TRY(hatch_glb_comma(glb));
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"type\":\"%s\"", types[light->type]));
+    HATCH_TRY(hatch_glb_open_named(glb, &light->kept));
+    HATCH_TRY(hatch_glb_string(glb, "type", types[light->type]));
     HATCH_TRY(hatch_glb_numbers(glb, "color", light->color, 3));
     HATCH_TRY(hatch_glb_number(glb, "intensity", light->intensity));
     if (light->range > 0)
@@ -157,7 +170,7 @@ static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_l
         HATCH_TRY(hatch_glb_number(glb, "outerConeAngle", light->outer_cone_rad));
         HATCH_TRY(hatch_glb_put(glb, "}"));
     }
-    return hatch_glb_put(glb, "}");
+    return hatch_glb_close_kept(glb, &light->kept);
 }
 
 struct extension {

@@ -39,7 +39,6 @@ struct hatch_glb_lines {
  * come last. */
 struct hatch_glb {
     const struct hatch_scene *scene;
-    const char *name; /* name of the first node and mesh; may be NULL */
     struct hatch_arena *scratch;
     struct hatch_err *err;
     struct hatch_buffer json;
@@ -93,10 +92,21 @@ enum hatch_status hatch_glb_open_array(struct hatch_glb *glb, const char *key); 
 enum hatch_status hatch_glb_key(struct hatch_glb *glb, const char *key);        /* key and colon */
 /* Appends key and colon; key is UTF-8 from a file and is escaped. */
 enum hatch_status hatch_glb_escaped_key(struct hatch_glb *glb, const char *key);
+/* Appends key and string, which is UTF-8 from a file and is escaped. */
+enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *key, const char *value);
 /* Append key and value; floats have nine significant digits, which identify them exactly. */
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
 enum hatch_status hatch_glb_integer(struct hatch_glb *glb, const char *key, uint32_t value);
 enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count);
+
+/* Opens an object, with the name that is kept of it. */
+enum hatch_status hatch_glb_open_named(struct hatch_glb *glb, const struct hatch_kept *kept);
+/* Prints the extras that are kept of an object. */
+enum hatch_status hatch_glb_print_extras(struct hatch_glb *glb, const struct hatch_kept *kept);
+/* Closes an object, with the extras that are kept of it. */
+enum hatch_status hatch_glb_close_kept(struct hatch_glb *glb, const struct hatch_kept *kept);
+/* Closes extras to which the writer has added members: those that are kept follow, if they are members. */
+enum hatch_status hatch_glb_close_extras(struct hatch_glb *glb, const struct hatch_kept *kept);
 
 /* Lays out the buffer and assigns all indices; the members scene, scratch and err must be set. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);

@@ -1,7 +1,6 @@
 /* Prints the JSON of nodes, meshes, skins and animations; default values are left out. */
 #include <string.h>
 
-#include "base/json.h"
 #include "io/glb/parts.h"
 
 /* Writes a comma where one is needed, and an opening brace. */
@@ -9,12 +8,6 @@ static enum hatch_status open_item(struct hatch_glb *glb)
 {
     HATCH_TRY(hatch_glb_comma(glb));
     return hatch_glb_put(glb, "{");
-}
-
-static enum hatch_status print_name(struct hatch_glb *glb)
-{
-    HATCH_TRY(hatch_glb_key(glb, "name"));
-    return hatch_json_add_string(&glb->json, glb->name, glb->err);
 }
 
 /* The children of each node as a list in ascending order: first child, then next sibling, or HATCH_NONE. The list of
@@ -72,8 +65,8 @@ static enum hatch_status print_transform(struct hatch_glb *glb, const struct hat
     return HATCH_OK;
 }
 
-/* Prints the light and the levels of detail of a node. */
-static enum hatch_status print_node_extensions(struct hatch_glb *glb, uint32_t index)
+/* Prints the light and the levels of detail of a node, and closes it. */
+static enum hatch_status close_node(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene *scene = glb->scene;
     const struct hatch_lod *lod = NULL;
@@ -81,28 +74,29 @@ static enum hatch_status print_node_extensions(struct hatch_glb *glb, uint32_t i
     for (uint32_t i = 0; i < scene->lod_count && !lod; i++)
         lod = scene->lods[i].node == index ? &scene->lods[i] : NULL;
     if (light == HATCH_NONE && !lod)
-        return HATCH_OK;
+        return hatch_glb_close_kept(glb, &scene->nodes[index].kept);
     HATCH_TRY(hatch_glb_key(glb, "extensions"));
     HATCH_TRY(hatch_glb_put(glb, "{"));
     if (light != HATCH_NONE)
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\"KHR_lights_punctual\":{\"light\":%u}", light));
-    if (!lod)
-        return hatch_glb_put(glb, "}");
+    if (!lod) {
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+        return hatch_glb_close_kept(glb, &scene->nodes[index].kept);
+    }
     HATCH_TRY(hatch_glb_put(glb, light != HATCH_NONE ? ",\"MSFT_lod\":{" : "\"MSFT_lod\":{"));
     HATCH_TRY(hatch_glb_open_array(glb, "ids"));
     for (uint32_t i = 0; i < lod->count; i++)
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, i ? ",%u" : "%u", lod->first + i));
     HATCH_TRY(hatch_glb_put(glb, "]}},\"extras\":{"));
     HATCH_TRY(hatch_glb_numbers(glb, "MSFT_screencoverage", lod->coverage, lod->count + 1));
+    HATCH_TRY(hatch_glb_close_extras(glb, &scene->nodes[index].kept));
     return hatch_glb_put(glb, "}");
 }
 
 static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const struct children *children)
 {
     const struct hatch_node *node = &glb->scene->nodes[index];
-    HATCH_TRY(open_item(glb));
-    if (glb->name && index == 0)
-        HATCH_TRY(print_name(glb));
+    HATCH_TRY(hatch_glb_open_named(glb, &node->kept));
     HATCH_TRY(print_children(glb, "children", children, index));
     HATCH_TRY(print_transform(glb, node));
     if (node->mesh_count > 0 && glb->group[node->first_mesh] != HATCH_NONE) {
@@ -115,8 +109,7 @@ static enum hatch_status print_node(struct hatch_glb *glb, uint32_t index, const
     }
     if (node->camera != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "camera", node->camera));
-    HATCH_TRY(print_node_extensions(glb, index));
-    return hatch_glb_put(glb, "}");
+    return close_node(glb, index);
 }
 
 enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb)
@@ -124,9 +117,11 @@ enum hatch_status hatch_glb_print_nodes(struct hatch_glb *glb)
     struct children children;
     uint32_t count = glb->scene->node_count;
     HATCH_TRY(find_children(glb, &children));
-    HATCH_TRY(hatch_glb_put(glb, ",\"scene\":0,\"scenes\":[{"));
+    HATCH_TRY(hatch_glb_put(glb, ",\"scene\":0,\"scenes\":["));
+    HATCH_TRY(hatch_glb_open_named(glb, &glb->scene->kept));
     HATCH_TRY(print_children(glb, "nodes", &children, count));
-    HATCH_TRY(hatch_glb_put(glb, "}]"));
+    HATCH_TRY(hatch_glb_close_kept(glb, &glb->scene->kept));
+    HATCH_TRY(hatch_glb_put(glb, "]"));
     if (count == 0)
         return HATCH_OK;
     HATCH_TRY(hatch_glb_open_array(glb, "nodes"));
@@ -200,22 +195,25 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     if (from->unseen_tolerance > 0) {
         HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
         HATCH_TRY(hatch_glb_number(glb, "unseen", from->unseen_tolerance));
-        HATCH_TRY(hatch_glb_put(glb, "}}"));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+        HATCH_TRY(hatch_glb_close_extras(glb, &from->kept));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    } else {
+        HATCH_TRY(hatch_glb_close_kept(glb, &from->kept));
     }
-    HATCH_TRY(hatch_glb_put(glb, "}"));
     return print_strokes(glb, index);
 }
 
 static enum hatch_status print_mesh(struct hatch_glb *glb, uint32_t first)
 {
-    HATCH_TRY(open_item(glb));
-    if (glb->name && first == 0)
-        HATCH_TRY(print_name(glb));
+    const struct hatch_kept *whole = &glb->scene->meshes[first].whole;
+    HATCH_TRY(hatch_glb_open_named(glb, whole));
     HATCH_TRY(hatch_glb_open_array(glb, "primitives"));
     for (uint32_t i = first; i < first + glb->group_size[first]; i++)
         if (glb->mesh_first[i] != HATCH_NONE)
             HATCH_TRY(print_primitive(glb, i));
-    return hatch_glb_put(glb, "]}");
+    HATCH_TRY(hatch_glb_put(glb, "]"));
+    return hatch_glb_close_kept(glb, whole);
 }
 
 enum hatch_status hatch_glb_print_meshes(struct hatch_glb *glb)
@@ -235,14 +233,15 @@ enum hatch_status hatch_glb_print_meshes(struct hatch_glb *glb)
 static enum hatch_status print_skin(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_skin *skin = &glb->scene->skins[index];
-    HATCH_TRY(open_item(glb));
+    HATCH_TRY(hatch_glb_open_named(glb, &skin->kept));
     HATCH_TRY(hatch_glb_integer(glb, "inverseBindMatrices", glb->skin_first + glb->skin[index]));
     HATCH_TRY(hatch_glb_open_array(glb, "joints"));
     for (uint32_t j = 0; j < skin->joint_count; j++) {
         HATCH_TRY(hatch_glb_comma(glb));
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "%u", skin->joints[j]));
     }
-    return hatch_glb_put(glb, "]}");
+    HATCH_TRY(hatch_glb_put(glb, "]"));
+    return hatch_glb_close_kept(glb, &skin->kept);
 }
 
 /* Prints an animation. Each channel has its own sampler, with the same index. */
@@ -251,7 +250,7 @@ static enum hatch_status print_animation(struct hatch_glb *glb, const struct hat
 {
     static const char *const paths[] = {"translation", "rotation", "scale", "weights"};
     static const char *const interpolations[] = {"STEP", "LINEAR", "CUBICSPLINE"};
-    HATCH_TRY(open_item(glb));
+    HATCH_TRY(hatch_glb_open_named(glb, &animation->kept));
     HATCH_TRY(hatch_glb_open_array(glb, "channels"));
     for (uint32_t c = 0; c < animation->channel_count; c++) {
         const struct hatch_animation_channel *channel = &animation->channels[c];
@@ -266,7 +265,8 @@ static enum hatch_status print_animation(struct hatch_glb *glb, const struct hat
         HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"input\":%u,\"interpolation\":\"%s\",\"output\":%u}",
                                      accessor, interpolations[animation->channels[c].interpolation], accessor + 1));
     }
-    return hatch_glb_put(glb, "]}");
+    HATCH_TRY(hatch_glb_put(glb, "]"));
+    return hatch_glb_close_kept(glb, &animation->kept);
 }
 
 enum hatch_status hatch_glb_print_motion(struct hatch_glb *glb)

@@ -1,19 +1,27 @@
 #include <assert.h>
 
-#include "base/json.h"
 #include "io/glb/container.h"
 #include "io/glb/parts.h"
+
+static enum hatch_status print_asset(struct hatch_glb *glb, const char *comment)
+{
+    const struct hatch_kept *kept = &glb->scene->asset;
+    HATCH_TRY(hatch_glb_put(glb, "\"asset\":{\"version\":\"2.0\",\"generator\":\"hatch\""));
+    if (kept->name)
+        HATCH_TRY(hatch_glb_string(glb, "copyright", kept->name));
+    if (!comment)
+        return hatch_glb_close_kept(glb, kept);
+    HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{"));
+    HATCH_TRY(hatch_glb_string(glb, "hatch", comment));
+    HATCH_TRY(hatch_glb_close_extras(glb, kept));
+    return hatch_glb_put(glb, "}");
+}
 
 static enum hatch_status print_json(struct hatch_glb *glb, const char *comment)
 {
     struct hatch_buffer *json = &glb->json;
-    HATCH_TRY(hatch_buffer_print(json, glb->err, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"hatch\""));
-    if (comment) {
-        HATCH_TRY(hatch_buffer_print(json, glb->err, ",\"extras\":{\"hatch\":"));
-        HATCH_TRY(hatch_json_add_string(json, comment, glb->err));
-        HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
-    }
-    HATCH_TRY(hatch_buffer_print(json, glb->err, "}"));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(print_asset(glb, comment));
     HATCH_TRY(hatch_glb_print_nodes(glb));
     HATCH_TRY(hatch_glb_print_meshes(glb));
     HATCH_TRY(hatch_glb_print_looks(glb));
@@ -34,12 +42,12 @@ static enum hatch_status write_chunks(const struct hatch_glb *glb, struct hatch_
     return HATCH_OK;
 }
 
-static enum hatch_status write_scene(const struct hatch_scene *scene, const char *name, const char *comment,
-                                     struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
+enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,
+                                        struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
 {
     assert(file->arena != scratch);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct hatch_glb glb = {.scene = scene, .name = name, .scratch = scratch, .err = err, .json = {.arena = scratch}};
+    struct hatch_glb glb = {.scene = scene, .scratch = scratch, .err = err, .json = {.arena = scratch}};
     enum hatch_status status = hatch_glb_plan(&glb);
     if (status == HATCH_OK)
         status = print_json(&glb, comment);
@@ -49,12 +57,6 @@ static enum hatch_status write_scene(const struct hatch_scene *scene, const char
     return status;
 }
 
-enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const char *comment,
-                                        struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
-{
-    return write_scene(scene, NULL, comment, scratch, file, err);
-}
-
 enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *name, const char *comment,
                                   struct hatch_arena *scratch, struct hatch_buffer *file, struct hatch_err *err)
 {
@@ -62,8 +64,10 @@ enum hatch_status hatch_glb_write(const struct hatch_mesh *mesh, const char *nam
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_scene scene;
     enum hatch_status status = hatch_scene_of_mesh(mesh, scratch, &scene, err);
-    if (status == HATCH_OK)
-        status = write_scene(&scene, name, comment, scratch, file, err);
+    if (status == HATCH_OK) {
+        scene.nodes[0].kept.name = scene.meshes[0].whole.name = name;
+        status = hatch_glb_write_scene(&scene, comment, scratch, file, err);
+    }
     hatch_arena_rewind(scratch, mark);
     return status;
 }

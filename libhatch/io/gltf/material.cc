@@ -165,6 +165,7 @@ enum hatch_status read_materials(Reader &r)
         to->base.texture = HATCH_NONE;
         to->base.wrap[0] = to->base.wrap[1] = HATCH_WRAP_REPEAT;
         to->double_sided = from.doubleSided;
+        HATCH_TRY(keep(r, from, "hatch", &to->kept));
         to->outline = is_outline(from);
         to->blend = from.alphaMode == "BLEND" && !to->outline;
         to->alpha_cutoff = to->blend ? 0.5f : from.alphaMode == "MASK" ? static_cast<float>(from.alphaCutoff) : 0;

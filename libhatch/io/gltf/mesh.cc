@@ -234,6 +234,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     hatch_arena_rewind(r.scratch, mark);
     HATCH_TRY(check_index(r, primitive.material, r.model.materials.size(), where, "material"));
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
+    HATCH_TRY(keep(r, "", primitive.extras_json_string, "hatch", &out->kept));
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
     replace_zero_normals(r, &mesh);
     out->file_vertices = mesh.vertex_count;
@@ -313,7 +314,9 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
         return HATCH_LIMIT;
     for (size_t m = 0; m < count; m++) {
         const std::vector<tinygltf::Primitive> &list = r.model.meshes[m].primitives;
+        struct hatch_kept whole;
         first[m] = r.scene->mesh_count;
+        HATCH_TRY(keep(r, r.model.meshes[m], nullptr, &whole));
         for (size_t p = 0; uses[m] == DRAWN && p < list.size(); p++) {
             if (list[p].mode < 0 || list[p].mode > TINYGLTF_MODE_TRIANGLE_FAN)
                 return bad(r, place("mesh", m, "primitive", p),
@@ -325,7 +328,7 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
             HATCH_TRY(
                 read_primitive(r, list[p], m, place("mesh", m, "primitive", p), &r.scene->meshes[r.scene->mesh_count]));
             HATCH_TRY(read_strokes(r, list, m, p + 1, &r.scene->meshes[r.scene->mesh_count]));
-            r.scene->mesh_count++;
+            r.scene->meshes[r.scene->mesh_count++].whole = whole;
         }
     }
     first[count] = r.scene->mesh_count;

@@ -15,6 +15,7 @@ enum hatch_status read_skin(Reader &r, size_t index, struct hatch_skin *skin)
     uint32_t count = static_cast<uint32_t>(from.joints.size()), matrices = 0;
     if (count == 0)
         return bad(r, where, "no joints");
+    HATCH_TRY(keep(r, from, nullptr, &skin->kept));
     skin->joints = HATCH_NEW(r.arena, uint32_t, count, r.err);
     if (!skin->joints)
         return HATCH_LIMIT;
@@ -137,6 +138,7 @@ enum hatch_status read_animations(Reader &r)
         to->channels = HATCH_NEW(r.arena, struct hatch_animation_channel, from.channels.size(), r.err);
         if (!to->channels)
             return HATCH_LIMIT;
+        HATCH_TRY(keep(r, from, nullptr, &to->kept));
         for (size_t c = 0; c < from.channels.size(); c++) {
             struct hatch_animation_channel *channel = &to->channels[to->channel_count];
             *channel = {};

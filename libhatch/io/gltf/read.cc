@@ -277,6 +277,7 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
         HATCH_TRY(replace_fallbacks(files.buffers.fallbacks, scratch, &parts, err));
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(keep_image, nullptr);
+    parser.SetStoreOriginalJSONForExtrasAndExtensions(true);
     parser.SetFsCallbacks(callbacks_for(files));
     std::string text;
     bool parsed = parse_parts(parser, parts, model, &text);
@@ -314,6 +315,7 @@ enum hatch_status read_all(Reader &r)
     if (!r.model.asset.minVersion.empty() && r.model.asset.minVersion != "2.0")
         return bad(r, "asset", "needs glTF " + r.model.asset.minVersion + ", only 2.0 is supported");
     uint32_t *first_mesh;
+    HATCH_TRY(keep(r, r.model.asset.copyright, r.model.asset.extras_json_string, "hatch", &r.scene->asset));
     HATCH_TRY(read_nodes(r));
     HATCH_TRY(read_images(r));
     HATCH_TRY(read_materials(r));

@@ -84,6 +84,16 @@ const std::vector<double> &rest_weights(const Reader &r, size_t mesh);
 /* Returns the weights of a node that has a mesh: the node's own, else the mesh's. */
 const std::vector<double> &node_weights(const Reader &r, size_t node);
 
+/* Keeps the name and the extras of an object of the file.
+ *   extras  JSON as tinygltf prints it, without spaces; empty: none
+ *   own     the member of extras that the writer adds itself and that is not kept; NULL: none */
+enum hatch_status keep(Reader &r, const std::string &name, const std::string &extras, const char *own,
+                       struct hatch_kept *kept);
+template <class Object> enum hatch_status keep(Reader &r, const Object &from, const char *own, struct hatch_kept *kept)
+{
+    return keep(r, from.name, from.extras_json_string, own, kept);
+}
+
 /* Applies the morph targets at rest to positions and normals, and keeps the targets in the mesh if a node or an
  * animation gives them other weights.
  *   index  of the glTF mesh */

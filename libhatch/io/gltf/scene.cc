@@ -58,6 +58,7 @@ enum hatch_status list_roots(Reader &r, const uint32_t *parent, uint32_t *order,
     size_t scene = model.defaultScene < 0 ? 0 : static_cast<size_t>(model.defaultScene);
     if (scene >= model.scenes.size())
         return bad(r, place("scene", scene), "does not exist, there are " + std::to_string(model.scenes.size()));
+    HATCH_TRY(keep(r, model.scenes[scene], nullptr, &r.scene->kept));
     for (int root : model.scenes[scene].nodes) {
         if (root < 0 || static_cast<size_t>(root) >= model.nodes.size())
             return bad(r, place("scene", scene), "node " + std::to_string(root) + " does not exist");
@@ -85,6 +86,7 @@ enum hatch_status fill_node(Reader &r, size_t index, struct hatch_node *node)
     HATCH_TRY(copy_numbers(r, from.scale, 3, where, "scale", node->scale));
     HATCH_TRY(copy_numbers(r, from.matrix, 16, where, "matrix", node->matrix));
     node->has_matrix = !from.matrix.empty();
+    HATCH_TRY(keep(r, from, "MSFT_screencoverage", &node->kept));
     return normalize_rotation(r, node, where);
 }
 
@@ -209,7 +211,9 @@ enum hatch_status read_images(Reader &r)
         if (!copy)
             return HATCH_LIMIT;
         std::memcpy(copy, bytes.data, bytes.size);
-        r.scene->textures[i] = {copy, bytes.size};
+        r.scene->textures[i].data = copy;
+        r.scene->textures[i].size = bytes.size;
+        HATCH_TRY(keep(r, from, nullptr, &r.scene->textures[i].kept));
     }
     r.scene->texture_count = static_cast<uint32_t>(count);
     return HATCH_OK;
@@ -225,6 +229,7 @@ enum hatch_status read_cameras(Reader &r)
         const tinygltf::Camera &from = r.model.cameras[i];
         struct hatch_camera *to = &r.scene->cameras[i];
         to->orthographic = from.type == "orthographic";
+        HATCH_TRY(keep(r, from, nullptr, &to->kept));
         if (to->orthographic) {
             to->ymag = static_cast<float>(std::fabs(from.orthographic.ymag));
             to->aspect = static_cast<float>(std::fabs(from.orthographic.xmag / from.orthographic.ymag));
@@ -257,6 +262,7 @@ enum hatch_status read_lights(Reader &r)
         struct hatch_light *to = &r.scene->lights[i];
         std::string where = place("light", i);
         *to = {};
+        HATCH_TRY(keep(r, from, nullptr, &to->kept));
         if (from.type != "directional" && from.type != "point" && from.type != "spot")
             return bad(r, where, "type " + from.type + " is unknown, want directional, point or spot");
         to->type = from.type == "point"  ? HATCH_LIGHT_POINT

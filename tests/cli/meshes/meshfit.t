@@ -117,7 +117,7 @@ is "the options are in the file" "$(grep -ac '"meshfit --error 0.5 --levels 1 --
 meshfit $small --levels 3 torus.glb -o levels.glb
 is "--levels writes coarser nodes that are not part of the scene" \
     "$(json levels.glb | grep -o '"scenes":.*"meshes"')" \
-    '"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"mesh":0,"extensions":{"MSFT_lod":{"ids":[2,3]}},"extras":{"MSFT_screencoverage":[0.212500006,0.0531250015,0]}},{"mesh":1},{"mesh":2}],"meshes"'
+    '"scenes":[{"nodes":[0]}],"nodes":[{"name":"torus","children":[1]},{"mesh":0,"extensions":{"MSFT_lod":{"ids":[2,3]}},"extras":{"MSFT_screencoverage":[0.212500006,0.0531250015,0]}},{"mesh":1},{"mesh":2}],"meshes"'
 # Two tetrahedra, the second a tenth as large and at the centre of the first one's box: it fills a hundredth of the picture.
 cat >two.gltf <<'END'
 {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}],

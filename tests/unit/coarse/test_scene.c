@@ -136,7 +136,7 @@ START_TEST(joints_that_scale_lower_the_tolerance_of_their_vertices)
 {
     static uint32_t joints[2] = {1, 2};
     static float bind[32];
-    static struct hatch_skin skin = {2, joints, bind};
+    static struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = bind};
     float *data[2];
     make_scene(3, 1);
     struct hatch_mesh halves[2] = {shown[0].mesh, bare_shape(HATCH_SHAPE_SPHERE, 900)};

@@ -79,8 +79,8 @@ static void make_nodes(void)
 
 static void make_materials(void)
 {
-    textures[0] = (struct hatch_texture){png, sizeof png};
-    textures[1] = (struct hatch_texture){jpeg, sizeof jpeg};
+    textures[0] = (struct hatch_texture){.data = png, .size = sizeof png};
+    textures[1] = (struct hatch_texture){.data = jpeg, .size = sizeof jpeg};
     static const struct hatch_material made[] = {
         {.base_color = {1, 1, 1, 1},
          .base.wrap = {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT},
@@ -119,7 +119,10 @@ static void make_materials(void)
     cameras[1] = (struct hatch_camera){.orthographic = true, .ymag = 0.3f, .aspect = 1.1f, .zfar = 9};
     cameras[2] = (struct hatch_camera){.yfov_rad = 1.2f, .znear = 0.1f, .zfar = 100};
     for (int i = 0; i < 3; i++)
-        lights[i] = (struct hatch_light){(enum hatch_light_type)i, {1, 0.9f, 0.1f}, 3.3f, 0, 0, 0.78539816f};
+        lights[i] = (struct hatch_light){.type = (enum hatch_light_type)i,
+                                         .color = {1, 0.9f, 0.1f},
+                                         .intensity = 3.3f,
+                                         .outer_cone_rad = 0.78539816f};
     lights[1].range = 12.5f;
     lights[2].inner_cone_rad = 0.1f;
     lights[2].outer_cone_rad = 0.2f;
@@ -131,13 +134,13 @@ static void make_motion(void)
         inverse_bind[i] = i % 16 % 5 == 0 ? 1 : i % 4 == 3 ? 0 : 0.01f * (float)i;
     for (uint32_t i = 0; i < 36; i++)
         values[i] = i % 4 == 3 ? 0.6f : 0.8f - 0.8f * (float)(i % 4 > 0);
-    skins[0] = (struct hatch_skin){2, joints, inverse_bind};
+    skins[0] = (struct hatch_skin){.joint_count = 2, .joints = joints, .inverse_bind = inverse_bind};
     static const enum hatch_interpolation interpolations[] = {HATCH_STEP, HATCH_CUBIC, HATCH_LINEAR};
     for (uint32_t i = 0; i < 3; i++)
         channels[i] =
             (struct hatch_animation_channel){i, (enum hatch_channel_path)i, interpolations[i], 3, times, values, 0};
     channels[3] = (struct hatch_animation_channel){4, HATCH_PATH_WEIGHTS, HATCH_CUBIC, 3, times, values, 2};
-    animations[0] = (struct hatch_animation){4, channels, 2.5f};
+    animations[0] = (struct hatch_animation){.channel_count = 4, .channels = channels, .duration_s = 2.5f};
 }
 
 static void begin_scene(void)
@@ -147,9 +150,22 @@ static void begin_scene(void)
     make_nodes();
     make_materials();
     make_motion();
-    full =
-        (struct hatch_scene){5,        7,       4,      2,     3,          3,    1, 1, scene_meshes, nodes, materials,
-                             textures, cameras, lights, skins, animations, NULL, 0, 0, false};
+    full = (struct hatch_scene){.mesh_count = 5,
+                                .node_count = 7,
+                                .material_count = 4,
+                                .texture_count = 2,
+                                .camera_count = 3,
+                                .light_count = 3,
+                                .skin_count = 1,
+                                .animation_count = 1,
+                                .meshes = scene_meshes,
+                                .nodes = nodes,
+                                .materials = materials,
+                                .textures = textures,
+                                .cameras = cameras,
+                                .lights = lights,
+                                .skins = skins,
+                                .animations = animations};
 }
 
 static struct hatch_buffer written(const struct hatch_scene *scene)
@@ -386,9 +402,9 @@ END_TEST
 /* References to them are removed, and later ones renumbered. */
 START_TEST(unsupported_images_and_empty_skins_are_left_out)
 {
-    textures[2] = (struct hatch_texture){gif, sizeof gif};
+    textures[2] = (struct hatch_texture){.data = gif, .size = sizeof gif};
     textures[3] = textures[1];
-    textures[1] = (struct hatch_texture){NULL, 0};
+    textures[1] = (struct hatch_texture){.data = NULL, .size = 0};
     full.texture_count = 4;
     materials[1].base.texture = 2;
     materials[3].base.texture = 3;

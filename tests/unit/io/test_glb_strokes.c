@@ -60,9 +60,9 @@ static void begin_scene(void)
                                        .mesh_count = n < 2};
     for (uint32_t i = 0; i < 32; i++)
         inverse_bind[i] = i % 16 % 5 == 0;
-    skins[0] = (struct hatch_skin){2, joints, inverse_bind};
+    skins[0] = (struct hatch_skin){.joint_count = 2, .joints = joints, .inverse_bind = inverse_bind};
     channels[0] = (struct hatch_animation_channel){1, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, values, 2};
-    animations[0] = (struct hatch_animation){1, channels, 1};
+    animations[0] = (struct hatch_animation){.channel_count = 1, .channels = channels, .duration_s = 1};
     full = (struct hatch_scene){.mesh_count = 2,
                                 .node_count = 3,
                                 .skin_count = 1,

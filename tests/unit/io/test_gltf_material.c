@@ -1,8 +1,9 @@
-/* Materials, lights and companion files as exporters write them. */
+/* Materials, lights and companion files as exporters write them, and what copies keep of them. */
 #include <math.h>
 #include <string.h>
 
 #include "arenas.h"
+#include "io/glb/glb.h"
 #include "io/gltf/gltf.h"
 
 static struct hatch_scene scene;
@@ -128,6 +129,83 @@ START_TEST(a_glb_may_lack_a_binary_chunk)
 }
 END_TEST
 
+static struct hatch_buffer copy_of(const char *json)
+{
+    struct hatch_buffer file = {.arena = &keep};
+    reads(json);
+    HATCH_TEST_OK(hatch_glb_write_scene(&scene, "it", &scratch, &file, &err), &err);
+    HATCH_TEST_OK(hatch_buffer_add(&file, "", 1, &err), &err);
+    return file;
+}
+
+/* Checks that the copy of a file has some texts in its JSON, in this order, and that a copy of the copy is like it. */
+static void copies(const char *json, const char *const *texts)
+{
+    struct hatch_buffer file = copy_of(json), again = {.arena = &keep};
+    const char *at = (const char *)file.data + 20;
+    for (; *texts; texts++) {
+        const char *found = strstr(at, *texts);
+        ck_assert_msg(found != NULL, "%s is not in %s", *texts, (const char *)file.data + 20);
+        at = found + strlen(*texts);
+    }
+    HATCH_TEST_OK(read_bytes(file.data, file.size - 1), &err);
+    HATCH_TEST_OK(hatch_glb_write_scene(&scene, "it", &scratch, &again, &err), &err);
+    ck_assert_uint_eq(again.size, file.size - 1);
+    ck_assert_mem_eq(again.data, file.data, again.size);
+}
+
+START_TEST(names_and_extras_are_kept)
+{
+    static const char json[] =
+        "{\"asset\":{\"version\":\"2.0\",\"copyright\":\"(c) "
+        "\\\"me\\\"\",\"extras\":{\"hatch\":\"old\",\"by\":[\"{\",\"\\\\\"]}},"
+        "\"scenes\":[{\"name\":\"S\",\"extras\":false,\"nodes\":[0]}],"
+        "\"nodes\":[{\"name\":\"caf\\u00e9 "
+        "\\ud83d\\ude00\\u0001\",\"mesh\":0,\"camera\":0,\"extensions\":{\"KHR_lights_punctual\":"
+        "{\"light\":0}},\"extras\":{\"MSFT_screencoverage\":[1],\"a\":{\"b\":[{},\"]\"]}}}],"
+        "\"meshes\":[{\"name\":\"Body\",\"extras\":{\"targetNames\":[\"smile\"]},\"primitives\":[{\"attributes\":"
+        "{\"POSITION\":0},\"material\":0,\"extras\":{\"hatch\":{\"unseen\":0.5},\"p\":1}},{\"attributes\":{"
+        "\"POSITION\":0},"
+        "\"extras\":[16777217,12345678901234567890]}]}],"
+        "\"materials\":[{\"name\":\"Oak\",\"extras\":{\"hatch\":\"outline\",\"id\":7}},{\"extras\":{\"hatch\":1}}],"
+        "\"cameras\":[{\"name\":\"Shot\",\"type\":\"perspective\",\"perspective\":{\"yfov\":0.5,\"znear\":0.5},"
+        "\"extras\":null}],"
+        "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"name\":\"Sun\",\"type\":\"directional\",\"extras\":"
+        "\"x\"}]}},"
+        "\"images\":[{\"name\":\"wood\",\"extras\":{\"i\":1},\"uri\":\"data:image/png;base64,iVBORw0KGgoBAgM=\"}],"
+        "\"accessors\":[{\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"},"
+        "{\"componentType\":5126,\"count\":3,\"type\":\"SCALAR\"}],"
+        "\"skins\":[{\"name\":\"Bones\",\"extras\":{\"s\":1},\"joints\":[0]}],"
+        "\"animations\":[{\"name\":\"Walk\",\"extras\":1.5,\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,"
+        "\"path\":"
+        "\"scale\"}}],\"samplers\":[{\"input\":1,\"output\":0}]}]}";
+    static const char *const texts[] = {
+        "\"copyright\":\"(c) \\\"me\\\"\",\"extras\":{\"hatch\":\"it\",\"by\":[\"{\",\"\\\\\"]}}",
+        "\"scenes\":[{\"name\":\"S\",\"nodes\":[0],\"extras\":false}]",
+        "{\"name\":\"caf\xc3\xa9 \xf0\x9f\x98\x80\\u0001\",",
+        "\"extras\":{\"a\":{\"b\":[{},\"]\"]}}",
+        "\"meshes\":[{\"name\":\"Body\",",
+        ",\"extras\":{\"hatch\":{\"unseen\":0.5},\"p\":1}}",
+        ",\"extras\":[16777217,12345678901234567890]}",
+        "],\"extras\":{\"targetNames\":[\"smile\"]}}]",
+        "\"materials\":[{\"name\":\"Oak\",",
+        ",\"extras\":{\"hatch\":\"outline\",\"id\":7}},{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}]",
+        "\"images\":[{\"name\":\"wood\",",
+        ",\"extras\":{\"i\":1}}]",
+        "\"cameras\":[{\"name\":\"Shot\",",
+        ",\"extras\":null}]",
+        "\"lights\":[{\"name\":\"Sun\",",
+        ",\"extras\":\"x\"}]",
+        "\"skins\":[{\"name\":\"Bones\",",
+        ",\"extras\":{\"s\":1}}]",
+        "\"animations\":[{\"name\":\"Walk\",",
+        ",\"extras\":1.5}]",
+        NULL,
+    };
+    copies(json, texts);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io gltf material");
@@ -139,6 +217,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_spot_may_have_a_sharp_edge);
     tcase_add_test(tests, a_plus_in_a_uri_stays_a_plus);
     tcase_add_test(tests, a_glb_may_lack_a_binary_chunk);
+    tcase_add_test(tests, names_and_extras_are_kept);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -36,7 +36,7 @@ static struct hatch_texture make_texture(uint32_t width)
     for (uint32_t i = 0; i < 4 * width * SIDE; i++)
         image.pixels[i] = i == 3 ? 128.0f / 255 : 1;
     HATCH_TEST_OK(hatch_png_write(&image, HATCH_PNG_SRGB, 8, NULL, &frame.args.scratch, &file, &frame.err), &frame.err);
-    return (struct hatch_texture){file.data, file.size};
+    return (struct hatch_texture){.data = file.data, .size = file.size};
 }
 
 /* Opens a scene of an item for each of the uses, with their textures. */

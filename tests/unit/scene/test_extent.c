@@ -24,7 +24,7 @@ static void begin_scene(void)
                                        .skin = HATCH_NONE,
                                        .camera = HATCH_NONE,
                                        .light = HATCH_NONE};
-    skin = (struct hatch_skin){1, &joint, inverse_bind};
+    skin = (struct hatch_skin){.joint_count = 1, .joints = &joint, .inverse_bind = inverse_bind};
     scene = (struct hatch_scene){
         .mesh_count = 2, .node_count = 3, .skin_count = 1, .meshes = meshes, .nodes = nodes, .skins = &skin};
 }

@@ -13,14 +13,14 @@
 static struct hatch_node nodes[3];
 static uint32_t joints[2] = {1, 2};
 static float bind[2][16] = {IDENTITY, IDENTITY};
-static struct hatch_skin skin = {2, joints, bind[0]};
+static struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = bind[0]};
 static struct hatch_scene_mesh shown;
 
 /* At one second the first target has weight 1 and moves up by 4, the second has weight 2 and moves to the front by 1;
  * so do normals. */
 static float times[2] = {0, 1}, counts[4] = {0, 0, 1, 2};
 static struct hatch_animation_channel channel = {0, HATCH_PATH_WEIGHTS, HATCH_LINEAR, 2, times, counts, 2};
-static struct hatch_animation animation = {1, &channel, 1};
+static struct hatch_animation animation = {.channel_count = 1, .channels = &channel, .duration_s = 1};
 static struct hatch_scene scene = {.nodes = nodes,
                                    .node_count = 3,
                                    .meshes = &shown,

@@ -62,7 +62,8 @@ static struct hatch_scene moved_by(struct hatch_animation_channel channel)
 {
     moved_node = resting;
     moving = channel;
-    movement = (struct hatch_animation){1, &moving, moving.times_s[moving.key_count - 1]};
+    movement = (struct hatch_animation){
+        .channel_count = 1, .channels = &moving, .duration_s = moving.times_s[moving.key_count - 1]};
     return (struct hatch_scene){.node_count = 1, .nodes = &moved_node, .animation_count = 1, .animations = &movement};
 }
 
@@ -203,7 +204,7 @@ START_TEST(a_skin_at_rest_leaves_its_mesh)
     uint32_t joints[] = {0, 1};
     float inverse[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, 0,  0, 1,
                          1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, -2, 0, 1};
-    struct hatch_skin skin = {2, joints, inverse};
+    struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = inverse};
     const struct hatch_scene scene = {.node_count = 2, .nodes = nodes, .skin_count = 1, .skins = &skin};
     float world[32], matrices[32];
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
