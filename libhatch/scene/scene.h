@@ -23,6 +23,9 @@ struct hatch_texture_use {
     enum hatch_wrap wrap[2]; /* of u, of v */
     bool has_transform;      /* coordinates are scaled, then rotated, then moved; false: the members below are unset */
     float scale[2], turn_rad, offset[2]; /* turn_rad: rotates v towards u */
+    int filters[2]; /* for writing: the numbers that glTF gives to filters for magnification and minification; 0: linear
+                       and trilinear */
+    struct hatch_kept kept, sampler; /* of the glTF texture and of its sampler */
 };
 
 #define HATCH_TEXCOORD_MAX 9u

@@ -16,8 +16,8 @@ static enum hatch_status print_transform(struct hatch_glb *glb, const struct hat
 static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
 {
     HATCH_TRY(hatch_glb_key(glb, key));
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u", *hatch_glb_texture(glb, use),
-                                 use->texcoord));
+    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u",
+                                 hatch_glb_find_texture(glb, use), use->texcoord));
     return use->has_transform ? print_transform(glb, use) : HATCH_OK;
 }
 
@@ -86,12 +86,18 @@ static enum hatch_status print_images(struct hatch_glb *glb)
     return hatch_glb_put(glb, images ? "]" : "");
 }
 
-/* Prints a sampler; its filters are linear for magnification and trilinear for minification. */
-static enum hatch_status print_sampler(struct hatch_glb *glb, const struct hatch_texture_use *use)
+static enum hatch_status print_sampler(struct hatch_glb *glb, uint32_t index)
 {
-    static const int modes[] = {[HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
-    return hatch_buffer_print(&glb->json, glb->err, "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":%d,\"wrapT\":%d}",
-                              modes[use->wrap[0]], modes[use->wrap[1]]);
+    static const uint32_t modes[] = {
+        [HATCH_WRAP_CLAMP] = 33071, [HATCH_WRAP_REPEAT] = 10497, [HATCH_WRAP_MIRROR] = 33648};
+    static const uint32_t linear = 9729, trilinear = 9987;
+    const struct hatch_texture_use *use = glb->textures[index].use;
+    HATCH_TRY(hatch_glb_open_named(glb, &use->sampler));
+    HATCH_TRY(hatch_glb_integer(glb, "magFilter", use->filters[0] ? (uint32_t)use->filters[0] : linear));
+    HATCH_TRY(hatch_glb_integer(glb, "minFilter", use->filters[1] ? (uint32_t)use->filters[1] : trilinear));
+    HATCH_TRY(hatch_glb_integer(glb, "wrapS", modes[use->wrap[0]]));
+    HATCH_TRY(hatch_glb_integer(glb, "wrapT", modes[use->wrap[1]]));
+    return hatch_glb_close_kept(glb, &use->sampler);
 }
 
 static bool is_webp(const struct hatch_glb *glb, const struct hatch_texture_use *use)
@@ -99,36 +105,31 @@ static bool is_webp(const struct hatch_glb *glb, const struct hatch_texture_use 
     return strcmp(hatch_glb_image_kind(&glb->scene->textures[use->texture]), HATCH_GLB_WEBP) == 0;
 }
 
-static enum hatch_status print_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
+static enum hatch_status print_texture(struct hatch_glb *glb, uint32_t index)
 {
-    const char *format = is_webp(glb, use) ? "{\"sampler\":%u,\"extensions\":{\"EXT_texture_webp\":{\"source\":%u}}}"
-                                           : "{\"sampler\":%u,\"source\":%u}";
-    return hatch_buffer_print(&glb->json, glb->err, format, *hatch_glb_texture(glb, use), glb->image[use->texture]);
-}
-
-/* Prints an array with one entry per texture of the file; textures are numbered in the order of the materials. */
-static enum hatch_status print_list(struct hatch_glb *glb, const char *key,
-                                    enum hatch_status (*print)(struct hatch_glb *, const struct hatch_texture_use *))
-{
-    const struct hatch_scene *scene = glb->scene;
-    uint32_t textures = 0;
-    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
-        const struct hatch_texture_use *use =
-            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
-        if (!use || *hatch_glb_texture(glb, use) != textures)
-            continue;
-        if (textures++ == 0)
-            HATCH_TRY(hatch_glb_open_array(glb, key));
-        HATCH_TRY(hatch_glb_comma(glb));
-        HATCH_TRY(print(glb, use));
-    }
-    return hatch_glb_put(glb, textures ? "]" : "");
+    const struct hatch_texture_use *use = glb->textures[index].use;
+    HATCH_TRY(hatch_glb_open_named(glb, &use->kept));
+    HATCH_TRY(hatch_glb_integer(glb, "sampler", index));
+    if (is_webp(glb, use))
+        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, ",\"extensions\":{\"EXT_texture_webp\":{\"source\":%u}}",
+                                     glb->image[use->texture]));
+    else
+        HATCH_TRY(hatch_glb_integer(glb, "source", glb->image[use->texture]));
+    return hatch_glb_close_kept(glb, &use->kept);
 }
 
 static enum hatch_status print_textures(struct hatch_glb *glb)
 {
-    HATCH_TRY(print_list(glb, "textures", print_texture));
-    return print_list(glb, "samplers", print_sampler);
+    if (glb->texture_count == 0)
+        return HATCH_OK;
+    HATCH_TRY(hatch_glb_open_array(glb, "textures"));
+    for (uint32_t t = 0; t < glb->texture_count; t++)
+        HATCH_TRY(print_texture(glb, t));
+    HATCH_TRY(hatch_glb_put(glb, "]"));
+    HATCH_TRY(hatch_glb_open_array(glb, "samplers"));
+    for (uint32_t t = 0; t < glb->texture_count; t++)
+        HATCH_TRY(print_sampler(glb, t));
+    return hatch_glb_put(glb, "]");
 }
 
 static enum hatch_status print_camera(struct hatch_glb *glb, const struct hatch_camera *camera)

@@ -35,6 +35,12 @@ struct hatch_glb_lines {
     uint32_t first, indices;    /* indices of the accessors of its POSITION and its indices */
 };
 
+/* A glTF texture with its sampler, which has the same index. */
+struct hatch_glb_texture {
+    const struct hatch_texture_use *use; /* the first of its uses */
+    uint32_t next;                       /* index of the next one with the same image, or HATCH_NONE */
+};
+
 /* State of writing one file. An accessor has the same index as its part of the buffer; images, which have no accessors,
  * come last. */
 struct hatch_glb {
@@ -56,11 +62,12 @@ struct hatch_glb {
     uint32_t *skin;                 /* per skin: index in the file; HATCH_NONE without joints */
     uint32_t skin_first;            /* index of the accessor of the first skin's matrices */
     uint32_t channel_first;         /* index of the accessor of the first animation channel's times */
-    uint32_t *image;   /* per texture: index of its image in the file; HATCH_NONE if of no kind that is written */
-    uint32_t *texture; /* HATCH_GLB_WRAPS per texture: index of texture and sampler in the file; HATCH_NONE if unused */
+    uint32_t *image;         /* per texture: index of its image in the file; HATCH_NONE if of no kind that is written */
+    uint32_t *image_texture; /* per texture: index of the first glTF texture that has its image, or HATCH_NONE */
+    struct hatch_glb_texture *textures; /* of the file */
+    uint32_t texture_count;
 };
 
-#define HATCH_GLB_WRAPS 9u /* combinations of wrap modes in u and v */
 #define HATCH_GLB_SLOTS 2u /* textures of a material: base colour, normals */
 
 #define HATCH_GLB_WEBP "webp"
@@ -74,11 +81,8 @@ const char *hatch_glb_image_kind(const struct hatch_texture *texture);
 const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
                                                uint32_t slot);
 
-/* Returns a pointer to the index in the file of a texture with these wrap modes. */
-static inline uint32_t *hatch_glb_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
-{
-    return &glb->texture[HATCH_GLB_WRAPS * use->texture + 3u * use->wrap[0] + use->wrap[1]];
-}
+/* Returns the index in the file of the texture of a use; HATCH_NONE if there is none yet. */
+uint32_t hatch_glb_find_texture(const struct hatch_glb *glb, const struct hatch_texture_use *use);
 
 /* Lists a mesh's attributes in the order in which they are written and read: POSITION first, then the others by name. A
  * copy of a file is therefore identical to it. Leaves out morph targets. Returns the number of attributes listed. */
@@ -110,6 +114,8 @@ enum hatch_status hatch_glb_close_extras(struct hatch_glb *glb, const struct hat
 
 /* Lays out the buffer and assigns all indices; the members scene, scratch and err must be set. */
 enum hatch_status hatch_glb_plan(struct hatch_glb *glb);
+/* Adds the images as parts of the buffer, and numbers the textures in the order of the materials. */
+enum hatch_status hatch_glb_plan_textures(struct hatch_glb *glb);
 /* Adds a part of the buffer, and the parts of a mesh's attributes. */
 void hatch_glb_add_view(struct hatch_glb *glb, struct hatch_glb_view view);
 void hatch_glb_add_attributes(struct hatch_glb *glb, const struct hatch_mesh *mesh);

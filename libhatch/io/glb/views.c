@@ -192,52 +192,6 @@ static void plan_motion(struct hatch_glb *glb)
         }
 }
 
-const char *hatch_glb_image_kind(const struct hatch_texture *texture)
-{
-    static const struct {
-        const char *kind, *magic;
-        size_t at, size; /* of magic */
-    } kinds[] = {{"png", "\x89PNG", 0, 4}, {"jpeg", "\xff\xd8\xff", 0, 3}, {HATCH_GLB_WEBP, "WEBP", 8, 4}};
-    for (size_t i = 0; texture->data && i < sizeof kinds / sizeof *kinds; i++)
-        if (texture->size > kinds[i].at + kinds[i].size &&
-            memcmp(texture->data + kinds[i].at, kinds[i].magic, kinds[i].size) == 0)
-            return kinds[i].kind;
-    return NULL;
-}
-
-const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
-                                               uint32_t slot)
-{
-    const struct hatch_texture_use *use = slot == 0                ? &material->base
-                                          : material->normals.used ? &material->normals.at
-                                                                   : NULL;
-    return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
-}
-
-static void plan_images(struct hatch_glb *glb)
-{
-    const struct hatch_scene *scene = glb->scene;
-    uint32_t images = 0, textures = 0;
-    for (uint32_t t = 0; t < scene->texture_count; t++) {
-        bool known = hatch_glb_image_kind(&scene->textures[t]) != NULL;
-        glb->image[t] = known ? images++ : HATCH_NONE;
-        for (uint32_t wrap = 0; wrap < HATCH_GLB_WRAPS; wrap++)
-            glb->texture[HATCH_GLB_WRAPS * t + wrap] = HATCH_NONE;
-        if (known)
-            hatch_glb_add_view(glb, (struct hatch_glb_view){.component = HATCH_GLB_U8,
-                                                            .data = scene->textures[t].data,
-                                                            .count = scene->textures[t].size,
-                                                            .components = 1});
-    }
-    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
-        const struct hatch_texture_use *use =
-            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
-        uint32_t *texture = use ? hatch_glb_texture(glb, use) : NULL;
-        if (use && *texture == HATCH_NONE)
-            *texture = textures++;
-    }
-}
-
 static size_t count_views(const struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
@@ -254,10 +208,9 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     uint32_t **lists[] = {&glb->group_size, &glb->group, &glb->mesh_first, &glb->mesh_indices,
-                          &glb->line_count, &glb->skin,  &glb->image,      &glb->texture};
-    const size_t sizes[] = {
-        scene->mesh_count, scene->mesh_count, scene->mesh_count,    scene->mesh_count,
-        scene->mesh_count, scene->skin_count, scene->texture_count, HATCH_GLB_WRAPS * (size_t)scene->texture_count};
+                          &glb->line_count, &glb->skin,  &glb->image,      &glb->image_texture};
+    const size_t sizes[] = {scene->mesh_count, scene->mesh_count, scene->mesh_count,    scene->mesh_count,
+                            scene->mesh_count, scene->skin_count, scene->texture_count, scene->texture_count};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         HATCH_TRY(HATCH_ALLOC(glb->scratch, lists[i], sizes[i], glb->err));
     }
@@ -270,8 +223,7 @@ enum hatch_status hatch_glb_plan(struct hatch_glb *glb)
     glb->accessor_count = glb->view_count;
     for (uint32_t i = 0; i < glb->view_count; i++)
         glb->image_view += !glb->views[i].goes_on;
-    plan_images(glb);
-    return HATCH_OK;
+    return hatch_glb_plan_textures(glb);
 }
 
 static enum hatch_status print_bounds(struct hatch_glb *glb, const struct hatch_glb_view *view)

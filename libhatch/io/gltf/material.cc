@@ -15,6 +15,15 @@ enum hatch_wrap wrap_of(int mode)
                                                            : HATCH_WRAP_REPEAT;
 }
 
+/* Returns the number of a filter, or 0 for one that is unset or unknown. */
+int filter_of(int filter)
+{
+    bool plain = filter == TINYGLTF_TEXTURE_FILTER_NEAREST || filter == TINYGLTF_TEXTURE_FILTER_LINEAR;
+    bool mipped = filter >= TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST &&
+                  filter <= TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    return plain || mipped ? filter : 0;
+}
+
 /* Returns the array under a key of an extension; empty when absent. */
 std::vector<double> numbers_of(const tinygltf::Value &object, const char *key)
 {
@@ -93,10 +102,14 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     HATCH_TRY(check_index(r, image, r.model.images.size(), where, "image"));
     HATCH_TRY(check_index(r, texture.sampler, r.model.samplers.size(), where, "sampler"));
     HATCH_TRY(read_transform(r, info.extensions, where, &set, use));
+    HATCH_TRY(keep(r, texture, nullptr, &use->kept));
     if (texture.sampler != -1) {
         const tinygltf::Sampler &sampler = r.model.samplers[static_cast<size_t>(texture.sampler)];
         use->wrap[0] = wrap_of(sampler.wrapS);
         use->wrap[1] = wrap_of(sampler.wrapT);
+        use->filters[0] = filter_of(sampler.magFilter);
+        use->filters[1] = filter_of(sampler.minFilter);
+        HATCH_TRY(keep(r, sampler, nullptr, &use->sampler));
     }
     bool known = set >= 0 && set <= static_cast<int>(HATCH_TEXCOORD_MAX);
     use->texcoord = known ? static_cast<uint32_t>(set) : 0;

@@ -206,6 +206,39 @@ START_TEST(names_and_extras_are_kept)
 }
 END_TEST
 
+/* Two textures of an image that differ in the filters, one that differs in the name of the sampler, and one that is
+ * like the first. */
+START_TEST(samplers_and_textures_are_kept)
+{
+    static const char json[] =
+        HEAD ",\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgoBAgM=\"}],"
+             "\"samplers\":[{\"magFilter\":9728,\"minFilter\":9984,\"wrapS\":33071},{\"name\":\"Soft\",\"extras\":1},"
+             "{\"magFilter\":7,\"minFilter\":9728}],"
+             "\"textures\":[{\"source\":0,\"sampler\":0,\"name\":\"T\",\"extras\":{\"t\":2}},{\"source\":0},"
+             "{\"source\":0,\"sampler\":1},{\"source\":0,\"sampler\":2},"
+             "{\"source\":0,\"sampler\":0,\"name\":\"T\",\"extras\":{\"t\":2}}],"
+             "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}},\"normalTexture\":{"
+             "\"index\":1}},"
+             "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":2}},\"normalTexture\":{\"index\":3}},"
+             "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":4}}}]}";
+    static const char *const texts[] = {
+        "\"baseColorTexture\":{\"index\":0",
+        "\"normalTexture\":{\"index\":1",
+        "\"baseColorTexture\":{\"index\":2",
+        "\"normalTexture\":{\"index\":3",
+        "\"baseColorTexture\":{\"index\":0",
+        "\"textures\":[{\"name\":\"T\",\"sampler\":0,\"source\":0,\"extras\":{\"t\":2}},{\"sampler\":1,\"source\":0},"
+        "{\"sampler\":2,\"source\":0},{\"sampler\":3,\"source\":0}],"
+        "\"samplers\":[{\"magFilter\":9728,\"minFilter\":9984,\"wrapS\":33071,\"wrapT\":10497},"
+        "{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497},"
+        "{\"name\":\"Soft\",\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":10497,\"wrapT\":10497,\"extras\":1},"
+        "{\"magFilter\":9729,\"minFilter\":9728,\"wrapS\":10497,\"wrapT\":10497}]",
+        NULL,
+    };
+    copies(json, texts);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io gltf material");
@@ -218,6 +251,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_plus_in_a_uri_stays_a_plus);
     tcase_add_test(tests, a_glb_may_lack_a_binary_chunk);
     tcase_add_test(tests, names_and_extras_are_kept);
+    tcase_add_test(tests, samplers_and_textures_are_kept);
     suite_add_tcase(suite, tests);
     return suite;
 }
