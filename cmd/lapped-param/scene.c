@@ -32,6 +32,23 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
     mesh->attribute_count = kept;
 }
 
+/* Removes the textures that a material has beside its base colour and normals, with the factors that they multiply.
+ * Returns their number. */
+static uint32_t drop_textures(struct hatch_material *material)
+{
+    uint32_t kept = 0, textures = 0;
+    for (uint32_t i = 0; i < material->member_count; i++)
+        textures += material->members[i].use_count;
+    if (textures == 0)
+        return 0;
+    for (uint32_t i = 0; i < material->member_count; i++)
+        if (material->members[i].part == HATCH_PART_EXTENSIONS && material->members[i].use_count == 0)
+            material->members[kept++] = material->members[i];
+    material->member_count = kept;
+    material->keeps_metal = false;
+    return textures;
+}
+
 /* Removes all textures except normal maps, and renumbers these. */
 static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
 {
@@ -89,7 +106,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, str
     uint32_t count = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
         struct hatch_material *material = &scene->materials[m];
-        count += textured[m];
+        count += textured[m] + drop_textures(material);
         material->base.texture = HATCH_NONE;
         set_alpha(material, atlas, textured[m]);
     }

@@ -30,6 +30,19 @@ struct hatch_texture_use {
 
 #define HATCH_TEXCOORD_MAX 9u
 
+/* Objects of a glTF material: itself, its pbrMetallicRoughness, its extensions. */
+enum hatch_material_part { HATCH_PART_MATERIAL, HATCH_PART_PBR, HATCH_PART_EXTENSIONS };
+
+/* A member of a glTF material that hatching does not need, kept for writing. */
+struct hatch_kept_member {
+    enum hatch_material_part part;
+    const char *text; /* key and value as JSON; each HATCH_KEPT_USE in it stands for the members of a texture's use */
+    const struct hatch_texture_use *uses;
+    uint32_t use_count;
+};
+
+#define HATCH_KEPT_USE '\1' /* JSON does not contain it */
+
 /* A normal map in tangent space (glTF 2.0, normalTextureInfo). */
 struct hatch_normal_map {
     bool used; /* false: the other members are unset */
@@ -47,6 +60,9 @@ struct hatch_material {
     bool outline; /* of lapped textures: the alpha of base, read with TEXCOORD_1, is the patch outline; the material's
                      meshes are patches, drawn in order over each other */
     struct hatch_kept kept;
+    struct hatch_kept_member *members;
+    uint32_t member_count;
+    bool keeps_metal; /* whether members tell how metallic it is, a missing metallicFactor being 1; false: not at all */
 };
 
 /* An encoded PNG, JPEG or WebP image, copied from the file. */

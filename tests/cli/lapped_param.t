@@ -31,6 +31,17 @@ END
 lapped-param -q placed.gltf -o placed.glb
 unpack placed.glb unplaced
 is "the outline does not take over a texture's transform" "$(grep -c KHR_texture_transform unplaced.gltf)" 0
+sed 's/"materials":\[{/&"name":"Oak","extensions":{"KHR_materials_unlit":{}},"emissiveFactor":[1,1,1],/' placed.gltf >plain.gltf
+sed 's/"emissiveFactor"/"emissiveTexture":{"index":0},&/' plain.gltf >shining.gltf
+for kind in plain shining; do
+    lapped-param $kind.gltf -o lapped.glb 2>"$kind.err"
+    unpack lapped.glb $kind.made
+done
+is "factors of a material are kept with its name, and left out with their textures" \
+    "$(grep -c '"name":"Oak".*"emissiveFactor".*"KHR_materials_unlit":{}' plain.made.gltf) $(cat plain.err)
+$(grep -c '"name":"Oak".*"metallicFactor":0.*"KHR_materials_unlit":{}' shining.made.gltf) $(grep -c emissive shining.made.gltf) $(cat shining.err)" \
+    "1 lapped-param: plain.gltf: warning: 1 texture left out: their texture coordinates have been replaced
+1 0 lapped-param: shining.gltf: warning: 2 textures left out: their texture coordinates have been replaced"
 dirfield torus.glb -o field.glb
 unpack field.glb field
 sed 's/"NORMAL":[0-9]*,//' field.gltf >bare.gltf

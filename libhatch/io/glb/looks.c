@@ -12,13 +12,35 @@ static enum hatch_status print_transform(struct hatch_glb *glb, const struct hat
     return hatch_glb_put(glb, "}}");
 }
 
-/* Prints a reference to a texture under its key; the caller closes the JSON object. */
-static enum hatch_status print_use(struct hatch_glb *glb, const char *key, const struct hatch_texture_use *use)
+/* Prints the members of a reference to a texture. */
+static enum hatch_status print_use(struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
-    HATCH_TRY(hatch_glb_key(glb, key));
-    HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "{\"index\":%u,\"texCoord\":%u",
-                                 hatch_glb_find_texture(glb, use), use->texcoord));
+    HATCH_TRY(hatch_glb_integer(glb, "index", hatch_glb_find_texture(glb, use)));
+    HATCH_TRY(hatch_glb_integer(glb, "texCoord", use->texcoord));
     return use->has_transform ? print_transform(glb, use) : HATCH_OK;
+}
+
+static enum hatch_status print_member(struct hatch_glb *glb, const struct hatch_kept_member *member)
+{
+    const char *at = member->text;
+    HATCH_TRY(hatch_glb_comma(glb));
+    for (uint32_t i = 0; i < member->use_count; i++) {
+        size_t length = strcspn(at, (const char[]){HATCH_KEPT_USE, '\0'});
+        HATCH_TRY(hatch_buffer_add(&glb->json, at, length, glb->err));
+        HATCH_TRY(print_use(glb, &member->uses[i]));
+        at += length + 1;
+    }
+    return hatch_glb_put(glb, at);
+}
+
+/* Prints the members that are kept of a part of a material. */
+static enum hatch_status print_members(struct hatch_glb *glb, const struct hatch_material *material,
+                                       enum hatch_material_part part)
+{
+    for (uint32_t i = 0; i < material->member_count; i++)
+        if (material->members[i].part == part && hatch_glb_has_member(glb, &material->members[i]))
+            HATCH_TRY(print_member(glb, &material->members[i]));
+    return HATCH_OK;
 }
 
 static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_material *material)
@@ -26,12 +48,15 @@ static enum hatch_status print_base(struct hatch_glb *glb, const struct hatch_ma
     static const float white[4] = {1, 1, 1, 1};
     const struct hatch_texture_use *use = hatch_glb_slot(glb, material, 0);
     HATCH_TRY(hatch_glb_key(glb, "pbrMetallicRoughness"));
-    HATCH_TRY(hatch_glb_put(glb, "{\"metallicFactor\":0"));
+    HATCH_TRY(hatch_glb_put(glb, material->keeps_metal ? "{" : "{\"metallicFactor\":0"));
+    HATCH_TRY(print_members(glb, material, HATCH_PART_PBR));
     if (memcmp(material->base_color, white, sizeof white) != 0)
         HATCH_TRY(hatch_glb_numbers(glb, "baseColorFactor", material->base_color, 4));
     if (!use)
         return hatch_glb_put(glb, "}");
-    HATCH_TRY(print_use(glb, "baseColorTexture", use));
+    HATCH_TRY(hatch_glb_key(glb, "baseColorTexture"));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(print_use(glb, use));
     return hatch_glb_put(glb, "}}");
 }
 
@@ -40,7 +65,9 @@ static enum hatch_status print_normals(struct hatch_glb *glb, const struct hatch
     const struct hatch_texture_use *use = hatch_glb_slot(glb, material, 1);
     if (!use)
         return HATCH_OK;
-    HATCH_TRY(print_use(glb, "normalTexture", use));
+    HATCH_TRY(hatch_glb_key(glb, "normalTexture"));
+    HATCH_TRY(hatch_glb_put(glb, "{"));
+    HATCH_TRY(print_use(glb, use));
     HATCH_TRY(hatch_glb_number(glb, "scale", material->normals.strength));
     return hatch_glb_put(glb, "}");
 }
@@ -53,11 +80,20 @@ static enum hatch_status print_material_extras(struct hatch_glb *glb, const stru
     return hatch_glb_close_extras(glb, &material->kept);
 }
 
+static bool has_extensions(const struct hatch_glb *glb, const struct hatch_material *material)
+{
+    for (uint32_t i = 0; i < material->member_count; i++)
+        if (material->members[i].part == HATCH_PART_EXTENSIONS && hatch_glb_has_member(glb, &material->members[i]))
+            return true;
+    return false;
+}
+
 static enum hatch_status print_material(struct hatch_glb *glb, const struct hatch_material *material)
 {
     HATCH_TRY(hatch_glb_open_named(glb, &material->kept));
     HATCH_TRY(print_base(glb, material));
     HATCH_TRY(print_normals(glb, material));
+    HATCH_TRY(print_members(glb, material, HATCH_PART_MATERIAL));
     if (material->outline || material->blend)
         HATCH_TRY(hatch_glb_put(glb, ",\"alphaMode\":\"BLEND\""));
     if (!material->outline && material->alpha_cutoff > 0 && !material->blend) {
@@ -65,7 +101,13 @@ static enum hatch_status print_material(struct hatch_glb *glb, const struct hatc
         HATCH_TRY(hatch_glb_number(glb, "alphaCutoff", material->alpha_cutoff));
     }
     HATCH_TRY(print_material_extras(glb, material));
-    return hatch_glb_put(glb, material->double_sided ? ",\"doubleSided\":true}" : "}");
+    HATCH_TRY(hatch_glb_put(glb, material->double_sided ? ",\"doubleSided\":true" : ""));
+    if (has_extensions(glb, material)) {
+        HATCH_TRY(hatch_glb_put(glb, ",\"extensions\":{"));
+        HATCH_TRY(print_members(glb, material, HATCH_PART_EXTENSIONS));
+        HATCH_TRY(hatch_glb_put(glb, "}"));
+    }
+    return hatch_glb_put(glb, "}");
 }
 
 static enum hatch_status print_images(struct hatch_glb *glb)
@@ -174,46 +216,58 @@ static enum hatch_status print_light(struct hatch_glb *glb, const struct hatch_l
     return hatch_glb_close_kept(glb, &light->kept);
 }
 
-struct extension {
-    bool used, required;
-    const char *name;
-};
-
-/* Prints a list of the extensions that are used, or of those of them that are required. */
-static enum hatch_status print_names(struct hatch_glb *glb, const char *key, const struct extension *extensions,
-                                     size_t count, bool required)
+/* Appends the name of an extension to a list of the file, unless it is there.
+ *   key    of the list
+ *   names  in, out: where they begin in the JSON; 0: there are none yet
+ *   name   in quotes, which need not be the end of the text */
+static enum hatch_status print_extension(struct hatch_glb *glb, const char *key, size_t *names, const char *name)
 {
-    bool any = false;
-    for (size_t i = 0; i < count; i++) {
-        if (!extensions[i].used || (required && !extensions[i].required))
-            continue;
-        if (!any)
-            HATCH_TRY(hatch_glb_open_array(glb, key));
-        HATCH_TRY(hatch_glb_comma(glb));
-        HATCH_TRY(hatch_buffer_print(&glb->json, glb->err, "\"%s\"", extensions[i].name));
-        any = true;
+    const size_t length = (size_t)(strchr(name + 1, '"') + 1 - name);
+    if (*names == 0) {
+        HATCH_TRY(hatch_glb_open_array(glb, key));
+        *names = glb->json.size;
     }
-    return hatch_glb_put(glb, any ? "]" : "");
+    for (size_t at = *names; at + length <= glb->json.size; at++)
+        if (memcmp(glb->json.data + at, name, length) == 0)
+            return HATCH_OK;
+    HATCH_TRY(hatch_glb_comma(glb));
+    return hatch_buffer_add(&glb->json, name, length, glb->err);
 }
 
 static enum hatch_status print_extensions(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
     bool placed = false, webp = false;
-    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
-        const struct hatch_texture_use *use =
-            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
-        placed = placed || (use && use->has_transform);
-        webp = webp || (use && is_webp(glb, use));
-    }
-    const struct extension extensions[] = {{placed, false, "KHR_texture_transform"},
-                                           {webp, true, "EXT_texture_webp"},
-                                           {scene->light_count > 0, false, "KHR_lights_punctual"},
-                                           {glb->quantized, true, "KHR_mesh_quantization"},
-                                           {scene->lod_count > 0, false, "MSFT_lod"}};
-    const size_t count = sizeof extensions / sizeof *extensions;
-    HATCH_TRY(print_names(glb, "extensionsUsed", extensions, count, false));
-    return print_names(glb, "extensionsRequired", extensions, count, true);
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        for (uint32_t i = 0; i < hatch_glb_slot_count(&scene->materials[m]); i++) {
+            const struct hatch_texture_use *use = hatch_glb_slot(glb, &scene->materials[m], i);
+            placed = placed || (use && use->has_transform);
+            webp = webp || (use && is_webp(glb, use));
+        }
+    const struct {
+        bool used, required;
+        const char *name;
+    } extensions[] = {{placed, false, "\"KHR_texture_transform\""},
+                      {webp, true, "\"EXT_texture_webp\""},
+                      {scene->light_count > 0, false, "\"KHR_lights_punctual\""},
+                      {glb->quantized, true, "\"KHR_mesh_quantization\""},
+                      {scene->lod_count > 0, false, "\"MSFT_lod\""}};
+    size_t names = 0;
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
+        if (extensions[i].used)
+            HATCH_TRY(print_extension(glb, "extensionsUsed", &names, extensions[i].name));
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        for (uint32_t i = 0; i < scene->materials[m].member_count; i++) {
+            const struct hatch_kept_member *member = &scene->materials[m].members[i];
+            if (member->part == HATCH_PART_EXTENSIONS && hatch_glb_has_member(glb, member))
+                HATCH_TRY(print_extension(glb, "extensionsUsed", &names, member->text));
+        }
+    HATCH_TRY(hatch_glb_put(glb, names > 0 ? "]" : ""));
+    names = 0;
+    for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++)
+        if (extensions[i].used && extensions[i].required)
+            HATCH_TRY(print_extension(glb, "extensionsRequired", &names, extensions[i].name));
+    return hatch_glb_put(glb, names > 0 ? "]" : "");
 }
 
 enum hatch_status hatch_glb_print_looks(struct hatch_glb *glb)

@@ -68,7 +68,8 @@ struct hatch_glb {
     uint32_t texture_count;
 };
 
-#define HATCH_GLB_SLOTS 2u /* textures of a material: base colour, normals */
+/* Returns the number of slots for textures that a material has: base colour, normals, those of its kept members. */
+uint32_t hatch_glb_slot_count(const struct hatch_material *material);
 
 #define HATCH_GLB_WEBP "webp"
 
@@ -76,10 +77,13 @@ struct hatch_glb {
  * NULL for kinds that are not written. */
 const char *hatch_glb_image_kind(const struct hatch_texture *texture);
 
-/* Returns the use of a material's texture in a slot, 0 .. HATCH_GLB_SLOTS - 1, or NULL when there is no texture that
- * can be written. */
+/* Returns the use of a material's texture in a slot, 0 .. hatch_glb_slot_count - 1, or NULL when there is no texture
+ * that can be written. */
 const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
                                                uint32_t slot);
+
+/* Returns whether a kept member of a material is written: all textures that it has are. */
+bool hatch_glb_has_member(const struct hatch_glb *glb, const struct hatch_kept_member *member);
 
 /* Returns the index in the file of the texture of a use; HATCH_NONE if there is none yet. */
 uint32_t hatch_glb_find_texture(const struct hatch_glb *glb, const struct hatch_texture_use *use);

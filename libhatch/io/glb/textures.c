@@ -16,13 +16,38 @@ const char *hatch_glb_image_kind(const struct hatch_texture *texture)
     return NULL;
 }
 
+static bool is_written(const struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    return use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE;
+}
+
+bool hatch_glb_has_member(const struct hatch_glb *glb, const struct hatch_kept_member *member)
+{
+    for (uint32_t i = 0; i < member->use_count; i++)
+        if (!is_written(glb, &member->uses[i]))
+            return false;
+    return true;
+}
+
+uint32_t hatch_glb_slot_count(const struct hatch_material *material)
+{
+    uint32_t count = 2;
+    for (uint32_t i = 0; i < material->member_count; i++)
+        count += material->members[i].use_count;
+    return count;
+}
+
 const struct hatch_texture_use *hatch_glb_slot(const struct hatch_glb *glb, const struct hatch_material *material,
                                                uint32_t slot)
 {
-    const struct hatch_texture_use *use = slot == 0                ? &material->base
-                                          : material->normals.used ? &material->normals.at
-                                                                   : NULL;
-    return use && use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE ? use : NULL;
+    if (slot == 0)
+        return is_written(glb, &material->base) ? &material->base : NULL;
+    if (slot == 1)
+        return material->normals.used && is_written(glb, &material->normals.at) ? &material->normals.at : NULL;
+    const struct hatch_kept_member *member = material->members;
+    for (slot -= 2; slot >= member->use_count; member++)
+        slot -= member->use_count;
+    return hatch_glb_has_member(glb, member) ? &member->uses[slot] : NULL;
 }
 
 static bool same_text(const char *a, const char *b)
@@ -64,19 +89,25 @@ static void plan_images(struct hatch_glb *glb)
     }
 }
 
+static void add_texture(struct hatch_glb *glb, const struct hatch_texture_use *use)
+{
+    if (!use || hatch_glb_find_texture(glb, use) != HATCH_NONE)
+        return;
+    uint32_t *first = &glb->image_texture[use->texture];
+    glb->textures[glb->texture_count] = (struct hatch_glb_texture){use, *first};
+    *first = glb->texture_count++;
+}
+
 enum hatch_status hatch_glb_plan_textures(struct hatch_glb *glb)
 {
     const struct hatch_scene *scene = glb->scene;
+    size_t slots = 0;
     plan_images(glb);
-    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->textures, HATCH_GLB_SLOTS * (size_t)scene->material_count, glb->err));
-    for (uint32_t m = 0; m < HATCH_GLB_SLOTS * scene->material_count; m++) {
-        const struct hatch_texture_use *use =
-            hatch_glb_slot(glb, &scene->materials[m / HATCH_GLB_SLOTS], m % HATCH_GLB_SLOTS);
-        if (!use || hatch_glb_find_texture(glb, use) != HATCH_NONE)
-            continue;
-        uint32_t *first = &glb->image_texture[use->texture];
-        glb->textures[glb->texture_count] = (struct hatch_glb_texture){use, *first};
-        *first = glb->texture_count++;
-    }
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        slots += hatch_glb_slot_count(&scene->materials[m]);
+    HATCH_TRY(HATCH_ALLOC(glb->scratch, &glb->textures, slots, glb->err));
+    for (uint32_t m = 0; m < scene->material_count; m++)
+        for (uint32_t i = 0; i < hatch_glb_slot_count(&scene->materials[m]); i++)
+            add_texture(glb, hatch_glb_slot(glb, &scene->materials[m], i));
     return HATCH_OK;
 }

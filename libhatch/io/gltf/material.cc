@@ -87,8 +87,21 @@ void note_missing(Reader &r, size_t image)
     std::snprintf(r.notes->image_missing, sizeof r.notes->image_missing, "%s", name.c_str());
 }
 
-/* Reads the use of a texture. If the image is missing, use->texture is HATCH_NONE and the notes count the image. */
-enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where,
+} // namespace
+
+tinygltf::TextureInfo info_of(const tinygltf::Value &texture)
+{
+    tinygltf::TextureInfo info;
+    info.index = index_of(texture, "index", -1);
+    info.texCoord = index_of(texture, "texCoord", 0);
+    const tinygltf::Value &extensions = texture.Get("extensions");
+    if (extensions.IsObject())
+        for (const std::string &key : extensions.Keys())
+            info.extensions[key] = extensions.Get(key);
+    return info;
+}
+
+enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where, bool drawn,
                            struct hatch_texture_use *use)
 {
     *use = {};
@@ -114,7 +127,7 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     bool known = set >= 0 && set <= static_cast<int>(HATCH_TEXCOORD_MAX);
     use->texcoord = known ? static_cast<uint32_t>(set) : 0;
     bool available = image != -1 && r.scene->textures[image].data;
-    if (image != -1 && !available)
+    if (drawn && image != -1 && !available)
         note_missing(r, static_cast<size_t>(image));
     if (known && available)
         use->texture = static_cast<uint32_t>(image);
@@ -123,6 +136,9 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
     return HATCH_OK;
 }
 
+namespace
+{
+
 enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &from, const std::string &where,
                                struct hatch_normal_map *normals)
 {
@@ -130,7 +146,7 @@ enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &fro
     info.index = from.index;
     info.texCoord = from.texCoord;
     info.extensions = from.extensions;
-    HATCH_TRY(read_use(r, info, where, &normals->at));
+    HATCH_TRY(read_use(r, info, where, true, &normals->at));
     normals->used = normals->at.texture != HATCH_NONE;
     return copy_numbers(r, {from.scale}, 1, where, "normalTexture scale", &normals->strength);
 }
@@ -139,18 +155,9 @@ enum hatch_status read_normals(Reader &r, const tinygltf::NormalTextureInfo &fro
 enum hatch_status read_diffuse(Reader &r, const tinygltf::Value &from, const std::string &where,
                                struct hatch_material *material)
 {
-    tinygltf::TextureInfo info;
     const tinygltf::Value &texture = from.Get("diffuseTexture");
     HATCH_TRY(copy_numbers(r, numbers_of(from, "diffuseFactor"), 4, where, "diffuseFactor", material->base_color));
-    if (!texture.IsObject())
-        return HATCH_OK;
-    info.index = index_of(texture, "index", -1);
-    info.texCoord = index_of(texture, "texCoord", 0);
-    const tinygltf::Value &extensions = texture.Get("extensions");
-    if (extensions.IsObject())
-        for (const std::string &key : extensions.Keys())
-            info.extensions[key] = extensions.Get(key);
-    return read_use(r, info, where, &material->base);
+    return texture.IsObject() ? read_use(r, info_of(texture), where, true, &material->base) : HATCH_OK;
 }
 
 /* Returns whether a material is that of lapped patches, as hatch_glb_write_scene marks it. */
@@ -186,13 +193,15 @@ enum hatch_status read_materials(Reader &r)
             c = 1;
         HATCH_TRY(read_normals(r, from.normalTexture, where, &to->normals));
         auto diffuse = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
-        if (diffuse != from.extensions.end() && diffuse->second.IsObject()) {
+        to->keeps_metal = diffuse == from.extensions.end() || !diffuse->second.IsObject();
+        HATCH_TRY(keep_members(r, from, where, to));
+        if (!to->keeps_metal) {
             HATCH_TRY(read_diffuse(r, diffuse->second, where, to));
             continue;
         }
         HATCH_TRY(
             copy_numbers(r, from.pbrMetallicRoughness.baseColorFactor, 4, where, "baseColorFactor", to->base_color));
-        HATCH_TRY(read_use(r, from.pbrMetallicRoughness.baseColorTexture, where, &to->base));
+        HATCH_TRY(read_use(r, from.pbrMetallicRoughness.baseColorTexture, where, true, &to->base));
     }
     r.scene->material_count = static_cast<uint32_t>(count);
     return HATCH_OK;

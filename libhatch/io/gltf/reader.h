@@ -94,6 +94,17 @@ template <class Object> enum hatch_status keep(Reader &r, const Object &from, co
     return keep(r, from.name, from.extras_json_string, own, kept);
 }
 
+/* Keeps the members of a material that are for writing alone. */
+enum hatch_status keep_members(Reader &r, const tinygltf::Material &from, const std::string &where,
+                               struct hatch_material *material);
+
+/* Returns the reference to a texture that a member of an extension is. */
+tinygltf::TextureInfo info_of(const tinygltf::Value &texture);
+/* Reads the use of a texture. If the image is missing, use->texture is HATCH_NONE.
+ *   drawn  whether pictures show it; the notes then count a missing image */
+enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const std::string &where, bool drawn,
+                           struct hatch_texture_use *use);
+
 /* Applies the morph targets at rest to positions and normals, and keeps the targets in the mesh if a node or an
  * animation gives them other weights.
  *   index  of the glTF mesh */

@@ -189,7 +189,7 @@ START_TEST(names_and_extras_are_kept)
         ",\"extras\":[16777217,12345678901234567890]}",
         "],\"extras\":{\"targetNames\":[\"smile\"]}}]",
         "\"materials\":[{\"name\":\"Oak\",",
-        ",\"extras\":{\"hatch\":\"outline\",\"id\":7}},{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}]",
+        ",\"extras\":{\"hatch\":\"outline\",\"id\":7}},{\"pbrMetallicRoughness\":{}}]",
         "\"images\":[{\"name\":\"wood\",",
         ",\"extras\":{\"i\":1}}]",
         "\"cameras\":[{\"name\":\"Shot\",",
@@ -239,6 +239,46 @@ START_TEST(samplers_and_textures_are_kept)
 }
 END_TEST
 
+/* What hatching does not draw. Texture 1 has another image, texture 2 one that is missing; their transforms and sets of
+ * texture coordinates stay. */
+START_TEST(members_of_materials_are_kept)
+{
+    static const char json[] =
+        HEAD ",\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgoBAgM=\"},"
+             "{\"uri\":\"data:image/png;base64,iVBORw0KGgoEBQY=\"},{\"uri\":\"none.png\"}],"
+             "\"textures\":[{\"source\":0},{\"source\":1},{\"source\":2}],\"materials\":["
+             "{\"normalTexture\":{\"index\":1},\"pbrMetallicRoughness\":{\"metallicFactor\":0.7,\"roughnessFactor\":0."
+             "30000000000000004,"
+             "\"metallicRoughnessTexture\":{\"index\":0,\"texCoord\":1}},\"occlusionTexture\":{\"index\":1,"
+             "\"strength\":0.5},"
+             "\"emissiveFactor\":[1,0.5,0],\"emissiveTexture\":{\"index\":1,\"extensions\":{\"KHR_texture_transform\":{"
+             "\"offset\":[0.5,0.25]}}},\"extensions\":{\"KHR_materials_clearcoat\":{\"clearcoatFactor\":1,"
+             "\"clearcoatNormalTexture\":{\"index\":1,\"scale\":2},\"clearcoatTexture\":{\"index\":0},"
+             "\"clearcoatRoughnessTexture\":{\"index\":2}},\"KHR_materials_unlit\":{},\"OTHER_paint\":{\"index\":3}}},"
+             "{\"pbrMetallicRoughness\":{\"roughnessFactor\":1},\"emissiveTexture\":{\"index\":2},"
+             "\"extensions\":{\"KHR_materials_unlit\":{}}},"
+             "{\"extensions\":{\"KHR_materials_pbrSpecularGlossiness\":{\"diffuseFactor\":[1,1,1,1]}}}]}";
+    static const char *const texts[] = {
+        "\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0.7,\"roughnessFactor\":0.30000000000000004,"
+        "\"metallicRoughnessTexture\":{\"index\":1,\"texCoord\":1}},\"normalTexture\":{\"index\":0,\"texCoord\":0,"
+        "\"scale\":1},"
+        "\"occlusionTexture\":{\"index\":0,\"texCoord\":0,\"strength\":0.5},\"emissiveFactor\":[1,0.5,0],"
+        "\"emissiveTexture\":{\"index\":0,\"texCoord\":0,\"extensions\":{\"KHR_texture_transform\":{\"rotation\":0,"
+        "\"scale\":[1,1],\"offset\":[0.5,0.25]}}},\"extensions\":{\"KHR_materials_clearcoat\":{\"clearcoatFactor\":1,"
+        "\"clearcoatNormalTexture\":{\"index\":0,\"texCoord\":0,\"scale\":2},"
+        "\"clearcoatTexture\":{\"index\":1,\"texCoord\":0}},\"KHR_materials_unlit\":{}}},"
+        "{\"pbrMetallicRoughness\":{},\"extensions\":{\"KHR_materials_unlit\":{}}},"
+        "{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}]",
+        "\"textures\":[{\"sampler\":0,\"source\":1},{\"sampler\":1,\"source\":0}]",
+        "\"extensionsUsed\":[\"KHR_texture_transform\",\"KHR_materials_clearcoat\",\"KHR_materials_unlit\"]",
+        NULL,
+    };
+    copies(json, texts);
+    refuses(HEAD ",\"materials\":[{\"occlusionTexture\":{\"index\":1}}]}",
+            "material 0: texture 1 does not exist, there are 0");
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io gltf material");
@@ -252,6 +292,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_glb_may_lack_a_binary_chunk);
     tcase_add_test(tests, names_and_extras_are_kept);
     tcase_add_test(tests, samplers_and_textures_are_kept);
+    tcase_add_test(tests, members_of_materials_are_kept);
     suite_add_tcase(suite, tests);
     return suite;
 }
