@@ -179,7 +179,7 @@ int main(int argc, char **argv)
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
-    cmd_read_scene_to_write(&args, input, &scene);
+    cmd_read_scene_to_write(&args, input, true, &scene);
     if (needs_path) {
         cmd_read_needs_and_regions(&args, needs_path, &needs);
         cmd_fit_meshes(&args, input, needs_path, &needs, &scene);

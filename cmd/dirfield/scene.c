@@ -112,7 +112,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     struct run run = {.args = args, .options = options, .input = input, .files = files};
     struct hatch_needs needs;
     const char *name = cmd_input_name(input);
-    cmd_read_scene_to_write(args, input, &run.scene);
+    cmd_read_scene_to_write(args, input, true, &run.scene);
     cmd_warn_up(name, &run.scene);
     if (options->needs) {
         cmd_read_needs_and_regions(args, options->needs, &needs);

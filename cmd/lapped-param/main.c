@@ -196,7 +196,7 @@ int main(int argc, char **argv)
     const char *input = args.operand_count ? args.operands[0] : NULL, *name = cmd_input_name(input);
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
-    cmd_read_scene_to_write(&args, input, &scene);
+    cmd_read_scene_to_write(&args, input, false, &scene);
     cmd_warn_up(cmd_input_name(input), &scene);
     lapped_param_clear(&args, name, atlas, &scene);
     if (needs_path) {

@@ -126,7 +126,7 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
     fit.name = cmd_input_name(input);
 
-    cmd_read_scene_to_write(&args, input, &scene);
+    cmd_read_scene_to_write(&args, input, true, &scene);
     drop_undrawn(&args, fit.name, &scene);
     cmd_add_normals(&args, fit.name, &scene);
     drop_flat_normals(&scene);

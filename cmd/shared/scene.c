@@ -28,12 +28,23 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
 }
 
+/* A warning that begins with a count; 0: there is none. */
+struct warning {
+    uint32_t count;
+    const char *one, *many;
+};
+
+static void warn_all(const char *name, const struct warning *warnings, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (warnings[i].count > 0)
+            cmd_warn(name, "%u %s", warnings[i].count,
+                     cmd_plural(warnings[i].count, warnings[i].one, warnings[i].many));
+}
+
 void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
 {
-    const struct {
-        uint32_t count;
-        const char *one, *many;
-    } warnings[] = {
+    const struct warning warnings[] = {
         {notes->degenerate_dropped, "face without an area is left out", "faces without an area are left out"},
         {notes->duplicates_dropped, "face given twice is left out", "faces given twice are left out"},
         {notes->unreferenced_dropped, "vertex that no face uses is left out",
@@ -74,10 +85,7 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "nodes have a scale of 0: their meshes are flat"},
         {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
     };
-    for (size_t i = 0; i < sizeof warnings / sizeof *warnings; i++)
-        if (warnings[i].count)
-            cmd_warn(name, "%u %s", warnings[i].count,
-                     cmd_plural(warnings[i].count, warnings[i].one, warnings[i].many));
+    warn_all(name, warnings, sizeof warnings / sizeof *warnings);
     if (notes->images_missing)
         cmd_warn(
             name, "%u %s left out: %s%s", notes->images_missing,
@@ -85,16 +93,26 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
             notes->image_missing, cmd_plural(notes->images_missing, "", " and others"));
 }
 
-/* Warns of the parts of a file that a scene does not have. */
-static void warn_lost(const char *name, const struct hatch_mesh_notes *notes)
+/* Warns of the parts of a file that a scene does not have.
+ *   textures  whether images matter */
+static void warn_lost(const char *name, bool textures, const struct hatch_mesh_notes *notes)
 {
-    if (notes->meshes_undrawn > 0)
-        cmd_warn(name, "%u %s", notes->meshes_undrawn,
-                 cmd_plural(notes->meshes_undrawn, "mesh that no node draws is left out",
-                            "meshes that no node draws are left out"));
-    if (notes->levels_dropped > 0)
-        cmd_warn(name, "levels of detail of %u %s left out: meshfit --levels makes them", notes->levels_dropped,
-                 cmd_plural(notes->levels_dropped, "node are", "nodes are"));
+    const struct warning warnings[] = {
+        {notes->scenes_dropped, "scene is left out: only the default one is read",
+         "scenes are left out: only the default one is read"},
+        {notes->meshes_undrawn, "mesh that no node draws is left out", "meshes that no node draws are left out"},
+        {notes->levels_dropped, "node has levels of detail, which are left out: meshfit --levels makes them",
+         "nodes have levels of detail, which are left out: meshfit --levels makes them"},
+        {textures ? notes->images_dropped : 0,
+         "image is neither PNG nor JPEG nor WebP or could not be read, and is left out",
+         "images are neither PNG nor JPEG nor WebP or could not be read, and are left out"},
+        {notes->attributes_rounded, "vertex attribute has integers over 16777216: they are rounded to floats",
+         "vertex attributes have integers over 16777216: they are rounded to floats"},
+    };
+    warn_all(name, warnings, sizeof warnings / sizeof *warnings);
+    if (notes->extensions_dropped > 0)
+        cmd_warn(name, "%u %s left out: %s", notes->extensions_dropped,
+                 cmd_plural(notes->extensions_dropped, "extension is", "extensions are"), notes->extension_dropped);
 }
 
 /* Warns of a material library that is not beside its OBJ file. */
@@ -183,9 +201,9 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
     read_scene(args, path, care, scene, &notes);
 }
 
-void cmd_read_scene_to_write(struct cmd_args *args, const char *path, struct hatch_scene *scene)
+void cmd_read_scene_to_write(struct cmd_args *args, const char *path, bool textures, struct hatch_scene *scene)
 {
     struct hatch_mesh_notes notes;
     read_scene(args, path, CMD_SCENE_AS_IS, scene, &notes);
-    warn_lost(cmd_input_name(path), &notes);
+    warn_lost(cmd_input_name(path), textures, &notes);
 }

@@ -23,8 +23,9 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
                     struct hatch_scene *scene);
 
 /* Reads a scene like cmd_read_scene, as it is, for a command that writes it again: also warns of the parts of the file
- * that the scene does not have. */
-void cmd_read_scene_to_write(struct cmd_args *args, const char *path, struct hatch_scene *scene);
+ * that the scene does not have.
+ *   textures  whether it writes the textures */
+void cmd_read_scene_to_write(struct cmd_args *args, const char *path, bool textures, struct hatch_scene *scene);
 
 /* Reads a scene like cmd_read_scene, but counts defects in notes instead of warning of them. For commands that warn
  * later, since they may still fail. */

@@ -63,8 +63,13 @@ struct hatch_mesh_notes {
     uint32_t images_missing;    /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
     /* Parts of a glTF that its scene does not have, and that are therefore missing in a file written from it. */
-    uint32_t meshes_undrawn; /* meshes that no node of the scene draws */
-    uint32_t levels_dropped; /* nodes whose levels of detail (MSFT_lod) are not read: only the finest is */
+    uint32_t meshes_undrawn;     /* meshes that no node of the scene draws */
+    uint32_t levels_dropped;     /* nodes whose levels of detail (MSFT_lod) are not read: only the finest is */
+    uint32_t scenes_dropped;     /* scenes beside the default one */
+    uint32_t images_dropped;     /* images that are neither PNG nor JPEG nor WebP, or missing, and not among images_missing */
+    uint32_t attributes_rounded; /* vertex attributes with integers over 2^24, for which floats are too short */
+    uint32_t extensions_dropped; /* extensions that are neither read nor kept */
+    char extension_dropped[192]; /* names of the first of them, with commas */
 };
 
 /* Makes a mesh with zeroed indices and POSITION, in arena. */

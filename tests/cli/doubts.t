@@ -85,6 +85,24 @@ is "points twice" "$status $(cat .err)" "3 hatchstat: twice.gltf: no faces, only
 perl make.pl mesh scale 1,0,1
 try render-gl mesh.gltf --technique gouraud --size 16x16 -o picture.png
 is "a node with a scale of 0" "$status $(grep -c 'warning: 1 node has a scale of 0: its meshes are flat' .err)" "0 1"
+# Commands that write a scene again warn of what they lose.
+perl make.pl mesh
+perl -pe 's/"scenes":\[/"extensionsUsed":["VRM","KHR_materials_unlit","KHR_animation_pointer"],"images":[{"uri":"none.webp"},
+    {"uri":"data:image\/png;base64,iVBORw0KGgoBAgM="}],$&\{},/; s/"scene":0/"scene":1/;
+    s/"POSITION":1/$&,"_ID":5/;
+    s/\],"bufferViews"/,{"bufferView":4,"componentType":5125,"count":4,"type":"SCALAR"}$&/' mesh.gltf >more.gltf
+for command in dirfield meshfit strokegen; do
+    try $command more.gltf -o copy.glb
+    is "$command warns of what it loses" "$status $(grep -v -e 'no face can' -e 'principal direction' .err)" "0 \
+$command: more.gltf: warning: 1 scene is left out: only the default one is read
+$command: more.gltf: warning: 1 image is neither PNG nor JPEG nor WebP or could not be read, and is left out
+$command: more.gltf: warning: 1 vertex attribute has integers over 16777216: they are rounded to floats
+$command: more.gltf: warning: 2 extensions are left out: VRM, KHR_animation_pointer"
+done
+try lapped-param more.gltf -o copy.glb
+is "lapped-param keeps no images" "$status $(grep -c -e 'scene is left' -e rounded -e VRM .err) $(grep -c image .err)" "0 3 0"
+try hatchstat mesh more.gltf
+is "hatchstat does not" "$status $(cat .err)" "0 "
 for shape in teapot torus sphere saddle; do
     meshgen $shape --faces 2000 -o shape.glb
     try hatchstat mesh shape.glb

@@ -30,4 +30,7 @@ enum hatch_status hatch_glb_write_scene(const struct hatch_scene *scene, const c
                                         struct hatch_arena *scratch, struct hatch_buffer *file,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
+/* Returns whether an image is one of those that are written: a PNG or a JPEG. */
+bool hatch_glb_can_hold(const struct hatch_texture *texture);
+
 #endif

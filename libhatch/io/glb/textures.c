@@ -16,6 +16,11 @@ const char *hatch_glb_image_kind(const struct hatch_texture *texture)
     return NULL;
 }
 
+bool hatch_glb_can_hold(const struct hatch_texture *texture)
+{
+    return hatch_glb_image_kind(texture) != NULL;
+}
+
 static bool is_written(const struct hatch_glb *glb, const struct hatch_texture_use *use)
 {
     return use->texture != HATCH_NONE && glb->image[use->texture] != HATCH_NONE;
@@ -78,7 +83,7 @@ static void plan_images(struct hatch_glb *glb)
     const struct hatch_scene *scene = glb->scene;
     uint32_t images = 0;
     for (uint32_t t = 0; t < scene->texture_count; t++) {
-        bool known = hatch_glb_image_kind(&scene->textures[t]) != NULL;
+        bool known = hatch_glb_can_hold(&scene->textures[t]);
         glb->image[t] = known ? images++ : HATCH_NONE;
         glb->image_texture[t] = HATCH_NONE;
         if (known)

@@ -27,7 +27,7 @@ struct hatch_gltf_resolver {
  * that a material uses but that cannot be read are counted in notes. Extensions: KHR_lights_punctual,
  * KHR_mesh_quantization, KHR_texture_transform, EXT_mesh_gpu_instancing (one node per instance),
  * EXT_meshopt_compression, EXT_texture_webp, EXT_texture_avif and KHR_texture_basisu (their fallback images),
- * KHR_materials_* (the base colour).
+ * KHR_materials_* (the base colour; most are kept for writing).
  *   resolver  NULL: no companion file can be read
  *   scene     out: in arena; unchanged on failure
  *   notes     in, out: counts are added

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <cstring>
+#include <iterator>
 
 namespace hatch
 {
@@ -151,13 +153,30 @@ enum hatch_status add_extension(Reader &r, const Member &extension, const tinygl
     return HATCH_OK;
 }
 
-/* Returns whether an extension of materials is kept: all of Khronos' but the one that becomes the base colour. Their
- * names are plain. */
+/* Returns whether an extension of materials is kept: all of Khronos' but the one that becomes the base colour, and the
+ * one that concerns meshes. Their names are plain. */
 bool is_kept(const std::string &name)
 {
     static const std::string prefix = "KHR_materials_";
     return name.compare(0, prefix.size(), prefix) == 0 && name != prefix + "pbrSpecularGlossiness" &&
-           name.find_first_of("\"\\") == std::string::npos;
+           name != prefix + "variants" && name.find_first_of("\"\\") == std::string::npos;
+}
+
+/* Returns whether an extension is read, so that its effect is in the scene, or noted otherwise. */
+bool is_read(const std::string &name)
+{
+    static const char *const names[] = {"EXT_mesh_gpu_instancing", "EXT_meshopt_compression", "EXT_texture_avif",
+                                        "EXT_texture_webp",        "KHR_lights_punctual",     "KHR_mesh_quantization",
+                                        "KHR_texture_basisu",      "KHR_texture_transform",   "MSFT_lod"};
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+void note_extension(struct hatch_mesh_notes *notes, const std::string &name)
+{
+    const size_t used = std::strlen(notes->extension_dropped), room = sizeof notes->extension_dropped - used;
+    notes->extensions_dropped++;
+    if (name.size() + 2 < room)
+        std::snprintf(notes->extension_dropped + used, room, "%s%s", used > 0 ? ", " : "", name.c_str());
 }
 
 enum hatch_status copy_members(Reader &r, const std::vector<Kept> &list, struct hatch_material *material)
@@ -219,6 +238,17 @@ enum hatch_status keep(Reader &r, const std::string &name, const std::string &ex
     if (!name.empty())
         HATCH_TRY(copy_text(r, name, &kept->name));
     return rest.empty() ? HATCH_OK : copy_text(r, rest, &kept->extras);
+}
+
+void note_lost(Reader &r)
+{
+    const size_t scenes = r.model.scenes.size();
+    r.notes->scenes_dropped += static_cast<uint32_t>(scenes > 1 ? scenes - 1 : 0);
+    for (uint32_t i = 0; i < r.scene->texture_count; i++)
+        r.notes->images_dropped += !r.image_noted[i] && !hatch_glb_can_hold(&r.scene->textures[i]);
+    for (const std::string &name : r.model.extensionsUsed)
+        if (!is_read(name) && !is_kept(name))
+            note_extension(r.notes, name);
 }
 
 } // namespace hatch

@@ -59,6 +59,14 @@ enum hatch_status add_alpha(Reader &r, uint32_t count, float **data)
     return HATCH_OK;
 }
 
+/* Notes an attribute of integers that are so large that floats may have rounded them. */
+void note_rounding(Reader &r, int accessor, const float *data, size_t count)
+{
+    const float exact = 16777216;
+    if (r.model.accessors[static_cast<size_t>(accessor)].componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+        r.notes->attributes_rounded += std::any_of(data, data + count, [=](float number) { return number >= exact; });
+}
+
 enum hatch_status read_attribute(Reader &r, const std::string &name, int accessor, const std::string &where,
                                  const Range *range, struct hatch_mesh *mesh)
 {
@@ -80,6 +88,7 @@ enum hatch_status read_attribute(Reader &r, const std::string &name, int accesso
         HATCH_TRY(add_alpha(r, count, &data));
         components = 4;
     }
+    note_rounding(r, accessor, data, static_cast<size_t>(count) * static_cast<size_t>(components));
     struct hatch_mesh_attribute *a = &mesh->attributes[mesh->attribute_count++];
     std::memcpy(a->name, name.c_str(), name.size() + 1);
     a->components = static_cast<uint32_t>(components);

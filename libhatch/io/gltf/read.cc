@@ -326,6 +326,7 @@ enum hatch_status read_all(Reader &r)
     HATCH_TRY(attach_to_nodes(r, first_mesh));
     HATCH_TRY(add_instances(r));
     HATCH_TRY(check_transforms(r));
+    note_lost(r);
     return read_animations(r);
 }
 

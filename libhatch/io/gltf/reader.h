@@ -16,6 +16,7 @@ extern "C" {
 #include "io/gltf/gltf.h"
 #include "io/gltf/check.h"
 #include "io/glb/container.h"
+#include "io/glb/glb.h"
 }
 #pragma GCC diagnostic pop
 
@@ -97,6 +98,9 @@ template <class Object> enum hatch_status keep(Reader &r, const Object &from, co
 /* Keeps the members of a material that are for writing alone. */
 enum hatch_status keep_members(Reader &r, const tinygltf::Material &from, const std::string &where,
                                struct hatch_material *material);
+
+/* Notes the parts of the file that are neither in the scene nor kept by it, except for meshes and vertices. */
+void note_lost(Reader &r);
 
 /* Returns the reference to a texture that a member of an extension is. */
 tinygltf::TextureInfo info_of(const tinygltf::Value &texture);

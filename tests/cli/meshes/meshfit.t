@@ -149,13 +149,13 @@ for option in "--faces 400" "--levels 2" "--error 3"; do
     # shellcheck disable=SC2086
     meshfit $small $option first.glb -o once.glb
     is "$option of what has levels: of the first, with a warning" "$status $(numbers again.glb | md5sum) $(cat .err)" \
-        "0 $(numbers once.glb | md5sum) meshfit: levels.glb: warning: levels of detail of 1 node are left out: meshfit --levels makes them"
+        "0 $(numbers once.glb | md5sum) meshfit: levels.glb: warning: 1 node has levels of detail, which are left out: meshfit --levels makes them"
 done
 for command in dirfield "strokegen --levels 1" lapped-param; do
     # shellcheck disable=SC2086 # with options
     try $command levels.glb -o again.glb
     is "$command works on the first level only, with a warning" "$status $(json again.glb | grep -c '"mesh":1') $(cat .err)" \
-        "0 0 ${command%% *}: levels.glb: warning: levels of detail of 1 node are left out: meshfit --levels makes them"
+        "0 0 ${command%% *}: levels.glb: warning: 1 node has levels of detail, which are left out: meshfit --levels makes them"
 done
 perl -pe 's/"MSFT_lod":\{/"OTHER_lo":{/' levels.glb >undrawn.glb
 for command in dirfield meshfit; do
