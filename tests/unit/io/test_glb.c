@@ -445,7 +445,7 @@ END_TEST
 START_TEST(webp_needs_an_extension)
 {
     ck_assert(!contains(write_and_read(&full), "EXT_texture_webp"));
-    textures[1] = (struct hatch_texture){webp, sizeof webp};
+    textures[1] = (struct hatch_texture){.data = webp, .size = sizeof webp};
     materials[1].base.texture = 1;
     struct hatch_buffer file = write_and_read(&full);
     ck_assert_mem_eq(back.textures[back.materials[1].base.texture].data, webp, sizeof webp);
