@@ -139,9 +139,10 @@ const char *cmd_input_name(const char *path);
 struct cmd_output;
 
 /* Opens an output before the work is done, so that a missing or read-only folder fails at once. Makes a hidden file
- * beside path; if path exists and is not a regular file, opens it instead. Dies on failure, when binary data would go
- * to a terminal, for a second output to the same file, and as cmd_check_ending does.
- *   path     NULL or "-": standard output
+ * beside path; if path is a device or a pipe, opens it instead. Names such as /dev/stdout and /dev/fd/3 are open
+ * descriptors, to which the output is added. Dies on failure, when binary data would go to a terminal, for a second
+ * output to the same file or pipe, and as cmd_check_ending does.
+ *   path     NULL or "-", or any name of the same file or pipe: standard output
  *   endings  as in cmd_check_ending */
 struct cmd_output *cmd_open_output(const char *path, const char *endings, bool binary);
 

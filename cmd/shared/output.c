@@ -1,9 +1,9 @@
 #define _GNU_SOURCE
 #include "base/random.h"
+#include "shared/names/descriptor.h"
 #include "shared/private.h"
 
 #include <assert.h>
-#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -19,7 +19,8 @@
 /* Hidden files with fixed names that one target may have at the same time, each with a living writer. */
 #define SLOTS 8
 
-/* An output is either a descriptor (standard output, a device, a pipe) or a hidden file beside the target.
+/* An output is either a stream (standard output, another open descriptor, a device, a pipe) or a hidden file beside the
+ * target.
  *
  * The hidden file has one of SLOTS names that follow from the target's, and is locked for as long as its writer lives.
  * Where a process was killed, its file stays, and the next writer of the target locks and overwrites it. A file with
@@ -28,27 +29,31 @@
  * they are written; nothing removes such a file when the process is killed. */
 struct cmd_output {
     char *name;     /* for messages */
-    char *hidden;   /* path of the hidden file; NULL: write to descriptor */
-    char *target;   /* path to which the hidden file is renamed */
+    char *hidden;   /* path of the hidden file; NULL: a stream */
+    char *target;   /* path to which the hidden file is renamed; NULL: a stream */
     bool filled;    /* the content is already in the hidden file */
     bool locked;    /* the hidden file is locked through descriptor */
     int descriptor; /* -1: the hidden file is closed */
+    struct location {
+        dev_t device;
+        ino_t folder;
+        const char *name; /* name in the folder; NULL: unknown */
+    } location;           /* of the target; the same for all spellings of its path */
+    struct identity {
+        bool known; /* false: there is no file yet, or it is a device, which may take several outputs */
+        dev_t device;
+        ino_t number;
+    } file;                  /* that was there before */
+    struct cmd_output *next; /* of all that are open */
 };
+
+static struct cmd_output *open_outputs;
 
 /* Paths of the hidden files that exist, or NULL; read by a signal handler. */
 static char *volatile unfinished[CMD_OUTPUTS_MAX];
 
-/* Location of the target of each hidden file; the same for all spellings of its path. */
-static struct location {
-    dev_t device;
-    ino_t folder;
-    const char *name; /* name in the folder; empty: unknown */
-} locations[CMD_OUTPUTS_MAX];
-
 /* Called with the removal of unfinished outputs, or NULL. */
 static void (*volatile also_at_end)(void);
-
-static bool stdout_taken;
 
 static const int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU};
 #define ENDING_SIGNALS (sizeof ending_signals / sizeof *ending_signals)
@@ -169,7 +174,6 @@ static mode_t mode_for(const struct stat *existing)
     return 0666 & ~mask;
 }
 
-/* Returns the location of a path. If the folder does not exist, the location has no name and equals no other. */
 static struct location locate(const char *target)
 {
     const char *slash = strrchr(target, '/');
@@ -178,17 +182,44 @@ static struct location locate(const char *target)
         snprintf(folder, sizeof folder, "%.*s/", (int)(slash - target), target);
     struct stat info;
     if (stat(folder, &info) < 0)
-        return (struct location){.name = ""};
+        return (struct location){.name = NULL};
     return (struct location){info.st_dev, info.st_ino, slash ? slash + 1 : target};
 }
 
-/* Dies for a second output to the same location, which would overwrite the first. */
-static void refuse_second(const struct location *location, const char *name)
+static struct identity identify(const struct stat *info)
 {
-    for (size_t i = 0; i < CMD_OUTPUTS_MAX && *location->name; i++)
-        if (unfinished[i] && locations[i].folder == location->folder && locations[i].device == location->device &&
-            strcmp(locations[i].name, location->name) == 0)
-            cmd_usage("two outputs go to %s", name);
+    return (struct identity){!S_ISCHR(info->st_mode), info->st_dev, info->st_ino};
+}
+
+static bool is_same_file(const struct identity *a, const struct identity *b)
+{
+    return a->known && b->known && a->device == b->device && a->number == b->number;
+}
+
+static bool is_standard(const struct cmd_output *output)
+{
+    return output->descriptor == STDOUT_FILENO;
+}
+
+/* Whether two outputs would overwrite each other, or mix. */
+static bool collide(const struct cmd_output *a, const struct cmd_output *b)
+{
+    const struct location *here = &a->location, *there = &b->location;
+    if (a->target && b->target)
+        return here->name && there->name && here->folder == there->folder && here->device == there->device &&
+               strcmp(here->name, there->name) == 0;
+    return is_same_file(&a->file, &b->file) || (is_standard(a) && is_standard(b));
+}
+
+/* Adds an output to the open ones; dies if it collides with one of them. */
+static struct cmd_output *admit(struct cmd_output *output)
+{
+    for (const struct cmd_output *other = open_outputs; other; other = other->next)
+        if (collide(output, other))
+            cmd_usage("two outputs go to %s", output->name);
+    output->next = open_outputs;
+    open_outputs = output;
+    return output;
 }
 
 /* Makes the path of a hidden file of a target: the target's folder and a hash of its name, so that the length of the
@@ -279,13 +310,10 @@ static int make_file(struct cmd_output *output)
 
 static void make_hidden(struct cmd_output *output, const struct stat *existing)
 {
-    struct location location = locate(output->target);
-    refuse_second(&location, output->name);
     size_t slot = 0;
     while (slot < CMD_OUTPUTS_MAX && unfinished[slot])
         slot++;
     assert(slot < CMD_OUTPUTS_MAX);
-    locations[slot] = location;
     cmd_block_signals(true);
     int descriptor = make_file(output);
     int error_number = errno;
@@ -302,66 +330,52 @@ static void make_hidden(struct cmd_output *output, const struct stat *existing)
         remove_stale(output->target);
 }
 
-static bool is_listed(const char *list, const char *word)
+/* Opens what is neither a plain file nor standard output; for a name of an open descriptor, a copy of that. */
+static int open_stream(const char *path, int descriptor)
 {
-    size_t length = strlen(word);
-    for (const char *at = list; (at = strstr(at, word)); at += length)
-        if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == 0))
-            return true;
-    return false;
+    if (descriptor >= 0 && (fcntl(descriptor, F_GETFL) & O_ACCMODE) == O_RDONLY)
+        die_errno(path, "cannot write", EBADF);
+    int opened = descriptor >= 0 ? fcntl(descriptor, F_DUPFD_CLOEXEC, 0) : open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (opened < 0)
+        die_errno(path, "cannot write", errno);
+    return opened;
 }
 
-void cmd_check_ending(const char *path, const char *endings)
+static struct cmd_output *open_standard_output(struct cmd_output *output, bool binary)
 {
-    static const char formats[] =
-        "3ds apng avi avif blend bmp csv dae dds eps exr fbx gif glb gltf hdr heic html jpeg jpg json jxl ktx ktx2 mkv "
-        "mov mp4 obj off pbm pdf pgm ply png pnm ppm ps psd seeds stl svg tga tif tiff tsv txt usd usda usdc usdz webm "
-        "webp xcf xml";
-    const char *dot = path ? strrchr(path, '.') : NULL;
-    char ending[8] = "";
-    for (size_t i = 0; dot && i + 1 < sizeof ending && dot[i + 1]; i++)
-        ending[i] = (char)tolower((unsigned char)dot[i + 1]);
-    if (!*ending || !is_listed(formats, ending) || is_listed(endings, ending))
-        return;
-    char wanted[64];
-    size_t used = 0;
-    for (const char *at = endings; *at && used < sizeof wanted; at += strcspn(at, " "), at += *at == ' ') {
-        int length = (int)strcspn(at, " ");
-        const char *before = at == endings ? "" : strchr(at, ' ') ? ", " : " or ";
-        used += (size_t)snprintf(wanted + used, sizeof wanted - used, "%s.%.*s", before, length, at);
-    }
-    cmd_usage("%s: the ending is that of another format: want %s", path, wanted);
+    refuse_terminal(STDOUT_FILENO, binary);
+    output->name = copy_text("standard output");
+    output->descriptor = STDOUT_FILENO;
+    return admit(output);
 }
 
 struct cmd_output *cmd_open_output(const char *path, const char *endings, bool binary)
 {
     cmd_check_ending(path, endings);
     struct cmd_output *output = allocate(sizeof *output);
-    if (!path || strcmp(path, "-") == 0) {
-        refuse_terminal(STDOUT_FILENO, binary);
-        if (stdout_taken)
-            cmd_usage("two outputs go to standard output");
-        stdout_taken = true;
-        output->name = copy_text("standard output");
-        output->descriptor = STDOUT_FILENO;
-        return output;
-    }
+    struct stat info;
+    struct identity standard = {0};
+    if (fstat(STDOUT_FILENO, &info) == 0)
+        standard = identify(&info);
+    bool named = path && strcmp(path, "-") != 0, exists = named && stat(path, &info) == 0;
+    output->file = !named ? standard : exists ? identify(&info) : output->file;
+    if (!named || is_same_file(&output->file, &standard))
+        return open_standard_output(output, binary);
     output->name = copy_text(path);
     output->descriptor = -1;
-    struct stat info;
-    bool exists = stat(path, &info) == 0;
     if (exists && S_ISDIR(info.st_mode))
         die_errno(path, "cannot write", EISDIR);
-    if (exists && access(path, W_OK) < 0)
+    int descriptor = exists && !S_ISCHR(info.st_mode) ? cmd_descriptor_of(path) : -1;
+    if (exists && descriptor < 0 && access(path, W_OK) < 0)
         die_errno(path, "cannot write", errno);
-    if (exists && !S_ISREG(info.st_mode)) {
-        output->descriptor = open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
-        if (output->descriptor < 0)
-            die_errno(path, "cannot write", errno);
+    if (exists && (descriptor >= 0 || !S_ISREG(info.st_mode))) {
+        output->descriptor = open_stream(path, descriptor);
         refuse_terminal(output->descriptor, binary);
-        return output;
+        return admit(output);
     }
     output->target = final_path(path, exists);
+    output->location = locate(output->target);
+    admit(output);
     make_hidden(output, exists ? &info : NULL);
     return output;
 }
@@ -419,6 +433,10 @@ static void rename_hidden(const struct cmd_output *output)
 
 static void free_output(struct cmd_output *output)
 {
+    struct cmd_output **at = &open_outputs;
+    while (*at != output)
+        at = &(*at)->next;
+    *at = output->next;
     free(output->hidden);
     free(output->target);
     free(output->name);

@@ -117,6 +117,45 @@ is "outputs beyond half of the descriptors" \
     "$(ulimit -n 32; tampack --quiet --layout png map.exr -o many.png && ls many.* | wc -l) $(hidden)" \
     "$(ls tiles.* many.* 2>/dev/null | grep -c many) 0"
 
+# A name that leads to an open descriptor is that descriptor: what others have written to its file stays.
+hatchstat mesh plane.glb >table.tsv
+echo head >head.tsv
+echo tail >tail.tsv
+for name in /dev/stdout /dev/fd/1 /proc/self/fd/1 log; do
+    (echo head && hatchstat mesh plane.glb -o $name && echo tail) >log
+    is "-o $name, between other lines of its file" "$(cksum <log)" "$(cat head.tsv table.tsv tail.tsv | cksum)"
+done
+ln -s /dev/fd/3 third
+for name in /dev/fd/3 /proc/self/fd/3 "$WORK/third" third; do
+    (echo head >&3 && hatchstat mesh plane.glb -o $name && echo tail >&3) 3>log
+    is "-o $name, between other lines of its file" "$(cksum <log)" "$(cat head.tsv table.tsv tail.tsv | cksum)"
+done
+(echo head >&2 && hatchstat mesh plane.glb -o /dev/stderr) 2>log
+is "-o /dev/stderr, after another line" "$(cksum <log)" "$(cat head.tsv table.tsv | cksum)"
+echo head >log
+hatchstat mesh plane.glb -o /dev/stdout >>log
+is "a file that is appended to" "$(cksum <log)" "$(cat head.tsv table.tsv | cksum)"
+is "-o /dev/fd/3, a pipe" "$(hatchstat mesh plane.glb -o /dev/fd/3 3>&1 >/dev/null | cksum)" "$(cksum <table.tsv)"
+try hatchstat mesh plane.glb -o /dev/stdin <table.tsv
+refused "a descriptor that is open for reading" 4 1
+while read -r line; do
+    : >both
+    sh -c "{ tamgen -q --size 64 $line; } 2>words; wc -c <both" 2>&1 | cksum >size
+    is "two outputs go to one descriptor: $line" "$(head -n 1 words | cut -d' ' -f 1-5) $(cat size)" \
+        "tamgen: two outputs go to $(echo 0 | cksum)"
+done <<'END'
+--strokes /dev/stdout >both
+--strokes both >both
+-o both --strokes - >both
+--strokes /dev/stdout | cat
+-o /dev/fd/3 --strokes /dev/fd/3 3>both
+-o both --strokes /dev/fd/3 3>both
+-o /dev/fd/3 --strokes both 3>both
+-o /dev/fd/3 --strokes /dev/fd/4 3>both 4>&3
+END
+tamgen -q --size 64 -o /dev/stdout --strokes /dev/null >/dev/null
+is "two outputs go to a device that is standard output" $? 0
+
 # File name extensions of other formats are refused.
 for line in "meshgen plane -o plane.obj" "tamgen --size 64 -o map.png" "tampack map.exr -o map.dds" \
     "tamgen --size 64 -o /dev/null --contact-sheet sheet.jpg"; do
