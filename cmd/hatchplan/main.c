@@ -1,5 +1,6 @@
 /* hatchplan: measures on a scene which technique draws it best within bounds. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
@@ -171,13 +172,16 @@ static enum hatch_status write_results(struct plan *plan, struct cmd_output *out
                              plan->failure ? plan->failure : "there is none"),
                   cmd_input_name(plan->files[0].path), &err);
     if (bounded && !best) {
-        char text[128];
-        const char *which;
-        double times = hatch_plan_excess(&nearest->figures, &plan->limits, &which);
+        char text[128], how[64];
+        struct hatch_plan_worst worst;
+        double times = hatch_plan_excess(&nearest->figures, &plan->limits, &worst);
         plan_describe(plan, nearest, text, sizeof text);
-        hatch_fail(&err, HATCH_DIFFERS,
-                   "nothing is within the limits; nearest is %s with %s, at %.3g times the limit %s",
-                   nearest->technique->name, text, times, which);
+        if (isinf(times))
+            snprintf(how, sizeof how, "%.3g where the limit %s is 0", worst.value, worst.name);
+        else
+            snprintf(how, sizeof how, "%.3g times the limit %s", times, worst.name);
+        hatch_fail(&err, HATCH_DIFFERS, "nothing is within the limits; nearest is %s with %s, at %s",
+                   nearest->technique->name, text, how);
         if (make)
             cmd_die(NULL, &err);
         cmd_say("%s", err.text);

@@ -42,6 +42,11 @@ static double excess(const struct plan *plan, const struct plan_candidate *candi
     return hatch_plan_excess(&candidate->figures, &plan->limits, NULL);
 }
 
+static bool is_nearer(const struct plan *plan, const struct plan_candidate *a, const struct plan_candidate *b)
+{
+    return hatch_plan_is_nearer(&a->figures, &b->figures, &plan->limits);
+}
+
 /* The best so far of the candidates of a state or a later one. */
 struct lead {
     double objective; /* the least one within the limits; INFINITY: none is within them */
@@ -172,7 +177,9 @@ static struct plan_candidate *next_full(const struct plan *plan, const bool *use
             (!is_open(plan) && hatch_plan_objective(&hope, &plan->limits) >= (1 - HATCH_PLAN_TIE) * lead.objective) ||
             (!isinf(lead.excess) && hatch_plan_excess(&hope, &plan->limits, NULL) > 1))
             continue;
-        if (!best || over < best_over || (over <= best_over && objective(plan, candidate) < best_objective)) {
+        bool equal = best && over <= best_over && over >= best_over;
+        if (!best || over < best_over || (equal && isinf(over) && is_nearer(plan, candidate, best)) ||
+            (equal && !isinf(over) && objective(plan, candidate) < best_objective)) {
             best = candidate;
             best_over = over;
             best_objective = objective(plan, candidate);

@@ -61,17 +61,31 @@ static double ratio(double value, double limit)
 }
 
 double hatch_plan_excess(const struct hatch_plan_figures *figures, const struct hatch_plan_figures *limits,
-                         const char **which)
+                         struct hatch_plan_worst *worst)
 {
-    static const char *const names[] = {"ms", "mb", "s", "of tone error"};
+    const struct hatch_plan_worst all[] = {
+        {"ms", figures->ms}, {"mb", 1e-6 * figures->bytes}, {"s", figures->setup_s}, {"of tone error", figures->error}};
     const double ratios[] = {ratio(figures->ms, limits->ms), ratio(figures->bytes, limits->bytes),
                              ratio(figures->setup_s, limits->setup_s), ratio(figures->error, limits->error)};
-    size_t worst = 0;
+    size_t first = 0;
     for (size_t i = 1; i < 4; i++)
-        worst = ratios[i] > ratios[worst] ? i : worst;
-    if (which)
-        *which = names[worst];
-    return ratios[worst];
+        first = ratios[i] > ratios[first] ? i : first;
+    if (worst)
+        *worst = all[first];
+    return ratios[first];
+}
+
+bool hatch_plan_is_nearer(const struct hatch_plan_figures *a, const struct hatch_plan_figures *b,
+                          const struct hatch_plan_figures *limits)
+{
+    const double before[] = {a->ms, a->bytes, a->setup_s, a->error};
+    const double after[] = {b->ms, b->bytes, b->setup_s, b->error};
+    const double most[] = {limits->ms, limits->bytes, limits->setup_s, limits->error};
+    double p = hatch_plan_excess(a, limits, NULL), q = hatch_plan_excess(b, limits, NULL);
+    for (size_t i = 0; i < 4 && isinf(p) && isinf(q); i++)
+        if (most[i] <= 0 && (before[i] < after[i] || before[i] > after[i]))
+            return before[i] < after[i];
+    return p < q;
 }
 
 double hatch_plan_objective(const struct hatch_plan_figures *figures, const struct hatch_plan_figures *limits)
@@ -120,7 +134,7 @@ size_t hatch_plan_nearest(const struct hatch_plan_figures *figures, size_t count
     size_t nearest = 0;
     assert(count > 0);
     for (size_t i = 1; i < count; i++)
-        if (hatch_plan_excess(&figures[i], limits, NULL) < hatch_plan_excess(&figures[nearest], limits, NULL))
+        if (hatch_plan_is_nearer(&figures[i], &figures[nearest], limits))
             nearest = i;
     return nearest;
 }

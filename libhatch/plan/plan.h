@@ -25,11 +25,22 @@ struct hatch_plan_figures hatch_plan_no_limits(void);
 enum hatch_status hatch_plan_parse_budget(const char *text, struct hatch_plan_figures *limits,
                                           struct hatch_err *err) HATCH_MUST_USE;
 
+/* The figure that exceeds its limit most. */
+struct hatch_plan_worst {
+    const char *name; /* as in a sentence on its limit: "ms", "mb", "s" or "of tone error" */
+    double value;     /* in that unit */
+};
+
 /* Returns how many times its limit the worst figure is: at most 1 if the candidate is within the limits. A figure over
  * a limit of 0 counts as INFINITY.
- *   which  out: the name of that figure with its unit, such as "ms"; may be NULL */
+ *   worst  out: that figure, the first one of equal ones; may be NULL */
 double hatch_plan_excess(const struct hatch_plan_figures *figures, const struct hatch_plan_figures *limits,
-                         const char **which);
+                         struct hatch_plan_worst *worst);
+
+/* Returns whether a comes nearer to the limits than b: its excess is less. Where both exceed limits of 0, the first of
+ * the figures with such a limit that differs decides. */
+bool hatch_plan_is_nearer(const struct hatch_plan_figures *a, const struct hatch_plan_figures *b,
+                          const struct hatch_plan_figures *limits);
 
 /* Returns the figure that the choice makes small: with a limit of the error the time of a frame, else the error. */
 double hatch_plan_objective(const struct hatch_plan_figures *figures, const struct hatch_plan_figures *limits);
@@ -48,7 +59,7 @@ void hatch_plan_front(const struct hatch_plan_figures *figures, size_t count, bo
 size_t hatch_plan_choose(const struct hatch_plan_figures *figures, size_t count,
                          const struct hatch_plan_figures *limits);
 
-/* Returns the index of the candidate with the least excess, the first of equal ones.
+/* Returns the index of the candidate to which no other one comes nearer, the first of equal ones.
  *   count  at least 1 */
 size_t hatch_plan_nearest(const struct hatch_plan_figures *figures, size_t count,
                           const struct hatch_plan_figures *limits);

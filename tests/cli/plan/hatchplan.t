@@ -48,6 +48,10 @@ try hatchplan $small --techniques rptam --tolerance .0001 torus.glb
 is "nothing is exact enough" "$status $(sed 's/with .*, at .* times/TIMES/' .err)" \
     "1 hatchplan: nothing is within the limits; nearest is rptam TIMES the limit of tone error"
 is "the table is written" "$(head -n 1 .out | cut -f 1)" technique
+try hatchplan $small $few --tolerance 0 torus.glb
+least=$(tail -n +2 .out | sort -t "$(printf '\t')" -k 6,6g | awk -F'\t' '{printf "%s with %s, at %.3g", $1, $2, $6; exit}')
+is "no tone error at all: nearest is the most exact one" "$status $(cat .err)" \
+    "1 hatchplan: nothing is within the limits; nearest is $least where the limit of tone error is 0"
 try hatchplan $small --techniques rptam --tolerance .0001 torus.glb --make -o none.mk
 refused "nothing for make" 1 1
 is "and no file" "$(ls none.mk 2>&1 | grep -c 'No such')" 1

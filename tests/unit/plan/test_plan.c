@@ -44,14 +44,15 @@ END_TEST
 START_TEST(the_worst_figure_is_the_excess)
 {
     struct hatch_plan_figures limits = hatch_plan_no_limits();
-    const char *which;
+    struct hatch_plan_worst worst;
     ck_assert_double_eq(hatch_plan_excess(&four[0], &limits, NULL), 0);
     limits = (struct hatch_plan_figures){20, 1e6, 0.25, 0.025};
-    ck_assert_double_eq(hatch_plan_excess(&four[0], &limits, &which), 4);
-    ck_assert_str_eq(which, "s");
+    ck_assert_double_eq(hatch_plan_excess(&four[0], &limits, &worst), 4);
+    ck_assert_str_eq(worst.name, "s");
+    ck_assert_double_eq(worst.value, 1);
     limits.setup_s = INFINITY;
-    ck_assert_double_eq_tol(hatch_plan_excess(&four[0], &limits, &which), 2, 1e-12);
-    ck_assert_str_eq(which, "of tone error");
+    ck_assert_double_eq_tol(hatch_plan_excess(&four[0], &limits, &worst), 2, 1e-12);
+    ck_assert_str_eq(worst.name, "of tone error");
     const struct hatch_plan_figures free = {1, 0, 0, 0};
     limits = (struct hatch_plan_figures){2, 0, 0, 0};
     ck_assert_double_eq(hatch_plan_excess(&free, &limits, NULL), 0.5);
@@ -113,6 +114,29 @@ START_TEST(with_a_budget_alone_the_most_exact_is_chosen)
 }
 END_TEST
 
+/* Over a limit of 0, no figure is a multiple of it: then the figures themselves are compared. */
+START_TEST(over_a_limit_of_0_the_least_figure_is_nearest)
+{
+    struct hatch_plan_figures limits = hatch_plan_no_limits();
+    struct hatch_plan_worst worst;
+    limits.error = 0;
+    ck_assert_uint_eq(hatch_plan_nearest(four, 4, &limits), 1);
+    ck_assert(hatch_plan_is_nearer(&four[1], &four[0], &limits) && !hatch_plan_is_nearer(&four[0], &four[1], &limits));
+    ck_assert(!hatch_plan_is_nearer(&four[1], &four[3], &limits));
+    ck_assert(isinf(hatch_plan_excess(&four[1], &limits, &worst)));
+    ck_assert_str_eq(worst.name, "of tone error");
+    ck_assert_double_eq(worst.value, 0.02);
+    const struct hatch_plan_figures exact = {1000, 9e6, 9, 0};
+    limits.ms = 1;
+    ck_assert_msg(hatch_plan_is_nearer(&exact, &four[1], &limits), "1000 times a limit is less than none of 0");
+    limits.bytes = 0;
+    ck_assert_uint_eq(hatch_plan_nearest(four, 4, &limits), 0);
+    ck_assert(isinf(hatch_plan_excess(&four[1], &limits, &worst)));
+    ck_assert_str_eq(worst.name, "mb");
+    ck_assert_double_eq_tol(worst.value, 2, 1e-12);
+}
+END_TEST
+
 /* Times within 3 % of the least are equal; then bytes decide, then the set-up, then the order. */
 START_TEST(ties_go_to_the_smaller_files)
 {
@@ -142,6 +166,7 @@ static Suite *suite(void)
     tcase_add_test(tests, no_figure_is_left_out_of_the_front);
     tcase_add_test(tests, with_a_tolerance_the_fastest_is_chosen);
     tcase_add_test(tests, with_a_budget_alone_the_most_exact_is_chosen);
+    tcase_add_test(tests, over_a_limit_of_0_the_least_figure_is_nearest);
     tcase_add_test(tests, ties_go_to_the_smaller_files);
     suite_add_tcase(suite, tests);
     return suite;
