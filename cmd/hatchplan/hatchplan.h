@@ -47,7 +47,7 @@ struct plan_asset {
 /* One of the scene's files. */
 struct plan_file {
     const char *path;
-    uint64_t bytes;
+    uint64_t bytes;  /* with those of the files that it names, such as the buffers of a glTF */
     bool has_places; /* all of its meshes have texture coordinates */
 };
 
@@ -87,6 +87,7 @@ struct plan {
     struct cmd_args *args;
     const struct plan_options *options;
     struct hatch_plan_figures limits;
+    struct hatch_arena kept; /* what is known of the files, while args->keep is rewound */
     struct plan_file *files; /* one per operand */
     uint32_t file_count;
     struct plan_asset *assets; /* asset_count entries, of ASSETS_MAX */

@@ -138,8 +138,10 @@ static bool is_file(const char *path)
 }
 
 /* Reads a scene, to see whether it is sound, and whether its meshes have texture coordinates. */
-static void read_scene(struct cmd_args *args, const char *operand, struct plan_file *file)
+static void read_scene(struct plan *plan, const char *operand, struct plan_file *file)
 {
+    struct cmd_args *args = plan->args;
+    struct cmd_companions companions = {.arena = &plan->kept};
     struct hatch_scene scene;
     struct hatch_mesh_notes notes = {0};
     struct stat info = {.st_size = 0};
@@ -150,12 +152,14 @@ static void read_scene(struct cmd_args *args, const char *operand, struct plan_f
         keep = hatch_arena_mark(&args->keep);
         operand = NULL;
     }
-    cmd_read_scene_silently(args, operand, CMD_SCENE_AS_IS, &scene, &notes);
+    cmd_read_scene_silently(args, operand, CMD_SCENE_AS_IS, &scene, &notes, &companions);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
         if (scene.meshes[i].mesh.face_count && !hatch_mesh_find(&scene.meshes[i].mesh, "TEXCOORD_0", 2))
             file->has_places = false;
     if (stat(file->path, &info) == 0)
         file->bytes = (uint64_t)info.st_size;
+    for (const struct cmd_companion *companion = companions.first; companion; companion = companion->next)
+        file->bytes += companion->bytes;
     hatch_arena_rewind(&args->keep, keep);
     hatch_arena_rewind(&args->scratch, scratch);
 }
@@ -204,12 +208,13 @@ int main(int argc, char **argv)
     struct cmd_output *output =
         make ? cmd_open_output(args.output, "mk make txt", false) : cmd_open_report(&args, args.output);
     cmd_child_make_folder();
+    hatch_arena_init(&plan.kept, (size_t)args.max_memory);
 
     plan.file_count = args.operand_count ? (uint32_t)args.operand_count : 1;
     plan.files = HATCH_NEW(&args.keep, struct plan_file, plan.file_count, &err);
     cmd_check(plan.files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < plan.file_count; i++)
-        read_scene(&args, args.operand_count ? args.operands[i] : NULL, &plan.files[i]);
+        read_scene(&plan, args.operand_count ? args.operands[i] : NULL, &plan.files[i]);
     plan.views = (uint32_t)chosen.frames;
     if (plan.views > VIEWS_MAX && !chosen.exhaustive)
         plan.views = VIEWS_MAX;
@@ -222,5 +227,7 @@ int main(int argc, char **argv)
         plan_search(&plan);
     cmd_note("a plain frame takes %.4g ms", plan.plain_ms);
     cmd_note("%.2f s of processor time", cmd_child_processor_s());
-    return cmd_end(&args, write_results(&plan, output));
+    enum hatch_status status = write_results(&plan, output);
+    hatch_arena_free(&plan.kept);
+    return cmd_end(&args, status);
 }

@@ -9,13 +9,40 @@
 #include "io/mesh/file.h"
 #include "scene/up.h"
 
+/* The folder of a glTF. */
+struct folder {
+    const char *path; /* of the glTF */
+    struct cmd_companions *companions;
+};
+
+/* Adds a file to a list, unless it is there; NULL: there is no list. */
+static enum hatch_status list_companion(struct cmd_companions *companions, const char *path, size_t bytes,
+                                        struct hatch_err *err)
+{
+    if (!companions)
+        return HATCH_OK;
+    struct cmd_companion **at = &companions->first;
+    while (*at && strcmp((*at)->path, path) != 0)
+        at = &(*at)->next;
+    if (*at)
+        return HATCH_OK;
+    struct cmd_companion *added = HATCH_NEW(companions->arena, struct cmd_companion, 1, err);
+    char *copy = hatch_arena_text(companions->arena, path, strlen(path), err);
+    if (!added || !copy)
+        return HATCH_LIMIT;
+    *added = (struct cmd_companion){.path = copy, .bytes = bytes};
+    *at = added;
+    return HATCH_OK;
+}
+
 /* Reads a companion file of a glTF.
- *   context  path of the glTF
- *   uri      relative to the folder of the glTF */
+ *   context  its folder
+ *   uri      relative to that */
 static enum hatch_status read_companion(void *context, const char *uri, struct hatch_arena *arena,
                                         struct hatch_bytes *bytes, struct hatch_err *err)
 {
-    const char *path = context, *slash = strrchr(path, '/');
+    const struct folder *folder = context;
+    const char *path = folder->path, *slash = strrchr(path, '/');
     char joined[4096];
     int length = snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, uri);
     if (length < 0 || (size_t)length >= sizeof joined)
@@ -25,7 +52,8 @@ static enum hatch_status read_companion(void *context, const char *uri, struct h
     if (stat(joined, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: is a pipe or a device, not a file", uri);
     enum hatch_status status = cmd_try_read(arena, joined, bytes, err);
-    return status == HATCH_OK ? status : hatch_fail_at(err, "%s: ", uri);
+    return status == HATCH_OK ? list_companion(folder->companions, joined, bytes->size, err)
+                              : hatch_fail_at(err, "%s: ", uri);
 }
 
 /* A warning that begins with a count; 0: there is none. */
@@ -150,7 +178,8 @@ static bool is_file(const char *path)
 }
 
 void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning care,
-                             struct hatch_scene *scene, struct hatch_mesh_notes *notes)
+                             struct hatch_scene *scene, struct hatch_mesh_notes *notes,
+                             struct cmd_companions *companions)
 {
     const char *name = cmd_input_name(path);
     struct hatch_bytes file = cmd_read(args, path);
@@ -158,9 +187,10 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
     struct hatch_err err;
     enum hatch_mesh_format format = hatch_mesh_format_of(file, path);
     if (format == HATCH_MESH_GLTF) {
-        const struct hatch_gltf_resolver folder = {read_companion, (void *)path};
+        struct folder folder = {path, companions};
+        const struct hatch_gltf_resolver resolver = {read_companion, &folder};
         cmd_check(
-            hatch_gltf_read(file, is_file(path) ? &folder : NULL, &args->keep, &args->scratch, scene, notes, &err),
+            hatch_gltf_read(file, is_file(path) ? &resolver : NULL, &args->keep, &args->scratch, scene, notes, &err),
             name, &err);
     } else {
         double origin[3];
@@ -186,7 +216,7 @@ static void read_scene(struct cmd_args *args, const char *path, enum cmd_scene_c
 {
     struct hatch_err err;
     *notes = (struct hatch_mesh_notes){0};
-    cmd_read_scene_silently(args, path, care, scene, notes);
+    cmd_read_scene_silently(args, path, care, scene, notes, NULL);
     if (scene->mesh_count == 0 && notes->primitives_skipped > 0)
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
                              notes->primitives_skipped, notes->primitives_skipped == 1 ? "" : "s"),

@@ -27,10 +27,22 @@ void cmd_read_scene(struct cmd_args *args, const char *path, enum cmd_scene_clea
  *   textures  whether it writes the textures */
 void cmd_read_scene_to_write(struct cmd_args *args, const char *path, bool textures, struct hatch_scene *scene);
 
+/* Files that a scene's file names and that were read with it, each once. */
+struct cmd_companions {
+    struct hatch_arena *arena; /* holds the list */
+    struct cmd_companion {
+        const char *path;
+        size_t bytes;
+        struct cmd_companion *next;
+    } * first;
+};
+
 /* Reads a scene like cmd_read_scene, but counts defects in notes instead of warning of them. For commands that warn
- * later, since they may still fail. */
+ * later, since they may still fail.
+ *   companions  in, out: the buffers and images of a glTF are added; may be NULL */
 void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_scene_cleaning cleaning,
-                             struct hatch_scene *scene, struct hatch_mesh_notes *notes);
+                             struct hatch_scene *scene, struct hatch_mesh_notes *notes,
+                             struct cmd_companions *companions);
 
 /* Adds normals, with creases of CMD_CREASE_RAD, to the meshes of a scene that is no glTF where the file has none, so
  * that it looks the same when it is written as glTF, which has flat faces without normals. Dies on failure.

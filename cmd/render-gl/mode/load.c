@@ -24,7 +24,7 @@ static void load_one(struct job *job, const char *path, struct hatch_scene *scen
 {
     const struct options *options = job->options;
     struct hatch_err err;
-    cmd_read_scene_silently(&job->args, path, CMD_SCENE_CLEANED, scene, notes);
+    cmd_read_scene_silently(&job->args, path, CMD_SCENE_CLEANED, scene, notes, NULL);
     if (!options_is_given("up"))
         cmd_warn_up(cmd_input_name(path), scene);
     cmd_check(hatch_scene_turn_up(scene, options->up, &job->args.keep, &err), cmd_input_name(path), &err);
