@@ -34,9 +34,12 @@ scene := $(if $(SCENE),$(call quoted,$(SCENE)),$(OUT)/fine.glb)
 light := $(if $(MODULATE),--modulate $(call quoted,$(MODULATE)))
 draw   = render-gl $(scene) --technique $(1) --tam "$(2)" --size $(SIZE) $(light) $(OPTIONS) -o $@
 
-# This file holds the variables from which intermediate files are made; it is rewritten when one of them changes.
+# This file holds the variables from which intermediate files are made, and the times and sizes of files that they name,
+# such as a palette; it is rewritten when one of them changes.
 words  := $(OUT)/fine.words
-wanted := $(SHAPE); $(STYLE) $(TONES) $(SEED) $(TAM); $(VOLUME); $(BINS)
+named  := $(wildcard $(STYLE) $(TAM))
+stamps := $(if $(named),$(shell stat -L -c %.9Y:%s -- $(named)))
+wanted := $(SHAPE); $(STYLE) $(TONES) $(SEED) $(TAM) $(stamps); $(VOLUME); $(BINS)
 
 .PHONY: all always
 all: $(if $(COLOUR),,$(OUT)/fine-tam.png $(OUT)/fine-threshold.png) $(OUT)/fine-volume.png

@@ -60,6 +60,16 @@ ok "fine-tone.mk" make -s -f "$TOP/pipelines/fine-tone.mk" SIZE=64x64 TONES=32 T
 is "fine-tone.mk writes its pictures" "$(echo fine-*.png)" "fine-tam.png fine-threshold.png fine-volume.png"
 ok "fine-tone.mk of another shape" make -s -f "$TOP/pipelines/fine-tone.mk" SIZE=64x48 TONES=32 TAM='--size 64 --levels 2' \
     VOLUME='-q --tones 16' BINS=-q SHAPE=cone
+printf 'color 0 000\n' >my.palette
+# made: whether fine-tone.mk makes the map
+made() {
+    make -f "$TOP/pipelines/fine-tone.mk" TONES=4 TAM='--size 64 --levels 1 --palette ./my.palette' OUT=palette \
+        palette/fine-ink.tam.exr | grep -c '^tamgen'
+}
+is "fine-tone.mk makes the map with a palette" "$(made)" 1
+is "fine-tone.mk keeps the map" "$(made)" 0
+touch -d '2 days ago' my.palette
+is "fine-tone.mk makes the map anew with another palette" "$(made)" 1
 is "fine-tone.mk draws the given shape" "$(meshgen cone | cmp - fine.glb && echo yes)" yes
 
 try render-gl ball.glb -t volume -T map.exr -o no.png
