@@ -8,8 +8,9 @@
 #     make -f plan.mk MESH=walk.glb TOLERANCE=.03 FRAMES=48      the scene's animation: walk-000.png ...
 #     make -f plan.mk MESH=model.glb BUDGET=mb=1 OPTIONS='--from 40:20 --techniques tam,volume,threshold'
 #
-# plan.chosen.mk holds the plan, and is made again when the mesh or one of these variables changes. The commands are found
-# on PATH. Copy this file and change it.
+# plan.chosen.mk holds the plan, and is made again when one of these variables changes, or a file that it was made from:
+# the mesh, the buffers and images of a glTF, the file of a style, files that --draw names. The commands are found on
+# PATH. Copy this file and change it.
 MESH      ?= $(error MESH=FILE names the mesh or scene to draw)
 BUDGET    ?=
 TOLERANCE ?=
@@ -34,9 +35,9 @@ name = name=$$(basename -- $(call quoted,$(MESH))) && name="$(OUT)/$${name%.*}"
 .PHONY: picture always
 picture:
 
-# This file holds what the plan depends on; it is rewritten when that changes.
+# This file holds the variables on which the plan depends; it is rewritten when they change.
 words  := $(OUT)/plan.words
-wanted := $(MESH) $(shell stat -L -c %Y.%s -- $(call quoted,$(MESH))); $(BUDGET); $(TOLERANCE); $(SIZE) $(film); $(OPTIONS)
+wanted := $(MESH); $(BUDGET); $(TOLERANCE); $(SIZE) $(film); $(OPTIONS)
 $(words): always
 	@mkdir -p $(OUT)
 	@printf '%s\n' $(call quoted,$(wanted)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(wanted)) >$@
@@ -44,6 +45,13 @@ $(OUT)/plan.chosen.mk: $(words)
 	hatchplan $(if $(BUDGET),--budget '$(BUDGET)') $(if $(TOLERANCE),--tolerance $(TOLERANCE)) --size $(SIZE) $(film) \
 	    $(OPTIONS) $(call quoted,$(MESH)) --make -o $@
 include $(OUT)/plan.chosen.mk
+# The plan tells which files it was made from, and their times and sizes. It is made anew once, not for as long as they
+# change.
+ifeq ($(MAKE_RESTARTS),)
+ifneq ($(strip $(STAMPS)),$(strip $(if $(INPUTS),$(shell stat -L -c %.9Y:%s -- $(INPUTS) 2>/dev/null))))
+$(OUT)/plan.chosen.mk: always
+endif
+endif
 
 # What the technique reads, and the scene that it draws.
 file_map        := $(OUT)/plan.map.exr

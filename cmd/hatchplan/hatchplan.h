@@ -87,8 +87,9 @@ struct plan {
     struct cmd_args *args;
     const struct plan_options *options;
     struct hatch_plan_figures limits;
-    struct hatch_arena kept; /* what is known of the files, while args->keep is rewound */
-    struct plan_file *files; /* one per operand */
+    struct hatch_arena kept;            /* what is known of the files, while args->keep is rewound */
+    struct hatch_buffer inputs, stamps; /* words of shell and make, in kept: see plan_note_input */
+    struct plan_file *files;            /* one per operand */
     uint32_t file_count;
     struct plan_asset *assets; /* asset_count entries, of ASSETS_MAX */
     uint32_t asset_count;
@@ -192,6 +193,16 @@ struct plan_candidate *plan_nearest(const struct plan *plan);
 /* Writes the table of the useful candidates, or of all that were measured.
  *   chosen  may be NULL */
 void plan_report(const struct plan *plan, const struct plan_candidate *chosen, bool all, struct cmd_output *output);
+
+/* Notes a file on which the plan depends, with its state: when it was changed, and its size. Names of what is no plain
+ * file are passed over. */
+void plan_note_input(struct plan *plan, const char *path);
+
+/* Notes the files that are named by options: the style with its brush, and words of --draw. */
+void plan_note_options(struct plan *plan);
+
+/* Adds a word to a text, after a space, quoted for the shell and for make. */
+void plan_add_word(struct hatch_buffer *text, const char *word);
 
 /* Writes the choice as variables of make. */
 void plan_write_make(struct plan *plan, const struct plan_candidate *chosen, struct cmd_output *output);

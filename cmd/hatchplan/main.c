@@ -152,14 +152,18 @@ static void read_scene(struct plan *plan, const char *operand, struct plan_file 
         keep = hatch_arena_mark(&args->keep);
         operand = NULL;
     }
+    if (operand)
+        plan_note_input(plan, operand);
     cmd_read_scene_silently(args, operand, CMD_SCENE_AS_IS, &scene, &notes, &companions);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
         if (scene.meshes[i].mesh.face_count && !hatch_mesh_find(&scene.meshes[i].mesh, "TEXCOORD_0", 2))
             file->has_places = false;
     if (stat(file->path, &info) == 0)
         file->bytes = (uint64_t)info.st_size;
-    for (const struct cmd_companion *companion = companions.first; companion; companion = companion->next)
+    for (const struct cmd_companion *companion = companions.first; companion; companion = companion->next) {
         file->bytes += companion->bytes;
+        plan_note_input(plan, companion->path);
+    }
     hatch_arena_rewind(&args->keep, keep);
     hatch_arena_rewind(&args->scratch, scratch);
 }
@@ -209,12 +213,14 @@ int main(int argc, char **argv)
         make ? cmd_open_output(args.output, "mk make txt", false) : cmd_open_report(&args, args.output);
     cmd_child_make_folder();
     hatch_arena_init(&plan.kept, (size_t)args.max_memory);
+    plan.inputs.arena = plan.stamps.arena = &plan.kept;
 
     plan.file_count = args.operand_count ? (uint32_t)args.operand_count : 1;
     plan.files = HATCH_NEW(&args.keep, struct plan_file, plan.file_count, &err);
     cmd_check(plan.files ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t i = 0; i < plan.file_count; i++)
         read_scene(&plan, args.operand_count ? args.operands[i] : NULL, &plan.files[i]);
+    plan_note_options(&plan);
     plan.views = (uint32_t)chosen.frames;
     if (plan.views > VIEWS_MAX && !chosen.exhaustive)
         plan.views = VIEWS_MAX;

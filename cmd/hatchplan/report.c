@@ -2,7 +2,6 @@
 #include "hatchplan/hatchplan.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "shared/report.h"
 
@@ -101,23 +100,6 @@ void plan_report(const struct plan *plan, const struct plan_candidate *chosen, b
     cmd_report_write(&report, output);
 }
 
-/* Adds a word, quoted for the shell and for make. */
-static void add_word(struct hatch_buffer *text, const char *word)
-{
-    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.,:/+=";
-    struct hatch_err err;
-    bool quoted = word[strspn(word, plain)] != '\0' || !*word;
-    enum hatch_status status = hatch_buffer_print(text, &err, quoted ? " '" : " ");
-    for (; status == HATCH_OK && *word; word++)
-        status = *word == '\''  ? hatch_buffer_print(text, &err, "'\\''")
-                 : *word == '$' ? hatch_buffer_print(text, &err, "$$")
-                 : *word == '#' ? hatch_buffer_print(text, &err, "\\#")
-                                : hatch_buffer_add(text, word, 1, &err);
-    if (status == HATCH_OK && quoted)
-        status = hatch_buffer_print(text, &err, "'");
-    cmd_check(status, NULL, &err);
-}
-
 /* Adds a line that sets a variable.
  *   first  index of the first word */
 static void add_variable(struct hatch_buffer *text, const char *name, const struct cmd_child_words *words,
@@ -126,8 +108,16 @@ static void add_variable(struct hatch_buffer *text, const char *name, const stru
     struct hatch_err err;
     cmd_check(hatch_buffer_print(text, &err, "%s :=", name), NULL, &err);
     for (uint32_t i = first; i < words->count; i++)
-        add_word(text, words->at[i]);
+        plan_add_word(text, words->at[i]);
     cmd_check(hatch_buffer_print(text, &err, "\n"), NULL, &err);
+}
+
+/* Adds a line that sets a variable to words that are a text already. */
+static void add_text(struct hatch_buffer *text, const char *name, const struct hatch_buffer *words)
+{
+    struct hatch_err err;
+    cmd_check(hatch_buffer_print(text, &err, "%s :=%.*s\n", name, (int)words->size, (const char *)words->data), NULL,
+              &err);
 }
 
 /* Adds the options of the command that makes an asset, as the variable of the command's name in capitals. */
@@ -165,5 +155,7 @@ void plan_write_make(struct plan *plan, const struct plan_candidate *chosen, str
     plan_add_technique(plan, chosen, &words);
     plan_add_view(plan, (uint32_t)plan->options->frames, 1, &words);
     add_variable(&text, "DRAW", &words, 0);
+    add_text(&text, "INPUTS", &plan->inputs);
+    add_text(&text, "STAMPS", &plan->stamps);
     cmd_write(output, text.data, text.size);
 }
