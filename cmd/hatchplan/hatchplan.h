@@ -165,6 +165,16 @@ struct plan_asset *plan_own_asset(struct plan *plan, const struct plan_candidate
 /* Returns the asset that the candidate draws in place of a file of the scene; NULL: that file itself. */
 struct plan_asset *plan_scene_asset(struct plan *plan, const struct plan_candidate *candidate, uint32_t file);
 
+/* Adds all options of render-gl for the pictures of a candidate, without the scene.
+ *   candidate  NULL: the plain scene
+ *   small, draws  as for plan_measure */
+void plan_add_drawing(struct plan *plan, const struct plan_candidate *candidate, bool small, uint32_t draws,
+                      struct cmd_child_words *words);
+
+/* Dies with HATCH_USAGE for words of --draw that are no options, and for options of render-gl that plan_add_drawing
+ * adds for one of the candidates: the table would tell of others than were drawn. */
+void plan_check_draw(const struct plan *plan);
+
 /* Draws the plain scene, without strokes: the reference of tones and times. Decides whether small pictures are drawn.
  * Dies on failure. */
 void plan_measure_plain(struct plan *plan);

@@ -226,6 +226,8 @@ int main(int argc, char **argv)
         plan.views = VIEWS_MAX;
 
     plan_list_candidates(&plan);
+    if (chosen.draw)
+        plan_check_draw(&plan);
     plan_measure_plain(&plan);
     if (chosen.exhaustive)
         plan_search_all(&plan);

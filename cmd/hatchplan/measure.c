@@ -68,31 +68,37 @@ static void read_times(const struct plan *plan, const char *path, struct times *
     hatch_arena_free(&arena);
 }
 
-/* Runs render-gl and reads the times.
- *   candidate  NULL: the plain scene */
-static void draw(struct plan *plan, const struct plan_candidate *candidate, const struct pictures *pictures,
-                 uint32_t draws, struct times *times, struct cmd_child_end *end)
+void plan_add_drawing(struct plan *plan, const struct plan_candidate *candidate, bool small, uint32_t draws,
+                      struct cmd_child_words *words)
 {
     struct plan_asset *own = candidate ? plan_own_asset(plan, candidate) : NULL;
-    const char *path = cmd_child_path(plan->args, "times.tsv");
+    const struct pictures *pictures = &sizes[small];
+    plan_add_common(plan, words);
+    if (candidate)
+        plan_add_technique(plan, candidate, words);
+    else
+        cmd_child_add_all(words, "technique", "--technique gouraud");
+    plan_add_view(plan, plan->views, pictures->scale, words);
+    if (own) {
+        cmd_child_add(words, own->kind == PLAN_SOLID ? "--solid" : "--tam");
+        cmd_child_add(words, "%s", own->path);
+    }
+    cmd_child_add(words, "--draws");
+    cmd_child_add(words, "%u", draws);
+    cmd_child_add(words, "--times");
+    cmd_child_add(words, "%s", cmd_child_path(plan->args, "times.tsv"));
+    cmd_child_add(words, "-o");
+    cmd_child_add(words, "%s", picture_path(plan, candidate ? pictures->drawn : pictures->plain, -1));
+}
+
+/* Runs render-gl and reads the times.
+ *   candidate  NULL: the plain scene */
+static void draw(struct plan *plan, const struct plan_candidate *candidate, bool small, uint32_t draws,
+                 struct times *times, struct cmd_child_end *end)
+{
     struct cmd_child_words words;
     cmd_child_begin(&words, plan->args, "render-gl");
-    plan_add_common(plan, &words);
-    if (candidate)
-        plan_add_technique(plan, candidate, &words);
-    else
-        cmd_child_add_all(&words, "technique", "--technique gouraud");
-    plan_add_view(plan, plan->views, pictures->scale, &words);
-    if (own) {
-        cmd_child_add(&words, own->kind == PLAN_SOLID ? "--solid" : "--tam");
-        cmd_child_add(&words, "%s", own->path);
-    }
-    cmd_child_add(&words, "--draws");
-    cmd_child_add(&words, "%u", draws);
-    cmd_child_add(&words, "--times");
-    cmd_child_add(&words, "%s", path);
-    cmd_child_add(&words, "-o");
-    cmd_child_add(&words, "%s", picture_path(plan, candidate ? pictures->drawn : pictures->plain, -1));
+    plan_add_drawing(plan, candidate, small, draws, &words);
     cmd_child_add(&words, "--");
     for (uint32_t i = 0; i < plan->file_count; i++) {
         const struct plan_asset *asset = candidate ? plan_scene_asset(plan, candidate, i) : NULL;
@@ -100,7 +106,7 @@ static void draw(struct plan *plan, const struct plan_candidate *candidate, cons
     }
     cmd_child_run(&words, INFINITY, end);
     if (end->status == 0)
-        read_times(plan, path, times);
+        read_times(plan, cmd_child_path(plan->args, "times.tsv"), times);
 }
 
 /* Compares the pictures of a candidate with the plain ones. Views without tone count as exact. */
@@ -132,7 +138,7 @@ void plan_measure_plain(struct plan *plan)
     struct times times[2];
     plan->has_small = PLAN_SMALL * fmin(size_px[0], size_px[1]) >= SMALL_LEAST_PX && !plan->options->exhaustive;
     for (int small = plan->has_small; small >= 0; small--) {
-        draw(plan, NULL, &sizes[small], PLAIN_DRAWS, &times[small], &end);
+        draw(plan, NULL, small > 0, PLAIN_DRAWS, &times[small], &end);
         if (end.status != 0)
             cmd_child_die("render-gl", &end);
     }
@@ -159,7 +165,7 @@ void plan_measure(struct plan *plan, struct plan_candidate *candidate, bool smal
     struct times times;
     char text[128];
     const struct hatch_arena_mark mark = hatch_arena_mark(&plan->args->keep);
-    draw(plan, candidate, &sizes[small], draws, &times, &end);
+    draw(plan, candidate, small, draws, &times, &end);
     if (!plan_may_fail(&end))
         cmd_child_die("render-gl", &end);
     if (end.status != 0) {

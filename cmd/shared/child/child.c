@@ -199,7 +199,9 @@ static int start(const struct cmd_child_words *line, int words)
         return ENOMEM;
     }
     int failed = posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-    failed = failed ? failed : posix_spawn_file_actions_addopen(&files, 1, "/dev/null", O_WRONLY, 0);
+    failed = failed ? failed
+                    : posix_spawn_file_actions_addopen(&files, 1, line->output ? line->output : "/dev/null",
+                                                       O_WRONLY | O_CREAT | O_TRUNC, 0600);
     failed = failed ? failed : posix_spawn_file_actions_adddup2(&files, words, 2);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);

@@ -9,6 +9,7 @@
 /* A command line under construction; the words are in args->keep. */
 struct cmd_child_words {
     struct cmd_args *args;
+    const char *output; /* path of the file that its standard output goes to; NULL: nowhere */
     uint32_t count;
     const char *at[CMD_CHILD_WORDS_MAX + 1]; /* ends with NULL */
 };
