@@ -16,7 +16,7 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'S', "style", CMD_TEXT, 0, 0, "STYLE", "tam: style of the strokes (default: the one that the map names)",
      &values.style, NULL, NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "tam: the --set with which tamgen made the map", &values.settings, NULL,
+    {'e', "set", CMD_TEXTS, 0, 0, "LINES", "tam: the --set with which tamgen made the map", &values.settings, NULL,
      NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "tam: the --brush with which tamgen made the map", &values.brush, NULL,
      NULL},

@@ -9,16 +9,17 @@
 
 /* Options. Each comment begins with the subjects that use the option. */
 struct stat_options {
-    double max_difference;                          /* diff: negative when not given */
-    bool srgb;                                      /* diff, frames, ink: measure sRGB values, not linear light */
-    const char *strokes, *style, *settings, *brush; /* tam: options that describe the strokes; NULL when not given */
-    int64_t throws;                                 /* tam, seeds: random drawings or sets to compare with */
-    bool check;            /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
-    const char *reference; /* field, tones, ink, solid: NULL when not given */
-    const char *patches;   /* ink: NULL when not given */
-    double share;          /* field: share of the compared points that counts, the most confident first */
-    double size_px[2];     /* coarse: of the pictures */
-    int64_t samples;       /* lapped: number of samples; tones: number per level of detail */
+    double max_difference;               /* diff: negative when not given */
+    bool srgb;                           /* diff, frames, ink: measure sRGB values, not linear light */
+    const char *strokes, *style, *brush; /* tam: options that describe the strokes; NULL when not given */
+    struct cmd_texts settings;           /* tam: the same */
+    int64_t throws;                      /* tam, seeds: random drawings or sets to compare with */
+    bool check;                          /* tam, lapped, seeds: return HATCH_DIFFERS when a limit is exceeded */
+    const char *reference;               /* field, tones, ink, solid: NULL when not given */
+    const char *patches;                 /* ink: NULL when not given */
+    double share;                        /* field: share of the compared points that counts, the most confident first */
+    double size_px[2];                   /* coarse: of the pictures */
+    int64_t samples;                     /* lapped: number of samples; tones: number per level of detail */
 };
 
 /* Measures the operands after the subject's name and writes the report. Returns HATCH_OK, or HATCH_DIFFERS when a limit

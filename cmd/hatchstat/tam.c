@@ -60,7 +60,7 @@ static void read_strokes(struct cmd_args *args, const struct stat_options *optio
 {
     struct hatch_err err;
     struct hatch_tam *tam = &subject->tam;
-    cmd_read_style(args, style_of(args, options, tam), options->settings, options->brush, &subject->style,
+    cmd_read_style(args, style_of(args, options, tam), &options->settings, options->brush, &subject->style,
                    &subject->brush);
     cmd_check(hatch_script_parse(cmd_read(args, options->strokes), tam->size_px, &args->keep, &subject->list, &err),
               cmd_input_name(options->strokes), &err);

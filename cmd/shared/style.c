@@ -83,14 +83,16 @@ void cmd_name_style(const char *path, char name[HATCH_NAME_MAX])
     snprintf(name, HATCH_NAME_MAX, "%.*s", named ? length : 6, named ? stem : "custom");
 }
 
-struct hatch_bytes cmd_split_settings(struct cmd_args *args, const char *settings)
+struct hatch_bytes cmd_split_settings(struct cmd_args *args, const struct cmd_texts *settings)
 {
     struct hatch_err err;
-    char *lines = hatch_arena_text(&args->keep, settings, strlen(settings), &err);
-    cmd_check(lines ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (char *c = lines; (c = strchr(c, ';'));)
-        *c = '\n';
-    return (struct hatch_bytes){(const uint8_t *)lines, strlen(lines)};
+    struct hatch_buffer lines = {.arena = &args->keep};
+    for (int i = 0; i < settings->count; i++)
+        cmd_check(hatch_buffer_print(&lines, &err, "%s\n", settings->at[i]), NULL, &err);
+    for (size_t i = 0; i < lines.size; i++)
+        if (lines.data[i] == ';')
+            lines.data[i] = '\n';
+    return (struct hatch_bytes){lines.data, lines.size};
 }
 
 const char *cmd_path_beside(struct cmd_args *args, const char *path, const char *name)
@@ -112,7 +114,7 @@ void cmd_read_brush(struct cmd_args *args, const char *path, struct hatch_brush 
     cmd_check(hatch_brush_from_image(&image, &args->keep, brush, &err), cmd_input_name(path), &err);
 }
 
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
+void cmd_read_style(struct cmd_args *args, const char *name, const struct cmd_texts *settings, const char *brush_path,
                     struct hatch_style *style, struct hatch_brush *brush)
 {
     struct hatch_err err;
@@ -120,7 +122,7 @@ void cmd_read_style(struct cmd_args *args, const char *name, const char *setting
     hatch_style_default(style);
     cmd_name_style(path, style->name);
     cmd_check(hatch_style_parse(cmd_read(args, path), style, &err), cmd_input_name(path), &err);
-    if (settings && hatch_style_parse(cmd_split_settings(args, settings), style, &err) != HATCH_OK)
+    if (settings && settings->count && hatch_style_parse(cmd_split_settings(args, settings), style, &err) != HATCH_OK)
         cmd_usage("--set: %s", err.text);
     if (!brush_path && style->brush == HATCH_BRUSH_IMAGE)
         brush_path = cmd_path_beside(args, path, style->brush_file);

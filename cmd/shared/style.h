@@ -10,10 +10,10 @@
  * and wrong settings are wrong usage.
  *   name        an installed style, such as "pencil", or the path of a file; a name with a slash or a dot is always a
  *               path; "-" is standard input
- *   settings    style lines that follow those of the file, separated by ';'; NULL: none
+ *   settings    values of --set: style lines that follow those of the file; NULL: none
  *   brush_path  an image that replaces the brush of the style; NULL: none
  *   brush       out, in args->keep */
-void cmd_read_style(struct cmd_args *args, const char *name, const char *settings, const char *brush_path,
+void cmd_read_style(struct cmd_args *args, const char *name, const struct cmd_texts *settings, const char *brush_path,
                     struct hatch_style *style, struct hatch_brush *brush);
 
 /* Replaces the colours of a style by those of a palette, a file with "color" lines. Dies on failure.
@@ -30,8 +30,8 @@ const char *cmd_find_style(struct cmd_args *args, const char *name, const char *
  *   name  out */
 void cmd_name_style(const char *path, char name[HATCH_NAME_MAX]);
 
-/* Returns style lines that are separated by ';' as a text of lines, in args->keep. */
-struct hatch_bytes cmd_split_settings(struct cmd_args *args, const char *settings);
+/* Returns the values of --set, style lines that are separated by ';', as a text of lines, in args->keep. */
+struct hatch_bytes cmd_split_settings(struct cmd_args *args, const struct cmd_texts *settings);
 
 /* Returns the path of a file that another file names: an absolute name is returned as it is, a relative one is taken
  * from the folder of the other file. The path may be in args->keep.

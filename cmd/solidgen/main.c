@@ -12,14 +12,16 @@
 #define BYTES_PER_MB 1e6
 #define MORE_BYTES (1 << 20) /* for the rest: points, counts of values, headers */
 
-static const char *style_name = "perlin", *settings, *slices_path, *needs_path;
+static const char *style_name = "perlin", *slices_path, *needs_path;
+static struct cmd_texts settings;
 static int64_t size = 64;
 static struct solidgen_exemplar exemplar = {.neighborhood = 8, .levels = 3, .iterations = 8};
 
 static const struct cmd_option options[] = {
     {'S', "style", CMD_TEXT, 0, 0, "SOLID", "style of the texture: a name, or a file (default perlin)", &style_name,
      NULL, NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines to add: 'scale 12; octaves 3'", &settings, NULL, NULL},
+    {'e', "set", CMD_TEXTS, 0, 0, "LINES", "style lines to add: 'scale 12; octaves 3'; repeatable", &settings, NULL,
+     NULL},
     {'n', "size", CMD_INT, HATCH_SOLID_SIZE_MIN, HATCH_SOLID_SIZE_MAX, "N",
      "texels along a side, a power of two (default 64)", &size, NULL, NULL},
     {'N', "needs", CMD_TEXT, 0, 0, "FILE", "no more texels than a period covers in views (render-gl --needs)",
@@ -80,7 +82,8 @@ static void read_style(struct job *job)
     struct hatch_err err;
     const char *path = cmd_find_style(&job->args, style_name, "solid");
     cmd_check(hatch_solid_style_parse(cmd_read(&job->args, path), &job->style, &err), cmd_input_name(path), &err);
-    if (settings && hatch_solid_style_parse(cmd_split_settings(&job->args, settings), &job->style, &err) != HATCH_OK)
+    if (settings.count &&
+        hatch_solid_style_parse(cmd_split_settings(&job->args, &settings), &job->style, &err) != HATCH_OK)
         cmd_usage("--set: %s", err.text);
     cmd_name_style(path, job->style.name);
     struct hatch_solid_style fitted = job->style;

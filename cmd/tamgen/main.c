@@ -6,7 +6,8 @@
 
 #define SMALLEST_LEVEL_PX 32u
 
-static const char *style_name, *settings, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
+static const char *style_name, *palette, *brush_path, *strokes_path, *sheet_path, *needs_path;
+static struct cmd_texts settings;
 static int64_t tones = 6, size_px = 256, levels;
 static double candidates[2], growth;
 static bool candidates_given, levels_given;
@@ -18,7 +19,8 @@ static const char *const methods[] = {"field", "exhaustive", NULL};
 
 static const struct cmd_option options[] = {
     {'S', "style", CMD_TEXT, 0, 0, "STYLE", "drawing style: a name, or a file (default ink)", &style_name, NULL, NULL},
-    {'e', "set", CMD_TEXT, 0, 0, "LINES", "style lines to add: 'width 3; jitter 2'", &settings, NULL, NULL},
+    {'e', "set", CMD_TEXTS, 0, 0, "LINES", "style lines to add: 'width 3; jitter 2'; repeatable", &settings, NULL,
+     NULL},
     {'p', "palette", CMD_TEXT, 0, 0, "PALETTE", "colours of strokes by tone: a name, or a file", &palette, NULL, NULL},
     {'b', "brush", CMD_TEXT, 0, 0, "IMAGE", "grey image of a stroke, dark on white", &brush_path, NULL, NULL},
     {'t', "tones", CMD_INT, 1, HATCH_TAM_TONES_MAX, "N", "number of tones: columns of the map (default 6)", &tones,
@@ -97,7 +99,7 @@ static void read_style(struct job *job)
     }
     if (!style_name)
         style_name = replay.is_svg ? "drawing" : "ink";
-    cmd_read_style(&job->args, style_name, settings, brush_path, &job->style, &job->brush);
+    cmd_read_style(&job->args, style_name, &settings, brush_path, &job->style, &job->brush);
     if (palette)
         cmd_read_palette(&job->args, palette, &job->style);
     if (candidates_given) {

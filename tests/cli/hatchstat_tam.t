@@ -23,7 +23,7 @@ hatchstat tam ink.exr >alone.tsv
 hatchstat tam <ink.exr >piped.tsv
 ok "a map from a pipe gives the same table" cmp alone.tsv piped.tsv
 ok "--check passes a map with its strokes" hatchstat tam ink.exr --strokes ink.tsv --check -o /dev/null
-ok "--check passes growing strokes with --set" hatchstat tam pencil.exr --strokes pencil.tsv --set 'width 5' --check -o /dev/null
+ok "--check passes growing strokes with --set" hatchstat tam pencil.exr --strokes pencil.tsv --set 'width 2' --set 'width 5' --check -o /dev/null
 hatchstat tam ink.exr --strokes ink.tsv >full.tsv
 is "no stroke is missing from an image" "$(cell missing last <full.tsv)" 0
 ok "strokes are more even than random ones" test "$(cell even8 last <full.tsv | cut -c1-3)" = 0.4 -o \

@@ -65,6 +65,14 @@ for size in "64 2" "128 3"; do
 done
 ok "refused commands leave no file" test ! -e x.exr
 
+tamgen $small -q --set 'width 4; darkest .5' --set 'width 3' -o once.exr
+tamgen $small -q --set 'width 4' -e 'darkest .5' --set 'width 3' -o thrice.exr
+ok "a repeated --set adds its lines" cmp once.exr thrice.exr
+tamgen $small -q --set 'darkest .5' --set 'width 4' -o other.exr
+is "and the last line of a key counts" "$(cmp -s once.exr other.exr || echo differs)" differs
+try tamgen $small --set 'width 4' --set '' --set 'wdth 3' -o x.exr
+is "a wrong line of a repeated --set" "$status $(head -n 1 .err | grep -o -- '--set: .*wdth')" "2 --set: line 3: no such key 'wdth"
+
 tamgen $small --strokes strokes.tsv --contact-sheet sheet.png -o map.exr
 is "--strokes writes a table with these columns" "$(head -1 strokes.tsv | tr '\t' ' ')" \
     "x y length angle width tone r g b id column level grain"

@@ -54,6 +54,9 @@ ok "equalize no keeps the values" test "$(texels raw.ktx2 | sort -u | wc -l)" -l
 
 # Cells of noise take two texels at least.
 solidgen --set 'scale 16' --size 32 -o most.ktx2
+solidgen --size 8 --set 'scale 2; octaves 2' -o once.ktx2
+solidgen --size 8 --set 'scale 2' --set 'octaves 2' -o twice.ktx2
+ok "a repeated --set adds its lines" cmp once.ktx2 twice.ktx2
 try solidgen --set 'scale 64' --size 32 -v -o lowered.ktx2
 is "a scale beyond the texels: message" "$(head -n 1 .err)" \
     "solidgen: scale: lowered to the most that 32 texels along a side can show"
