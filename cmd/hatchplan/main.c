@@ -39,7 +39,7 @@ static const struct cmd_option options[] = {
     {0, "style", CMD_TEXT, 0, 0, "STYLE", "drawing style of maps and strokes (default ink)", &chosen.style, NULL, NULL},
     {0, "stroke-width", CMD_REAL, 0.5, 16, "PX", "width of strokes in pixels (default 2)", &chosen.width_px, NULL,
      NULL},
-    {0, "size", CMD_PAIR, 1, 4096, "WxH", "width and height of the pictures in pixels (default 1280x720)",
+    {0, "size", CMD_WHOLES, 1, 4096, "WxH", "width and height of the pictures in pixels (default 1280x720)",
      chosen.size_px, NULL, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "frame the scene from this azimuth and elevation (default 30:20)",
      chosen.from_deg, NULL, &chosen.from_given},

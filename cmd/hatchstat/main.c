@@ -34,7 +34,7 @@ static const struct cmd_option options[] = {
      "field: share of the points compared, most confident first, 0.001 .. 1 (default 1)", &values.share, NULL, NULL},
     {0, "samples", CMD_INT, 1, 1000000000, "N",
      "lapped, tones: number of samples (tones: per level), 1 .. 1e9 (default 100000)", &values.samples, NULL, NULL},
-    {0, "size", CMD_PAIR, 1, 8192, "WxH", "coarse: width and height of the pictures in pixels (default 1280x720)",
+    {0, "size", CMD_WHOLES, 1, 8192, "WxH", "coarse: width and height of the pictures in pixels (default 1280x720)",
      values.size_px, NULL, NULL},
     {0},
 };

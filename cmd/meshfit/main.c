@@ -20,7 +20,7 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'l', "levels", CMD_INT, 1, MESHFIT_LEVELS_MAX, "N",
      "levels of detail, each with twice the error of the one before (default 1)", &level_count, NULL, NULL},
-    {0, "size", CMD_PAIR, 1, 65536, "WxH", "width and height of the pictures in pixels (default 1280x720)",
+    {0, "size", CMD_WHOLES, 1, 65536, "WxH", "width and height of the pictures in pixels (default 1280x720)",
      chosen.size_px, NULL, NULL},
     {0, "from", CMD_PAIR, -360, 360, "AZ:EL", "see the scene from this azimuth and elevation only (default: all sides)",
      chosen.from_deg, NULL, &chosen.alone},

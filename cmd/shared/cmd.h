@@ -30,7 +30,8 @@ enum cmd_type {
     CMD_TEXT,   /* const char * */
     CMD_TEXTS,  /* struct cmd_texts: the option may be repeated */
     CMD_CHOICE, /* int: index into choices */
-    CMD_PAIR    /* double[2]: "A:B" or "AxB" */
+    CMD_PAIR,   /* double[2]: "A:B" or "AxB" */
+    CMD_WHOLES  /* the same, of whole numbers */
 };
 
 #define CMD_TEXTS_MAX 64

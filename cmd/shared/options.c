@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,22 +75,18 @@ static noreturn void refuse(const struct cmd_option *option, const char *text, c
     cmd_usage("--%s: '%s' is not %s", option->name, text, want);
 }
 
-/* Describes the values that an option takes, such as "a whole number from 1 to 256". */
-static void describe_range(const struct cmd_option *option, char *text, size_t size)
-{
-    const char *kind = option->type == CMD_INT    ? "a whole number"
-                       : option->type == CMD_REAL ? "a number"
-                       : option->type == CMD_SIZE ? "a size in bytes"
-                                                  : "two numbers";
-    bool is_pair = option->type == CMD_PAIR;
-    snprintf(text, size, "%s%s%s from %.16g to %.16g", kind, is_pair ? " " : "", is_pair ? option->metavariable : "",
-             option->minimum, option->maximum);
-}
-
+/* Tells the values that an option takes, such as "a whole number from 1 to 256". */
 static noreturn void refuse_range(const struct cmd_option *option, const char *text)
 {
     char want[128];
-    describe_range(option, want, sizeof want);
+    const char *kind = option->type == CMD_INT    ? "a whole number"
+                       : option->type == CMD_REAL ? "a number"
+                       : option->type == CMD_SIZE ? "a size in bytes"
+                       : option->type == CMD_PAIR ? "two numbers "
+                                                  : "two whole numbers ";
+    bool is_pair = option->type == CMD_PAIR || option->type == CMD_WHOLES;
+    snprintf(want, sizeof want, "%s%s from %.16g to %.16g", kind, is_pair ? option->metavariable : "", option->minimum,
+             option->maximum);
     refuse(option, text, want);
 }
 
@@ -108,7 +105,8 @@ static bool parse_whole(const char *text, size_t length, int64_t *value)
 
 static bool in_range(const struct cmd_option *option, double value)
 {
-    return value >= option->minimum && value <= option->maximum;
+    bool whole = option->type != CMD_WHOLES || value == floor(value);
+    return value >= option->minimum && value <= option->maximum && whole;
 }
 
 static bool parse_size(const char *text, int64_t *value)
@@ -192,6 +190,7 @@ void cmd_set_option(const struct cmd_option *option, const char *text)
         parse_choice(option, text);
         break;
     case CMD_PAIR:
+    case CMD_WHOLES:
         if (!parse_pair(option, text))
             refuse_range(option, text);
         break;
@@ -323,6 +322,7 @@ static void print_default(const struct cmd_option *option)
         printf("%s", *(int *)option->value < 0 ? "" : option->choices[*(int *)option->value]);
         break;
     case CMD_PAIR:
+    case CMD_WHOLES:
         if (in_range(option, pair[0]) && in_range(option, pair[1]))
             printf("%.17g%c%.17g", pair[0], strchr(option->metavariable, ':') ? ':' : 'x', pair[1]);
         break;
@@ -345,7 +345,7 @@ static void print_names_of(const char *const *names)
 static noreturn void print_table(const struct cmd_program *program, const struct table *table)
 {
     char operand[32];
-    static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair"};
+    static const char *const types[] = {"flag", "int", "real", "size", "text", "texts", "choice", "pair", "pair"};
     printf("letter\tname\ttype\tminimum\tmaximum\tmetavariable\tchoices\tscope\thelp\tdefault\tneeds\n");
     for (size_t i = 0; i < table->count; i++) {
         const struct cmd_option *option = &table->options[i];

@@ -28,7 +28,7 @@ static const struct cmd_option options[] = {
     {'n', "size", CMD_INT, HATCH_TAM_SIZE_MIN, HATCH_TAM_SIZE_MAX, "PX",
      "width of the finest level, a power of two (default 256)", &size_px, NULL, NULL},
     {'l', "levels", CMD_INT, 1, 8, "N", "drawn levels (default: down to 32 px)", &levels, NULL, &levels_given},
-    {'c', "candidates", CMD_PAIR, 1, 1e6, "A:B", "candidates per stroke, in the lightest and darkest column",
+    {'c', "candidates", CMD_WHOLES, 1, 1e6, "A:B", "candidates per stroke, in the lightest and darkest column",
      candidates, NULL, &candidates_given},
     {'m', "method", CMD_CHOICE, 0, 0, "METHOD",
      "how the best candidate is found: field (default) or exhaustive (Praun et al. 2001)", &method, methods, NULL},
@@ -78,8 +78,6 @@ static void check_sizes(void)
 {
     if ((size_px & (size_px - 1)) != 0)
         cmd_usage("--size %d: want a power of two", (int)size_px);
-    if (candidates[0] != (double)(uint32_t)candidates[0] || candidates[1] != (double)(uint32_t)candidates[1])
-        cmd_usage("--candidates %g:%g: want whole numbers", candidates[0], candidates[1]);
     int64_t deepest = 1;
     while (size_px >> deepest >= SMALLEST_LEVEL_PX)
         deepest++;

@@ -112,8 +112,12 @@ says "a field of view of a camera that has its own" "--fov cannot be combined wi
 says "the width of lines that are not drawn" "--line-width cannot be combined with --lines none" \
     render-gl m -t rptam --lines none --line-width 2
 says "the width of creases that are not drawn" "--crease needs" render-gl m -t gouraud --crease 30
-says "a pair with the sign of another" "--candidates: '1x1' is not two numbers A:B" tamgen -c 1x1
-says "a size with a colon" "--size: '64:64' is not two numbers WxH" render-gl m --size 64:64
+says "a pair with the sign of another" "--candidates: '1x1' is not two whole numbers A:B" tamgen -c 1x1
+says "half a candidate" "--candidates: '1.5:2' is not two whole numbers A:B" tamgen -c 1.5:2
+says "a size with a colon" "--size: '64:64' is not two whole numbers WxH" render-gl m --size 64:64
+for command in "render-gl m" "meshfit m" "hatchplan m" "hatchstat coarse m m"; do
+    says "$command: half a pixel" "--size: '10.5x10' is not two whole numbers WxH" $command --size 10.5x10
+done
 
 for text in '' '# only a comment' '   '; do
     printf '%s\n' "$text" >empty.style

@@ -55,7 +55,7 @@ static const struct cmd_option first[] = {
 };
 
 static const struct cmd_option rest[] = {
-    {0, "size", CMD_PAIR, 1, 65536, "WxH", "width and height of the picture in pixels (default 1280x720)", size, NULL,
+    {0, "size", CMD_WHOLES, 1, 65536, "WxH", "width and height of the picture in pixels (default 1280x720)", size, NULL,
      NULL},
     {0, "samples", CMD_INT, 1, 64, "N",
      "samples per pixel, a square number (default 4; more if the technique needs them)", &samples, NULL,
@@ -347,8 +347,6 @@ static void read_size(void)
     chosen.side = (uint32_t)lround(sqrt((double)samples));
     if ((int64_t)chosen.side * chosen.side != samples)
         cmd_usage("--samples %d: want 1, 4, 9, 16, 25, 36, 49 or 64", (int)samples);
-    if (size[0] != floor(size[0]) || size[1] != floor(size[1]))
-        cmd_usage("--size %gx%g: want whole numbers", size[0], size[1]);
     chosen.width = (uint32_t)size[0];
     chosen.height = (uint32_t)size[1];
 }

@@ -10,7 +10,7 @@
 static const char *const kinds[] = {"soft", "hard", NULL};
 static bool flag, real_given;
 static int64_t whole;
-static double real, pair[2];
+static double real, pair[2], pixels[2];
 static uint64_t size, bytes;
 static const char *text;
 static struct cmd_texts texts;
@@ -26,6 +26,7 @@ static const struct cmd_option options[] = {
     {0, "texts", CMD_TEXTS, 0, 0, "TEXT", "texts", &texts, NULL, NULL},
     {'k', "kind", CMD_CHOICE, 0, 0, "KIND", "soft or hard (soft)", &kind, kinds, NULL},
     {'p', "pair", CMD_PAIR, 0, 100, "A:B", "two numbers", pair, NULL, NULL},
+    {0, "pixels", CMD_WHOLES, 1, 100, "WxH", "two whole numbers", pixels, NULL, NULL},
     {0},
 };
 
@@ -66,10 +67,12 @@ END_TEST
 START_TEST(values_of_every_type_are_parsed)
 {
     struct cmd_args args;
-    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4:.5");
+    PARSE(&args, "-fw-3", "--real=2.5e3", "--size", "3M", "--text", "--x", "-k", "hard", "--pair=4:.5",
+          "--pixels=2x3.0");
     ck_assert(flag && real_given);
     ck_assert_int_eq(whole, -3);
     ck_assert(real == 2500 && pair[0] == 4 && pair[1] == 0.5);
+    ck_assert(pixels[0] == 2 && pixels[1] == 3);
     ck_assert_uint_eq(size, 3u << 20);
     ck_assert_str_eq(text, "--x");
     ck_assert_int_eq(kind, 1);
@@ -167,6 +170,11 @@ static char *const wrong[] = {
     "-p1:101",
     "-p1:2:3",
     "-pnan:1",
+    "--pixels=1.5x2",
+    "--pixels=2x1.5",
+    "--pixels=2:2",
+    "--pixels=0x2",
+    "--pixels=nanx2",
     "--flag=1",
     "--fla",
     "--wholes=1",
