@@ -22,6 +22,7 @@ STROKES ?=
 OPTIONS ?=
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+$(if $(filter-out 0,$(TURN)),$(if $(filter-out 0,$(FRAMES)),$(error TURN and FRAMES: both films would have one name)))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
@@ -42,9 +43,9 @@ picture:
 ifneq ($(PAGE),)
 	$(name) && $(draw) --page $(PAGE) --margin $(MARGIN) --pen $(PEN) -o "$$name.svg" "$$name.strokes.glb"
 endif
-ifneq ($(TURN),0)
+ifneq ($(filter-out 0,$(TURN)),)
 	$(name) && $(draw) $(wide) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png" "$$name.strokes.glb"
 endif
-ifneq ($(FRAMES),0)
+ifneq ($(filter-out 0,$(FRAMES)),)
 	$(name) && $(draw) $(wide) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png" "$$name.strokes.glb"
 endif

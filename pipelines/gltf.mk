@@ -11,7 +11,7 @@ STYLE     ?= ink
 TECHNIQUE ?= tam
 SIZE      ?= 1280x720
 FRAMES    ?= 0
-TURN      ?=
+TURN      ?= 0
 SEED      ?= 1
 OUT       ?= .
 OPTIONS   ?=
@@ -31,10 +31,11 @@ name = name=$$(basename -- $(call quoted,$(SCENE))) && name="$(OUT)/$${name%.*}"
 
 .PHONY: picture
 picture: $(map)
-ifeq ($(FRAMES),0)
+ifeq ($(filter-out 0,$(FRAMES)),)
 	$(name) && $(draw) -o "$$name.png" $(call quoted,$(SCENE))
 else
-	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$${name//\%/%%}-%03d.png" $(call quoted,$(SCENE))
+	$(name) && $(draw) --frames $(FRAMES) $(if $(filter-out 0,$(TURN)),--turntable) \
+	    -o "$${name//\%/%%}-%03d.png" $(call quoted,$(SCENE))
 endif
 
 $(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))

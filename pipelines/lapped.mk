@@ -30,6 +30,7 @@ NEEDS     ?=
 OPTIONS   ?=
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+$(if $(filter-out 0,$(TURN)),$(if $(filter-out 0,$(FRAMES)),$(error TURN and FRAMES: both films would have one name)))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
@@ -57,10 +58,10 @@ ifeq ($(TURN)$(FRAMES)$(SHOW),00)
 	$(call name,$(MESH)) && $(call cover,$(MESH)) | $(draw) -o "$$name.png"
 else
 	$(call name,$(MESH)) && $(call cover,$(MESH)) -o "$$name.lapped.glb" && $(draw) -o "$$name.png" "$$name.lapped.glb"
-ifneq ($(TURN),0)
+ifneq ($(filter-out 0,$(TURN)),)
 	$(call name,$(MESH)) && $(draw) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png" "$$name.lapped.glb"
 endif
-ifneq ($(FRAMES),0)
+ifneq ($(filter-out 0,$(FRAMES)),)
 	$(call name,$(MESH)) && $(draw) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png" "$$name.lapped.glb"
 endif
 ifneq ($(SHOW),)

@@ -21,6 +21,7 @@ OUT       ?= .
 OPTIONS   ?=
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+$(if $(filter-out 0,$(TURN)),$(if $(filter-out 0,$(FRAMES)),$(error TURN and FRAMES: both films would have one name)))
 $(if $(BUDGET)$(TOLERANCE),,$(error BUDGET='ms=40 mb=4' or TOLERANCE=.03 tells what to choose by))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c

@@ -13,7 +13,7 @@ PEN     ?= 0.3mm
 HIDDEN  ?= remove
 SIZE    ?= 1280x960
 FRAMES  ?= 0
-TURN    ?=
+TURN    ?= 0
 OUT     ?= .
 OPTIONS ?=
 
@@ -31,8 +31,9 @@ name = name=$$(basename -- $(call quoted,$(SCENE))) && name="$(OUT)/$${name%.*}"
 .PHONY: drawing
 drawing:
 	mkdir -p $(OUT)
-ifeq ($(FRAMES),0)
+ifeq ($(filter-out 0,$(FRAMES)),)
 	$(name) && $(draw) -o "$$name.svg" $(call quoted,$(SCENE))
 else
-	$(name) && $(draw) --frames $(FRAMES) $(if $(TURN),--turntable) -o "$${name//\%/%%}-%03d.svg" $(call quoted,$(SCENE))
+	$(name) && $(draw) --frames $(FRAMES) $(if $(filter-out 0,$(TURN)),--turntable) \
+	    -o "$${name//\%/%%}-%03d.svg" $(call quoted,$(SCENE))
 endif

@@ -36,7 +36,7 @@ draw = render-gl --technique rptam --style $(STYLE) --seeds "$(sets)" --size $(S
 .PHONY: strip
 strip: $(sets) $(filter $(OUT)/teapot.glb,$(MODEL))
 	$(draw) --frames 4 --animate zoom=1..$(NEAREST) -o "$(OUT)/zoom-%d.png"
-ifneq ($(FRAMES),0)
+ifneq ($(filter-out 0,$(FRAMES)),)
 	$(draw) --frames $(FRAMES) -o "$(OUT)/zoom-way-%03d.png" \
 	    --animate zoom=64..$$(awk 'BEGIN {printf "%.9g", 128 * 2 ^ (-1 / $(FRAMES))}')
 endif

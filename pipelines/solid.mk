@@ -21,6 +21,7 @@ OUT      ?= .
 OPTIONS  ?=
 
 $(if $(word 2,$(OUT)),$(error OUT=$(OUT): make cannot write into a folder whose name has a space))
+$(if $(filter-out 0,$(TURN)),$(if $(filter-out 0,$(FRAMES)),$(error TURN and FRAMES: both films would have one name)))
 SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
@@ -37,9 +38,9 @@ picture:
 	mkdir -p $(OUT)
 	$(name) && solidgen $(how) -o "$$solid"
 	$(name) && $(draw) -o "$$name.png"
-ifneq ($(TURN),0)
+ifneq ($(filter-out 0,$(TURN)),)
 	$(name) && $(draw) --frames $(TURN) --turntable -o "$${name//\%/%%}-%03d.png"
 endif
-ifneq ($(FRAMES),0)
+ifneq ($(filter-out 0,$(FRAMES)),)
 	$(name) && $(draw) --frames $(FRAMES) -o "$${name//\%/%%}-%03d.png"
 endif

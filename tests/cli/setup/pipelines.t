@@ -1,0 +1,29 @@
+# Makefiles of pipelines, by what they would run.
+. "${TOP:-.}/tests/tap.sh"
+command -v make >/dev/null || {
+    skip "pipelines" "no make"
+    finish
+}
+# would FILE VARIABLE=VALUE ...: prints the commands that would run
+would() {
+    file=$1
+    shift
+    make -n -f "$TOP/pipelines/$file.mk" "$@" 2>&1
+}
+: >m.glb
+for file in engrave lapped solid strokes plan; do
+    is "$file.mk: two films of one name" "$(would $file MESH=m.glb BUDGET=mb=1 TURN=3 FRAMES=2 | sed 's/.*\*\*\* //')" \
+        "TURN and FRAMES: both films would have one name.  Stop."
+done
+for file in engrave lapped solid strokes gltf plot; do
+    for none in 0 ""; do
+        is "$file.mk: no turntable with TURN=$none" \
+            "$(would $file MESH=m.glb SCENE=m.glb TURN=$none FRAMES=2 | grep -c -e --frames) \
+$(would $file MESH=m.glb SCENE=m.glb TURN=$none FRAMES=2 | grep -c -e --turntable)" "1 0"
+        is "$file.mk: one picture with FRAMES=$none" "$(would $file MESH=m.glb SCENE=m.glb FRAMES=$none | grep -c -e --frames)" 0
+    done
+done
+for file in gltf plot; do
+    is "$file.mk: a turntable" "$(would $file SCENE=m.glb TURN=1 FRAMES=9 | tr -d '\\\n' | grep -c -e '--frames 9 --turntable')" 1
+done
+finish
