@@ -72,11 +72,11 @@ $(OUT)/fine-volume.png:
 
 $(OUT)/scene.png:
 	mkdir -p $(WORK) $(OUT)
-	meshgen teapot -o $(WORK)/teapot.glb
-	meshgen cone -o $(WORK)/cone.glb
-	meshgen torus | dirfield | lapped-param -o $(WORK)/torus.glb
+	meshgen teapot -o $(WORK)/scene-teapot.glb
+	meshgen cone -o $(WORK)/scene-cone.glb
+	meshgen torus | dirfield | lapped-param -o $(WORK)/scene-torus.glb
 	tamgen --tones 255 | tamvol -o $(WORK)/ink.volume.ktx2
-	render-gl $(WORK)/teapot.glb $(WORK)/torus.glb $(WORK)/cone.glb --ground 4 --technique volume \
+	render-gl $(WORK)/scene-teapot.glb $(WORK)/scene-torus.glb $(WORK)/scene-cone.glb --ground 4 --technique volume \
 	    --tam $(WORK)/ink.volume.ktx2 --shadows 0.03 --haloes 4 --light -50:40 --from 20:14 --size 960x540 -o $@
 
 $(WORK)/%.exr:

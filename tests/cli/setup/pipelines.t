@@ -26,4 +26,9 @@ done
 for file in gltf plot; do
     is "$file.mk: a turntable" "$(would $file SCENE=m.glb TURN=1 FRAMES=9 | tr -d '\\\n' | grep -c -e '--frames 9 --turntable')" 1
 done
+# Pictures of the gallery do not depend on which of them were drawn before.
+for picture in scene zoom-0; do
+    would gallery OUT=out out/$picture.png | grep '^ *meshgen' | grep -o 'out/[^ ]*glb' | sort -u >$picture.meshes
+done
+is "gallery.mk: pictures have meshes of their own" "$(wc -l <zoom-0.meshes) $(comm -12 scene.meshes zoom-0.meshes)" "1 "
 finish
