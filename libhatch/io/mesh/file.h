@@ -24,8 +24,8 @@ struct hatch_mesh_file {
  *   name  may be NULL */
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name);
 
-/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. v of an OBJ is flipped, since it points
- * upwards, but downwards in glTF.
+/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where the file has them. v is flipped, since it points upwards in
+ * OBJ and PLY, but downwards in glTF.
  *   file    its format is not HATCH_MESH_GLTF
  *   origin  out: subtracted from all positions before they become floats. On each axis it is the centre of the mesh if
  *           this is so far from 0 that floats are coarse for the mesh's size, else 0. NULL: nothing is subtracted

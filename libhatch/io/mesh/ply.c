@@ -333,8 +333,8 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
                 p->positions[v * 3 + k - PLY_X] = (float)(number - p->origin[k - PLY_X]);
             else if (k <= PLY_NZ && p->normals)
                 p->normals[v * 3 + k - PLY_NX] = value;
-            else if (k >= PLY_U && p->texcoords)
-                p->texcoords[v * 2 + k - PLY_U] = value;
+            else if (k >= PLY_U && p->texcoords) /* v points upwards in PLY, downwards in glTF */
+                p->texcoords[v * 2 + k - PLY_U] = k == PLY_V ? 1 - value : value;
         }
     return HATCH_OK;
 }

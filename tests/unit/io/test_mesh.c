@@ -319,7 +319,23 @@ START_TEST(ply_attributes_and_strips_are_read)
     const uint32_t want[] = {0, 1, 2, 1, 3, 2, 2, 0, 1, 1, 2, 0};
     ck_assert_mem_eq(mesh.indices, want, sizeof want);
     ck_assert_float_eq(hatch_mesh_find(&mesh, "NORMAL", 3)[2], 1);
-    ck_assert_float_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2)[7], 1);
+    ck_assert_float_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2)[7], 0);
+}
+END_TEST
+
+/* One triangle, as programs that have v upwards write it. */
+START_TEST(v_of_texture_coordinates_points_downwards)
+{
+    static const char *const files[] = {
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 0.75\nf 1/1 2/2 3/3\n",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 0.75\n3 0 1 2\n"};
+    const float want[] = {0, 1, 1, 1, 0, 0.25f};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        reads(text(files[i]), 3, 1);
+        ck_assert_mem_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2), want, sizeof want);
+    }
 }
 END_TEST
 
@@ -463,6 +479,7 @@ static Suite *suite(void)
     tcase_add_test(tests, ply_elements_may_be_empty_and_have_long_names);
     tcase_add_test(tests, faces_of_less_than_three_corners_are_dropped);
     tcase_add_test(tests, files_of_other_programs_are_read);
+    tcase_add_test(tests, v_of_texture_coordinates_points_downwards);
     tcase_add_test(tests, obj_index_triples_become_vertices);
     tcase_add_test(tests, triangles_cover_their_polygon);
     tcase_add_test(tests, a_large_convex_polygon_is_triangulated);
