@@ -97,6 +97,8 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "colours are not finite numbers and are read as 0"},
         {notes->normals_replaced, "normal has no length and is replaced by that of a face",
          "normals have no length and are replaced by those of faces"},
+        {notes->joints_dropped, "vertex has more than four joints: the four that weigh most are used",
+         "vertices have more than four joints: the four that weigh most are used"},
         {notes->normals_not_unit, "normal is not of length 1: only its direction is used",
          "normals are not of length 1: only their directions are used"},
         {notes->normals_inward, "normal points inwards, against its faces: it is used as it is",

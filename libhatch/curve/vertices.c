@@ -3,15 +3,9 @@
 #include <string.h>
 
 #include "curve/curves.h"
+#include "mesh/skin/influences.h"
 
-#define JOINTS 4u
 #define NARROW_SHARE 0.01 /* of points on narrow faces: sets with fewer are written without */
-
-/* Joints of a face's corners and their weights at a point. */
-struct mixture {
-    uint32_t count;
-    float joint[3 * JOINTS], weight[3 * JOINTS];
-};
 
 static void shares_of(const struct hatch_curve_point *point, float shares[3])
 {
@@ -20,58 +14,39 @@ static void shares_of(const struct hatch_curve_point *point, float shares[3])
     shares[0] = 1 - shares[1] - shares[2];
 }
 
-/* Keeps the joints that weigh most; their weights sum to 1. */
-static void keep_heaviest(struct mixture *mixture, float joints[JOINTS], float weights[JOINTS])
-{
-    float sum = 0;
-    for (uint32_t i = 0; i < JOINTS; i++) {
-        uint32_t best = 0;
-        for (uint32_t j = 1; j < mixture->count; j++)
-            if (mixture->weight[j] > mixture->weight[best])
-                best = j;
-        bool any = mixture->count > 0 && mixture->weight[best] > 0;
-        joints[i] = any ? mixture->joint[best] : 0;
-        weights[i] = any ? mixture->weight[best] : 0;
-        sum += weights[i];
-        if (any)
-            mixture->weight[best] = 0;
-    }
-    for (uint32_t i = 0; i < JOINTS && sum > 0; i++)
-        weights[i] /= sum;
-}
-
+/* Mixes the joints of a face's corners, of which the heaviest are kept; their weights sum to 1. */
 static void mix_joints(const float *joints, const float *weights, const uint32_t corners[3], const float shares[3],
-                       float joint[JOINTS], float weight[JOINTS])
+                       float joint[HATCH_INFLUENCES], float weight[HATCH_INFLUENCES])
 {
-    struct mixture mixture = {0};
+    struct hatch_influences mixture = {.count = 0};
+    float sum = 0;
     for (int c = 0; c < 3; c++)
-        for (uint32_t i = 0; i < JOINTS; i++) {
-            float number = joints[JOINTS * (size_t)corners[c] + i];
-            uint32_t at = 0;
-            while (at < mixture.count && mixture.joint[at] != number)
-                at++;
-            mixture.count += at == mixture.count;
-            mixture.joint[at] = number;
-            mixture.weight[at] += shares[c] * weights[JOINTS * (size_t)corners[c] + i];
+        for (uint32_t i = 0; i < HATCH_INFLUENCES; i++) {
+            size_t at = HATCH_INFLUENCES * (size_t)corners[c] + i;
+            hatch_influences_add(&mixture, joints[at], shares[c] * weights[at]);
         }
-    keep_heaviest(&mixture, joint, weight);
+    hatch_influences_keep(&mixture, joint, weight);
+    for (uint32_t i = 0; i < HATCH_INFLUENCES; i++)
+        sum += weight[i];
+    for (uint32_t i = 0; i < HATCH_INFLUENCES && sum > 0; i++)
+        weight[i] /= sum;
 }
 
 static enum hatch_status add_joints(const struct hatch_curve_point *points, uint32_t count,
                                     const struct hatch_mesh *mesh, struct hatch_arena *arena,
                                     struct hatch_mesh *vertices, struct hatch_err *err)
 {
-    const float *from = hatch_mesh_find(mesh, "JOINTS_0", JOINTS),
-                *from_weights = hatch_mesh_find(mesh, "WEIGHTS_0", JOINTS);
+    const float *from = hatch_mesh_find(mesh, "JOINTS_0", HATCH_INFLUENCES),
+                *from_weights = hatch_mesh_find(mesh, "WEIGHTS_0", HATCH_INFLUENCES);
     float *joints, *weights, shares[3];
     if (!from || !from_weights)
         return HATCH_OK;
-    HATCH_TRY(hatch_mesh_add(arena, vertices, "JOINTS_0", JOINTS, &joints, err));
-    HATCH_TRY(hatch_mesh_add(arena, vertices, "WEIGHTS_0", JOINTS, &weights, err));
+    HATCH_TRY(hatch_mesh_add(arena, vertices, "JOINTS_0", HATCH_INFLUENCES, &joints, err));
+    HATCH_TRY(hatch_mesh_add(arena, vertices, "WEIGHTS_0", HATCH_INFLUENCES, &weights, err));
     for (size_t i = 0; i < count; i++) {
         shares_of(&points[i], shares);
-        mix_joints(from, from_weights, &mesh->indices[3 * (size_t)points[i].face], shares, &joints[JOINTS * i],
-                   &weights[JOINTS * i]);
+        mix_joints(from, from_weights, &mesh->indices[3 * (size_t)points[i].face], shares,
+                   &joints[HATCH_INFLUENCES * i], &weights[HATCH_INFLUENCES * i]);
     }
     return HATCH_OK;
 }

@@ -51,6 +51,7 @@ struct hatch_mesh_notes {
     uint32_t transparent_dropped; /* meshes with an opacity below their material's cutoff */
     uint32_t colors_replaced;     /* glTF: colours that are not finite, read as 0 */
     uint32_t normals_replaced;    /* glTF: normals of length 0, replaced by the normal of a face */
+    uint32_t joints_dropped;      /* glTF: vertices of more than four joints, of which the heaviest four are kept */
     /* Doubts, counted by hatch_scene_doubt. */
     uint32_t normals_not_unit;  /* normals whose length is not 1 */
     uint32_t normals_inward;    /* normals that point to the inside of all faces around them, where they are many */

@@ -93,11 +93,11 @@ static void doubt_texcoords(const struct hatch_mesh *mesh, struct hatch_mesh_not
 
 static void doubt_weights(const struct hatch_mesh *mesh, struct hatch_mesh_notes *notes)
 {
-    const float *first = hatch_mesh_find(mesh, "WEIGHTS_0", 4), *second = hatch_mesh_find(mesh, "WEIGHTS_1", 4);
-    for (size_t v = 0; v < mesh->vertex_count && first && !second; v++) {
+    const float *weights = hatch_mesh_find(mesh, "WEIGHTS_0", 4);
+    for (size_t v = 0; v < mesh->vertex_count && weights; v++) {
         double sum = 0;
         for (size_t k = 0; k < 4; k++)
-            sum += (double)first[4 * v + k];
+            sum += (double)weights[4 * v + k];
         notes->weights_wrong += !(fabs(sum - 1) <= UNIT_ERROR);
     }
 }

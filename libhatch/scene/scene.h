@@ -75,7 +75,7 @@ struct hatch_texture {
 struct hatch_scene_mesh {
     struct hatch_mesh mesh;     /* one glTF primitive */
     uint32_t material;          /* index, or HATCH_NONE */
-    uint32_t joints_used;       /* largest index in JOINTS_0 plus 1; 0 without JOINTS_0 */
+    uint32_t joints_used;       /* largest index of a joint in the file plus 1; 0 without joints */
     uint32_t file_vertices;     /* vertices in the file; computing flat normals may have duplicated some */
     bool had_texcoords;         /* the file has TEXCOORD_0 */
     bool had_normals;           /* the file has NORMAL; else normals were computed from the faces */

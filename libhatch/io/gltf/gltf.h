@@ -21,11 +21,12 @@ struct hatch_gltf_resolver {
 /* Reads GLB or JSON: the nodes of the default scene, parents before children, and the meshes that they draw (all meshes
  * of a file whose scene has no nodes); levels of detail are not read; triangles, strips and fans as triangles;
  * accessors of every kind (sparse, interleaved, normalised); materials, images (not decoded), cameras, lights,
- * animations and skins; names and extras of all these. Missing normals become flat normals, as the format demands.
- * Morph targets are applied with the mesh's weights at rest. They are also kept if a node or an animation gives other
- * weights; these are then stored relative to those at rest. Points, lines, morph targets that are not kept, and images
- * that a material uses but that cannot be read are counted in notes. Extensions: KHR_lights_punctual,
- * KHR_mesh_quantization, KHR_texture_transform, EXT_mesh_gpu_instancing (one node per instance),
+ * animations and skins; names and extras of all these. A vertex has JOINTS_0 and WEIGHTS_0 alone: where more than four
+ * joints move it, the four heaviest, scaled to the sum of all weights (mesh/skin/influences.h). Missing normals become
+ * flat normals, as the format demands. Morph targets are applied with the mesh's weights at rest. They are also kept if
+ * a node or an animation gives other weights; these are then stored relative to those at rest. Points, lines, morph
+ * targets that are not kept, and images that a material uses but that cannot be read are counted in notes. Extensions:
+ * KHR_lights_punctual, KHR_mesh_quantization, KHR_texture_transform, EXT_mesh_gpu_instancing (one node per instance),
  * EXT_meshopt_compression, EXT_texture_webp, EXT_texture_avif and KHR_texture_basisu (their fallback images),
  * KHR_materials_* (the base colour; most are kept for writing).
  *   resolver  NULL: no companion file can be read

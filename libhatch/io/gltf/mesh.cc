@@ -245,6 +245,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     out->material = static_cast<uint32_t>(primitive.material); /* -1 is HATCH_NONE */
     HATCH_TRY(keep(r, "", primitive.extras_json_string, "hatch", &out->kept));
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
+    r.notes->joints_dropped += hatch_mesh_keep_influences(&mesh);
     replace_zero_normals(r, &mesh);
     out->file_vertices = mesh.vertex_count;
     out->unseen_tolerance = unseen_tolerance(primitive);

@@ -17,6 +17,7 @@ extern "C" {
 #include "io/gltf/check.h"
 #include "io/glb/container.h"
 #include "io/glb/glb.h"
+#include "mesh/skin/influences.h"
 }
 #pragma GCC diagnostic pop
 

@@ -129,6 +129,40 @@ START_TEST(vectors_over_one_stay_floats)
 }
 END_TEST
 
+/* Two sets of joints of the first four vertices: two joints in one set each; five joints; one joint in both sets; none
+ * with a weight. */
+static const float joints[2][16] = {{5, 0, 0, 0, 0, 1, 2, 3, 3, 0, 0, 0, 7, 0, 0, 0},
+                                    {1, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0}};
+static const float weights[2][16] = {{0.75f, 0, 0, 0, 0.1f, 0.2f, 0.3f, 0.25f, 0.5f},
+                                     {0.25f, 0, 0, 0, 0.15f, 0, 0, 0, 0.5f}};
+
+START_TEST(the_heaviest_four_joints_of_all_sets_are_read)
+{
+    static const char *const names[2][2] = {{"JOINTS_0", "WEIGHTS_0"}, {"JOINTS_1", "WEIGHTS_1"}};
+    static const float want_joints[] = {5, 1, 0, 0, 2, 3, 1, 4, 3, 0, 0, 0, 7, 0, 0, 0};
+    static const float want_weights[] = {0.75f, 0.25f, 0, 0, 0.3f / 0.9f, 0.25f / 0.9f, 0.2f / 0.9f, 0.15f / 0.9f, 1};
+    struct hatch_mesh_notes notes = {0};
+    float *data;
+    begin_torus(0);
+    for (int set = 0; set < 2; set++)
+        for (int k = 0; k < 2; k++) {
+            HATCH_TEST_OK(hatch_mesh_add(&keep, &scene.meshes[0].mesh, names[set][k], 4, &data, &err), &err);
+            memcpy(data, k ? weights[set] : joints[set], sizeof joints[set]);
+        }
+    struct hatch_buffer file = written();
+    HATCH_TEST_OK(
+        hatch_gltf_read((struct hatch_bytes){file.data, file.size}, NULL, &keep, &scratch, &back, &notes, &err), &err);
+    const struct hatch_mesh *mesh = &back.meshes[0].mesh;
+    ck_assert_mem_eq(hatch_mesh_find(mesh, "JOINTS_0", 4), want_joints, sizeof want_joints);
+    for (int i = 0; i < 9; i++)
+        ck_assert_float_eq_tol(hatch_mesh_find(mesh, "WEIGHTS_0", 4)[i], want_weights[i], 1e-6f);
+    ck_assert_mem_eq(hatch_mesh_find(mesh, "WEIGHTS_0", 4), want_weights, 4 * sizeof(float));
+    ck_assert(!hatch_mesh_attribute(mesh, "JOINTS_1") && !hatch_mesh_attribute(mesh, "WEIGHTS_1"));
+    ck_assert_uint_eq(mesh->attribute_count, scene.meshes[0].mesh.attribute_count - 2);
+    ck_assert_uint_eq(notes.joints_dropped, 1);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("io glb numbers");
@@ -138,6 +172,7 @@ static Suite *suite(void)
     tcase_add_test(tests, vectors_are_off_by_no_more_than_the_rounding);
     tcase_add_test(tests, texture_coordinates_have_16_bits_where_they_fit);
     tcase_add_test(tests, vectors_over_one_stay_floats);
+    tcase_add_test(tests, the_heaviest_four_joints_of_all_sets_are_read);
     suite_add_tcase(suite, tests);
     return suite;
 }
