@@ -145,13 +145,16 @@ static void warn_lost(const char *name, bool textures, const struct hatch_mesh_n
                  cmd_plural(notes->extensions_dropped, "extension is", "extensions are"), notes->extension_dropped);
 }
 
-/* Warns of a material library that is not beside its OBJ file. */
+/* Warns of a material library that is not beside its OBJ file.
+ *   library  NULL: none */
 static void warn_library(const char *path, const char *library)
 {
     char joined[4096];
     const char *slash = strrchr(path, '/');
+    if (!library)
+        return;
     snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, library);
-    if (library[0] && access(joined, F_OK) != 0)
+    if (access(joined, F_OK) != 0)
         cmd_warn(path, "material library %s does not exist: materials of OBJ files are not used", library);
 }
 

@@ -60,7 +60,7 @@ struct hatch_mesh_notes {
     uint32_t texcoords_flat;    /* meshes whose texture coordinates have no extent */
     uint32_t weights_wrong;     /* vertices whose joint weights do not add up to 1 */
     uint32_t nodes_flat;        /* nodes with meshes and a scale of 0 */
-    char library[64];           /* OBJ: name of the first material library; empty: none */
+    const char *library;        /* OBJ: name of the first material library, in the mesh's arena; NULL: none */
     uint32_t images_missing;    /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
     /* Parts of a glTF that its scene does not have, and that are therefore missing in a file written from it. */

@@ -63,6 +63,10 @@ is "a missing material library" "$status $(cat .err)" \
 : >none.mtl
 try hatchstat mesh mesh.obj
 is "a material library that exists" "$status $(cat .err)" "0 "
+: >'my mats.mtl'
+sed 's/none.mtl other.mtl/my mats.mtl/' mesh.obj >spaced.obj
+try hatchstat mesh spaced.obj
+is "a material library with a space in its name" "$status $(cat .err)" "0 "
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\nf 2 4 3\n' >mesh.obj
 try hatchstat mesh mesh.obj
 is "texture coordinates of some faces" "$status $(cat .err)" \

@@ -16,22 +16,6 @@ static bool starts_with(struct hatch_bytes file, const char *magic)
     return file.size >= length && memcmp(file.data, magic, length) == 0;
 }
 
-/* Compares the end of a name without regard to case. tolower would depend on the locale. */
-static bool has_extension(const char *name, const char *extension)
-{
-    size_t length = strlen(name), suffix = strlen(extension);
-    if (length < suffix)
-        return false;
-    for (size_t i = 0; i < suffix; i++) {
-        char c = name[length - suffix + i];
-        if (c >= 'A' && c <= 'Z')
-            c = (char)(c - 'A' + 'a');
-        if (c != extension[i])
-            return false;
-    }
-    return true;
-}
-
 static uint8_t first_visible(struct hatch_bytes file)
 {
     for (size_t i = 0; i < file.size; i++)
@@ -92,9 +76,10 @@ enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char 
     };
     struct hatch_mesh_text text = hatch_mesh_text_of(file);
     file = (struct hatch_bytes){(const uint8_t *)text.at, hatch_mesh_text_remaining(&text)};
+    struct hatch_text ending = {name, name ? strlen(name) : 0};
     enum hatch_mesh_format format = by_content(file);
-    for (size_t i = 0; !format && name && i < sizeof extensions / sizeof *extensions; i++)
-        if (has_extension(name, extensions[i].extension))
+    for (size_t i = 0; !format && i < sizeof extensions / sizeof *extensions; i++)
+        if (hatch_mesh_has_extension(ending, extensions[i].extension))
             format = extensions[i].format;
     return !format && looks_like_obj(file) ? HATCH_MESH_OBJ : format;
 }

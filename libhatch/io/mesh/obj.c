@@ -26,7 +26,7 @@ struct obj {
     uint32_t *slots;                  /* hash table of corners: vertex + 1, or 0 if free */
     struct hatch_buffer points, used; /* of the face being read: indices of its positions; indices of its vertices */
     struct hatch_faces faces;
-    char library[64]; /* name of the first material library; empty: none */
+    struct hatch_text library; /* name of the first material library; length 0: none */
 };
 
 static const uint32_t widths[KINDS] = {3, 2, 3};
@@ -190,6 +190,18 @@ static bool is_ignored(struct hatch_text word)
     return false;
 }
 
+/* Reads the first name of a list of material libraries. Names may have spaces: the first name ends where a word ends in
+ * .mtl, or else with the line. */
+static struct hatch_text read_name(struct hatch_mesh_text *text)
+{
+    struct hatch_text name = hatch_mesh_text_word(text), word = name;
+    while (word.length && !hatch_mesh_has_extension(name, ".mtl")) {
+        name.length = (size_t)(word.at + word.length - name.at);
+        word = hatch_mesh_text_word(text);
+    }
+    return name;
+}
+
 static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
 {
     struct hatch_text word = hatch_mesh_text_word(&o->text);
@@ -203,11 +215,8 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
         return read_value(o, VN, err);
     if (hatch_text_is(word, "f"))
         return read_face(o, err);
-    if (hatch_text_is(word, "mtllib") && !o->library[0]) {
-        struct hatch_text name = hatch_mesh_text_word(&o->text);
-        if (name.length < sizeof o->library)
-            memcpy(o->library, name.at, name.length);
-    }
+    if (hatch_text_is(word, "mtllib") && o->library.length == 0)
+        o->library = read_name(&o->text);
     if (is_ignored(word))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", o->text.line, hatch_mesh_text_shown(word),
@@ -292,6 +301,8 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
     do
         HATCH_TRY(read_line(&o, err));
     while (hatch_mesh_text_next_line(&o.text));
-    memcpy(notes->library, o.library, sizeof o.library);
+    notes->library = o.library.length ? hatch_arena_text(arena, o.library.at, o.library.length, err) : NULL;
+    if (o.library.length && !notes->library)
+        return HATCH_LIMIT;
     return finish(&o, arena, mesh, notes, err);
 }

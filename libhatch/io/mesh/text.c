@@ -84,6 +84,19 @@ int hatch_mesh_text_shown(struct hatch_text word)
     return word.length < 40 ? (int)word.length : 40;
 }
 
+bool hatch_mesh_has_extension(struct hatch_text name, const char *extension)
+{
+    size_t suffix = strlen(extension);
+    if (name.length < suffix)
+        return false;
+    for (size_t i = 0; i < suffix; i++) {
+        char c = name.at[name.length - suffix + i];
+        if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != extension[i])
+            return false;
+    }
+    return true;
+}
+
 static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';

@@ -29,6 +29,10 @@ size_t hatch_mesh_text_remaining(const struct hatch_mesh_text *text);
 /* Returns how much of a word a message quotes, for "%.*s". */
 int hatch_mesh_text_shown(struct hatch_text word);
 
+/* Returns whether a name has an extension, in either case. tolower would depend on the locale.
+ *   extension  lower case, with its point */
+bool hatch_mesh_has_extension(struct hatch_text name, const char *extension);
+
 /* Parses an integer: digits with an optional sign, of a magnitude up to about 2^61. */
 bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 

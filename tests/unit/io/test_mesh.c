@@ -356,6 +356,29 @@ START_TEST(obj_index_triples_become_vertices)
 }
 END_TEST
 
+#define A_FACE "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+#define LONG_NAME "0123456789/0123456789/0123456789/0123456789/0123456789/0123456789/long.mtl"
+
+/* A name may have spaces, but one that ends in .mtl begins a list of files. */
+START_TEST(the_first_material_library_is_named)
+{
+    static const char *const files[][2] = {{"mtllib my mats.mtl" A_FACE, "my mats.mtl"},
+                                           {"mtllib  my  mats.MTL \t\r" A_FACE, "my  mats.MTL"},
+                                           {"mtllib one two" A_FACE "mtllib three.mtl", "one two"},
+                                           {"mtllib one.mtl two.mtl # three" A_FACE, "one.mtl"},
+                                           {"mtllib .mtl x # of y" A_FACE, ".mtl"},
+                                           {"mtllib " LONG_NAME A_FACE, LONG_NAME}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        notes.library = NULL;
+        reads(text(files[i][0]), 3, 1);
+        ck_assert_str_eq(notes.library, files[i][1]);
+    }
+    notes.library = NULL;
+    reads(text("mtllib " A_FACE), 3, 1);
+    ck_assert_ptr_null(notes.library);
+}
+END_TEST
+
 /* A polygon in the plane x + y + z = 0, in both orientations, from every first corner. want: area in xy. */
 static void triangulates(const double (*outline)[2], uint32_t count, double want)
 {
@@ -429,7 +452,7 @@ START_TEST(every_failed_allocation_is_a_limit)
         text(ascii_obj),
         text(ascii_off),
         binary_stl("s"),
-        text("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
+        text("mtllib x\nv 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         hatch_test_fail_alloc(read_one, &files[i], &mesh, sizeof mesh);
@@ -481,6 +504,7 @@ static Suite *suite(void)
     tcase_add_test(tests, files_of_other_programs_are_read);
     tcase_add_test(tests, v_of_texture_coordinates_points_downwards);
     tcase_add_test(tests, obj_index_triples_become_vertices);
+    tcase_add_test(tests, the_first_material_library_is_named);
     tcase_add_test(tests, triangles_cover_their_polygon);
     tcase_add_test(tests, a_large_convex_polygon_is_triangulated);
     tcase_add_test(tests, a_mesh_far_from_the_origin_keeps_its_shape);
