@@ -87,6 +87,8 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
         {notes->contrary_edges, "edge between faces that cannot be oriented alike: the surface has one side only",
          "edges between faces that cannot be oriented alike: the surface has one side only"},
         {notes->primitives_skipped, "set of points or lines is skipped", "sets of points or lines are skipped"},
+        {notes->free_forms_dropped, "free-form curve or surface is left out",
+         "free-form curves or surfaces are left out"},
         {notes->texcoords_missing, "vertex has no texture coordinates: those of the others are not used",
          "vertices have no texture coordinates: those of the others are not used"},
         {notes->morphs_ignored, "mesh has morph targets that nothing moves: it stays as at rest",

@@ -53,8 +53,10 @@ sub objs {
     obj('empty', 'ERR', '0 bytes', 'empty', '');
     obj('comment', 'ERR', 'a comment alone', 'no faces', "# a comment\n");
     obj('one-newline', 'ERR', 'a newline alone', 'no faces', "\n");
-    obj('unknown-word', 'ERR', 'a line of another format', 'line 9: .*curv2', vertices() .
-        "curv2 1 2 3\nf 1 2 3\n");
+    obj('unknown-word', 'ERR', 'a line of another format', 'line 9: .*curve', vertices() .
+        "curve 1 2 3\nf 1 2 3\n");
+    obj('free-form', 'WARN', 'a free-form curve beside a cube', '1 free-form curve', vertices() .
+        "cstype bspline\ncurv2 1 2 3\nend\n" . faces(@sides), $cube);
     obj('zero-bytes', 'ERR', 'a thousand zero bytes', '-', "\0" x 1000);
     obj('binary', 'ERR', 'bytes that are no text', '-', pack 'C*', map { ($_ * $_ * 13 + 128) & 255 } 0 .. 999);
     obj('long-word', 'ERR', 'a word of a million bytes', 'line 1', 'x' x 1_000_000);

@@ -27,14 +27,10 @@ static uint8_t first_visible(struct hatch_bytes file)
 /* Returns what follows lines of comments and empty ones. */
 static struct hatch_bytes after_comments(struct hatch_bytes file)
 {
-    size_t i = 0;
-    while (i < file.size && (file.data[i] == '#' || file.data[i] <= ' ')) {
-        const uint8_t *newline = memchr(file.data + i, '\n', file.size - i);
-        if (!newline)
-            return (struct hatch_bytes){file.data, 0};
-        i = (size_t)(newline - file.data) + 1;
-    }
-    return (struct hatch_bytes){file.data + i, file.size - i};
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    text.comment = '#';
+    struct hatch_text word = hatch_mesh_text_any_word(&text);
+    return (struct hatch_bytes){(const uint8_t *)word.at, (size_t)(text.end - word.at)};
 }
 
 /* Returns whether a file looks like OBJ. The format has no magic word, so the first line that is not a comment must

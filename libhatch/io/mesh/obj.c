@@ -26,6 +26,7 @@ struct obj {
     uint32_t *slots;                  /* hash table of corners: vertex + 1, or 0 if free */
     struct hatch_buffer points, used; /* of the face being read: indices of its positions; indices of its vertices */
     struct hatch_faces faces;
+    uint32_t free_forms;       /* curves and surfaces that are left out */
     struct hatch_text library; /* name of the first material library; length 0: none */
 };
 
@@ -139,18 +140,16 @@ static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, 
     return HATCH_OK;
 }
 
-/* Returns whether any face has indices of texture coordinates or normals. A line that begins with a number may continue
- * a face. */
-static bool has_slashes(struct hatch_bytes file)
+/* Returns whether any face of a text has indices of texture coordinates or normals. */
+static bool has_slashes(struct hatch_mesh_text text)
 {
-    struct hatch_mesh_text text = hatch_mesh_text_of(file);
     do {
         struct hatch_text word = hatch_mesh_text_word(&text);
-        if (word.length == 0 || !strchr("f-0123456789", *word.at))
+        if (!hatch_text_is(word, "f"))
             continue;
-        const char *newline = memchr(word.at, '\n', (size_t)(text.end - word.at));
-        if (memchr(word.at, '/', (size_t)((newline ? newline : text.end) - word.at)))
-            return true;
+        while ((word = hatch_mesh_text_word(&text)).length > 0)
+            if (memchr(word.at, '/', word.length))
+                return true;
     } while (hatch_mesh_text_next_line(&text));
     return false;
 }
@@ -178,16 +177,20 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
                            (const uint32_t *)(const void *)o->used.data, count, err);
 }
 
-/* Returns whether a keyword is ignored: groups, materials, lines and display hints do not change the surface. */
-static bool is_ignored(struct hatch_text word)
+/* Groups, materials, lines, display hints and properties of free-form objects, which do not change the surface. */
+static const char *const ignored[] = {
+    "o",    "g",     "s",   "mg",    "usemtl", "mtllib", "usemap", "maplib",     "l",         "p",    "vp",
+    "lod",  "bevel", "res", "ctech", "stech",  "cstype", "deg",    "c_interp",   "d_interp",  "parm", "trim",
+    "hole", "scrv",  "sp",  "end",   "con",    "bmat",   "step",   "shadow_obj", "trace_obj", NULL};
+
+/* Free-form curves and surfaces. */
+static const char *const free_forms[] = {"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", NULL};
+
+static bool is_one_of(struct hatch_text word, const char *const *words)
 {
-    static const char *const words[] = {"o",        "g",     "s",     "mg",         "usemtl",    "mtllib", "usemap",
-                                        "maplib",   "l",     "p",     "vp",         "lod",       "bevel",  "c_interp",
-                                        "d_interp", "ctech", "stech", "shadow_obj", "trace_obj", NULL};
-    for (const char *const *w = words; *w; w++)
-        if (hatch_text_is(word, *w))
-            return true;
-    return false;
+    while (*words && !hatch_text_is(word, *words))
+        words++;
+    return *words != NULL;
 }
 
 /* Reads the first name of a list of material libraries. Names may have spaces: the first name ends where a word ends in
@@ -217,7 +220,9 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
         return read_face(o, err);
     if (hatch_text_is(word, "mtllib") && o->library.length == 0)
         o->library = read_name(&o->text);
-    if (is_ignored(word))
+    bool is_free_form = is_one_of(word, free_forms);
+    o->free_forms += is_free_form;
+    if (is_free_form || is_one_of(word, ignored))
         return HATCH_OK;
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: unknown keyword %.*s", o->text.line, hatch_mesh_text_shown(word),
                       word.at);
@@ -290,10 +295,10 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
-    struct obj o = {
-        .text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch, .positions_only = !has_slashes(file)};
+    struct obj o = {.text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch};
     o.text.comment = '#';
     o.text.continues = true;
+    o.positions_only = !has_slashes(o.text);
     for (int kind = 0; kind < KINDS; kind++)
         o.values[kind].arena = scratch;
     o.vertices.arena = o.points.arena = o.used.arena = scratch;
@@ -301,6 +306,7 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
     do
         HATCH_TRY(read_line(&o, err));
     while (hatch_mesh_text_next_line(&o.text));
+    notes->free_forms_dropped += o.free_forms;
     notes->library = o.library.length ? hatch_arena_text(arena, o.library.at, o.library.length, err) : NULL;
     if (o.library.length && !notes->library)
         return HATCH_LIMIT;

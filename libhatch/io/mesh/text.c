@@ -16,18 +16,29 @@ size_t hatch_mesh_text_remaining(const struct hatch_mesh_text *text)
 
 static bool is_blank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+static bool ends_line(char c)
+{
+    return c == '\n' || c == '\r';
+}
+
+/* Returns the length of the line end at a place of the text; 0 if there is none. */
+static size_t line_end(const struct hatch_mesh_text *text, const char *at)
+{
+    if (at == text->end || !ends_line(*at))
+        return 0;
+    return *at == '\r' && at + 1 < text->end && at[1] == '\n' ? 2 : 1;
 }
 
 /* Returns the length of a backslash and the line end after it, or 0 if there is none. */
 static size_t continuation(const struct hatch_mesh_text *text)
 {
-    size_t remaining = hatch_mesh_text_remaining(text);
-    if (!text->continues || remaining < 2 || text->at[0] != '\\')
+    if (!text->continues || text->at == text->end || *text->at != '\\')
         return 0;
-    if (text->at[1] == '\n')
-        return 2;
-    return remaining > 2 && text->at[1] == '\r' && text->at[2] == '\n' ? 3 : 0;
+    size_t end = line_end(text, text->at + 1);
+    return end ? 1 + end : 0;
 }
 
 static void skip_blanks(struct hatch_mesh_text *text)
@@ -44,7 +55,7 @@ static void skip_blanks(struct hatch_mesh_text *text)
         }
     }
     if (text->comment && text->at < text->end && *text->at == text->comment)
-        while (text->at < text->end && *text->at != '\n')
+        while (text->at < text->end && !ends_line(*text->at))
             text->at++;
 }
 
@@ -52,7 +63,7 @@ struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text)
 {
     skip_blanks(text);
     const char *start = text->at;
-    while (text->at < text->end && !is_blank(*text->at) && *text->at != '\n' &&
+    while (text->at < text->end && !is_blank(*text->at) && !ends_line(*text->at) &&
            !(*text->at == '\\' && continuation(text)))
         text->at++;
     return (struct hatch_text){start, (size_t)(text->at - start)};
@@ -60,12 +71,11 @@ struct hatch_text hatch_mesh_text_word(struct hatch_mesh_text *text)
 
 bool hatch_mesh_text_next_line(struct hatch_mesh_text *text)
 {
-    const char *newline = memchr(text->at, '\n', hatch_mesh_text_remaining(text));
-    if (!newline) {
-        text->at = text->end;
+    while (hatch_mesh_text_word(text).length > 0)
+        continue;
+    if (text->at == text->end)
         return false;
-    }
-    text->at = newline + 1;
+    text->at += line_end(text, text->at);
     text->line++;
     return text->at < text->end;
 }

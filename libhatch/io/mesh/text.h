@@ -1,4 +1,5 @@
-/* Private to the mesh readers: words and numbers of a text that is not zero-terminated. */
+/* Private to the mesh readers: words and numbers of a text that is not zero-terminated. Lines end with LF, CR LF or
+ * CR. */
 #ifndef HATCH_IO_MESH_TEXT_H
 #define HATCH_IO_MESH_TEXT_H
 

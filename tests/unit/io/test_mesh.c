@@ -197,7 +197,7 @@ START_TEST(errors_name_their_place)
     refused("v 0 0 nan\n", "nan is not a number");
     refused("v 0 0 1e39\n", "1e39 is too large");
     refused("v 0 0 1,5\n", "1,5 is not a number");
-    refused("v 0 0 0\nsurf 1 2\n", "line 2: unknown keyword surf");
+    refused("v 0 0 0\nsurface 1 2\n", "line 2: unknown keyword surface");
     refused("v 0 0 0\n\n# nothing\n", "no faces");
     refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: vertex 3 does not exist, there are 3");
     refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "line 6: a face with 0 corners");
@@ -379,6 +379,38 @@ START_TEST(the_first_material_library_is_named)
 }
 END_TEST
 
+/* Line ends are LF, CR LF, or CR alone, as on the first Macintosh. */
+START_TEST(lines_may_end_in_any_way)
+{
+    static const char *const ends[] = {"\n", "\r\n", "\r"};
+    static const char *const files[] = {"# a / b~~mtllib a b~v 0 0 0~v 1 0 0 # c~v 0 \\~1 0~f 1 2 3~",
+                                        "OFF # a~3 1 0~0 0 0~1 0 0~0 1 0~3 0 1 2~",
+                                        "ply~format ascii 1.0~element vertex 3~property float x~property float y~"
+                                        "property float z~element face 1~property list uchar int vertex_index~"
+                                        "end_header~0 0 0~1 0 0~0 1 0~3 0 1 2~"};
+    for (size_t i = 0; i < 3 * sizeof files / sizeof *files; i++) {
+        struct hatch_buffer file = {.arena = &keep};
+        for (const char *at = files[i / 3]; *at; at++)
+            HATCH_TEST_OK(hatch_buffer_print(&file, &err, "%.*s", *at == '~' ? 2 : 1, *at == '~' ? ends[i % 3] : at),
+                          &err);
+        reads((struct hatch_bytes){file.data, file.size}, 3, 1);
+        ck_assert_mem_eq(mesh.attributes[0].data, corners, 9 * sizeof(float));
+    }
+    ck_assert_str_eq(notes.library, "a b");
+    refused("v 0 0 0\r\nv 1 0 0\rv 0 1 0\rf 1 2 4\r", "line 4: corner 4");
+}
+END_TEST
+
+START_TEST(free_form_objects_are_left_out)
+{
+    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\ncstype bspline\ndeg 3\ncurv 0 1 1 2 \\\n 3 1\nparm u 0 0 1 1\nend\n"
+               "bmat u 1 2\nstep 1 1\nf 1 2 3\ncurv2 1 2\nsurf 0 1 0 1 1 2 3\ntrim 0 1 1\nhole 0 1 1\nscrv 0 1 1\n"
+               "sp 1\ncon 1 0 1 1 2 0 1 1\nend\n"),
+          3, 1);
+    ck_assert_uint_eq(notes.free_forms_dropped, 3);
+}
+END_TEST
+
 /* A polygon in the plane x + y + z = 0, in both orientations, from every first corner. want: area in xy. */
 static void triangulates(const double (*outline)[2], uint32_t count, double want)
 {
@@ -505,6 +537,8 @@ static Suite *suite(void)
     tcase_add_test(tests, v_of_texture_coordinates_points_downwards);
     tcase_add_test(tests, obj_index_triples_become_vertices);
     tcase_add_test(tests, the_first_material_library_is_named);
+    tcase_add_test(tests, lines_may_end_in_any_way);
+    tcase_add_test(tests, free_form_objects_are_left_out);
     tcase_add_test(tests, triangles_cover_their_polygon);
     tcase_add_test(tests, a_large_convex_polygon_is_triangulated);
     tcase_add_test(tests, a_mesh_far_from_the_origin_keeps_its_shape);
