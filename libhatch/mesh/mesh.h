@@ -51,7 +51,7 @@ struct hatch_mesh_notes {
     uint32_t attributes_dropped; /* glTF: vertex attributes that are unknown, or beyond HATCH_MESH_ATTRIBUTES_READ */
     uint32_t transparent_dropped; /* meshes with an opacity below their material's cutoff */
     uint32_t colors_replaced;     /* glTF: colours that are not finite, read as 0 */
-    uint32_t normals_replaced;    /* glTF: normals of length 0, replaced by the normal of a face */
+    uint32_t normals_replaced;    /* normals that are missing or 0 0 0, replaced by those of faces */
     uint32_t joints_dropped;      /* glTF: vertices of more than four joints, of which the heaviest four are kept */
     /* Doubts, counted by hatch_scene_doubt. */
     uint32_t normals_not_unit;  /* normals whose length is not 1 */
@@ -117,6 +117,13 @@ bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,
                                          struct hatch_mesh *mesh, float crease_rad,
                                          struct hatch_err *err) HATCH_MUST_USE;
+
+/* Replaces normals 0 0 0, which some exporters write, by the mean of the normals of the faces that use the vertex,
+ * weighted by their angles there. A vertex without a face that has an area gets any unit vector.
+ *   mesh      in, out: may have no NORMAL
+ *   replaced  in, out: the number of normals that are now those of faces is added */
+enum hatch_status hatch_mesh_replace_normals(struct hatch_arena *scratch, struct hatch_mesh *mesh, uint32_t *replaced,
+                                             struct hatch_err *err) HATCH_MUST_USE;
 
 /* Adds TANGENT where it is missing: the area-weighted mean direction of increasing u, made orthogonal to the normal.
  * Where the texture coordinates are degenerate it is any direction orthogonal to the normal. The mesh must have NORMAL

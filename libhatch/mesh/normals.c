@@ -142,3 +142,35 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
         *mesh = out;
     return status;
 }
+
+static bool has_length(const float *normal)
+{
+    return normal[0] != 0 || normal[1] != 0 || normal[2] != 0;
+}
+
+enum hatch_status hatch_mesh_replace_normals(struct hatch_arena *scratch, struct hatch_mesh *mesh, uint32_t *replaced,
+                                             struct hatch_err *err)
+{
+    float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
+    size_t v = 0;
+    while (normals && v < mesh->vertex_count && has_length(&normals[v * 3]))
+        v++;
+    if (!normals || v == mesh->vertex_count)
+        return HATCH_OK;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    struct work w = {.mesh = mesh, .class_of = mesh->indices, .class_count = mesh->vertex_count};
+    HATCH_TRY(HATCH_ALLOC(scratch, &w.sum, (size_t)w.class_count * 3, err));
+    sum_normals(&w);
+    for (; v < mesh->vertex_count; v++) {
+        double *sum = &w.sum[v * 3];
+        if (has_length(&normals[v * 3]))
+            continue;
+        if (hatch_vec_normalize(sum) > 0)
+            ++*replaced;
+        else
+            sum[2] = 1;
+        hatch_vec_round(sum, &normals[v * 3]);
+    }
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}

@@ -137,30 +137,6 @@ enum hatch_status count_joints(Reader &r, const struct hatch_mesh *mesh, const s
     return HATCH_OK;
 }
 
-/* Replaces zero normals, which some exporters write, by the normal of a face at the vertex. */
-void replace_zero_normals(Reader &r, struct hatch_mesh *mesh)
-{
-    float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
-    for (size_t i = 0; normals && i < static_cast<size_t>(mesh->face_count) * 3; i++) {
-        float *n = normals + static_cast<size_t>(mesh->indices[i]) * 3;
-        if (n[0] != 0 || n[1] != 0 || n[2] != 0)
-            continue;
-        double p[3][3];
-        r.notes->normals_replaced++;
-        n[2] = 1; /* stays if the face has no area */
-        if (!hatch_mesh_corners(mesh, static_cast<uint32_t>(i / 3), p))
-            continue;
-        double length = 0, cross[3];
-        for (int k = 0; k < 3; k++) {
-            int a = (k + 1) % 3, b = (k + 2) % 3;
-            cross[k] = (p[1][a] - p[0][a]) * (p[2][b] - p[0][b]) - (p[1][b] - p[0][b]) * (p[2][a] - p[0][a]);
-            length += cross[k] * cross[k];
-        }
-        for (int k = 0; k < 3; k++)
-            n[k] = static_cast<float>(cross[k] / std::sqrt(length));
-    }
-}
-
 /* Returns the position in a strip of corner k of its triangle i. Odd triangles are reversed, so that all have the same
  * orientation. */
 uint32_t strip_corner(uint32_t i, uint32_t k)
@@ -246,7 +222,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     HATCH_TRY(keep(r, "", primitive.extras_json_string, "hatch", &out->kept));
     HATCH_TRY(count_joints(r, &mesh, where, &out->joints_used));
     r.notes->joints_dropped += hatch_mesh_keep_influences(&mesh);
-    replace_zero_normals(r, &mesh);
+    HATCH_TRY(hatch_mesh_replace_normals(r.scratch, &mesh, &r.notes->normals_replaced, r.err));
     out->file_vertices = mesh.vertex_count;
     out->unseen_tolerance = unseen_tolerance(primitive);
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;

@@ -1,6 +1,7 @@
 /* Reads Wavefront OBJ: positions, texture coordinates, normals and polygons. Each distinct triple of their indices
  * becomes a vertex of the mesh, in order of first use. If all faces have position indices only, the vertices of the
  * mesh are those of the file. */
+#include <math.h>
 #include <string.h>
 
 #include "base/random.h"
@@ -57,8 +58,6 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
         else
             HATCH_TRY(hatch_mesh_text_float(&o->text, names[kind], &value[k], err));
     }
-    if (kind == VT)
-        value[1] = 1 - value[1]; /* OBJ's v points upwards, glTF's downwards */
     return hatch_buffer_add(&o->values[kind], value, widths[kind] * sizeof *value, err);
 }
 
@@ -228,30 +227,25 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
                       word.at);
 }
 
-/* Counts the vertices that lack a value of a kind which others have. */
-static uint32_t count_missing(const struct obj *o, int kind)
+/* Lists the values of a kind in the order of the vertices.
+ *   missing  stands for values that the file does not give
+ *   out      NULL if it gives none */
+static enum hatch_status gather(struct obj *o, int kind, float missing, const float **out, struct hatch_err *err)
 {
     const struct corner *corners = vertex_corners(o);
-    uint32_t missing = 0;
-    for (uint32_t v = 0; v < o->vertex_count; v++)
-        missing += corners[v].index[kind] == ABSENT;
-    return missing < o->vertex_count ? missing : 0;
-}
-
-/* Lists the values of a kind in the order of the vertices; *out is NULL when a vertex lacks one. */
-static enum hatch_status gather(struct obj *o, int kind, float **out, struct hatch_err *err)
-{
-    const struct corner *corners = vertex_corners(o);
-    uint32_t width = widths[kind];
+    uint32_t width = widths[kind], v = 0;
     *out = NULL;
-    for (uint32_t v = 0; v < o->vertex_count; v++)
-        if (corners[v].index[kind] == ABSENT)
-            return HATCH_OK;
+    while (v < o->vertex_count && corners[v].index[kind] == ABSENT)
+        v++;
+    if (v == o->vertex_count)
+        return HATCH_OK;
     float *data;
     HATCH_TRY(HATCH_ALLOC(o->scratch, &data, (size_t)o->vertex_count * width, err));
-    for (uint32_t v = 0; v < o->vertex_count; v++)
-        memcpy(&data[(size_t)v * width], &values(o, kind)[(size_t)corners[v].index[kind] * width],
-               width * sizeof *data);
+    for (v = 0; v < o->vertex_count; v++)
+        for (size_t k = 0; k < width; k++) {
+            uint32_t index = corners[v].index[kind];
+            data[v * width + k] = index == ABSENT ? missing : values(o, kind)[index * (size_t)width + k];
+        }
     *out = data;
     return HATCH_OK;
 }
@@ -271,24 +265,15 @@ static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *no
 static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    if (o->positions_only)
-        return hatch_faces_finish(&o->faces, values(o, V), value_count(o, V), arena, mesh, notes, err);
-    float *positions, *texcoords, *normals, *data;
-    struct hatch_mesh made;
-    HATCH_TRY(count_unused(o, notes, err));
-    notes->texcoords_missing += count_missing(o, VT);
-    HATCH_TRY(gather(o, V, &positions, err));
-    HATCH_TRY(gather(o, VT, &texcoords, err));
-    HATCH_TRY(gather(o, VN, &normals, err));
-    HATCH_TRY(hatch_faces_finish(&o->faces, positions, o->vertex_count, arena, &made, notes, err));
-    if (texcoords) {
-        HATCH_TRY(hatch_mesh_add(arena, &made, "TEXCOORD_0", 2, &data, err));
-        memcpy(data, texcoords, (size_t)made.vertex_count * 2 * sizeof *data);
+    struct hatch_vertices vertices = {value_count(o, V), values(o, V), NULL, NULL};
+    if (!o->positions_only) {
+        vertices.count = o->vertex_count;
+        HATCH_TRY(count_unused(o, notes, err));
+        HATCH_TRY(gather(o, V, 0, &vertices.positions, err));
+        HATCH_TRY(gather(o, VN, 0, &vertices.normals, err));
+        HATCH_TRY(gather(o, VT, NAN, &vertices.texcoords, err));
     }
-    if (normals)
-        HATCH_TRY(hatch_faces_add_normals(normals, arena, &made, err));
-    *mesh = made;
-    return HATCH_OK;
+    return hatch_faces_finish(&o->faces, &vertices, arena, mesh, notes, err);
 }
 
 enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,

@@ -112,5 +112,6 @@ enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3]
         HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner, (uint32_t)(corners.size / sizeof *corner), err));
         hatch_mesh_text_next_line(&text);
     }
-    return hatch_faces_finish(&faces, positions, (uint32_t)counts[0], arena, mesh, notes, err);
+    const struct hatch_vertices vertices = {.count = (uint32_t)counts[0], .positions = positions};
+    return hatch_faces_finish(&faces, &vertices, arena, mesh, notes, err);
 }

@@ -333,8 +333,8 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
                 p->positions[v * 3 + k - PLY_X] = (float)(number - p->origin[k - PLY_X]);
             else if (k <= PLY_NZ && p->normals)
                 p->normals[v * 3 + k - PLY_NX] = value;
-            else if (k >= PLY_U && p->texcoords) /* v points upwards in PLY, downwards in glTF */
-                p->texcoords[v * 2 + k - PLY_U] = k == PLY_V ? 1 - value : value;
+            else if (k >= PLY_U && p->texcoords)
+                p->texcoords[v * 2 + k - PLY_U] = value;
         }
     return HATCH_OK;
 }
@@ -442,15 +442,6 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     p->reader.big_endian = p->header.big_endian;
     p->reader.at = (size_t)(p->text.at - (const char *)file.data);
     HATCH_TRY(read_body(p, err));
-    struct hatch_mesh made;
-    float *data;
-    HATCH_TRY(hatch_faces_finish(&p->faces, p->positions, p->vertex_count, arena, &made, notes, err));
-    if (p->normals)
-        HATCH_TRY(hatch_faces_add_normals(p->normals, arena, &made, err));
-    if (p->texcoords) {
-        HATCH_TRY(hatch_mesh_add(arena, &made, "TEXCOORD_0", 2, &data, err));
-        memcpy(data, p->texcoords, (size_t)made.vertex_count * 2 * sizeof *data);
-    }
-    *mesh = made;
-    return HATCH_OK;
+    const struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords};
+    return hatch_faces_finish(&p->faces, &vertices, arena, mesh, notes, err);
 }

@@ -225,35 +225,62 @@ enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positi
     return add_concave(faces, positions, point, vertex, count, normal, err);
 }
 
-enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const float *positions, uint32_t vertex_count,
-                                     struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
-                                     struct hatch_err *err)
-{
-    if (faces->face_count == 0)
-        return hatch_fail(err, HATCH_BAD_INPUT, "no faces, only %u vertices", vertex_count);
-    HATCH_TRY(hatch_mesh_make(arena, vertex_count, faces->face_count, mesh, err));
-    memcpy(mesh->indices, faces->indices.data, faces->indices.size);
-    memcpy(mesh->attributes[0].data, positions, (size_t)vertex_count * 3 * sizeof *positions);
-    notes->polygons_split += faces->polygons_split;
-    notes->degenerate_dropped += faces->lines_dropped;
-    return HATCH_OK;
-}
-
-enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_arena *arena, struct hatch_mesh *mesh,
-                                          struct hatch_err *err)
+static enum hatch_status add_normals(const struct hatch_vertices *vertices, struct hatch_arena *arena,
+                                     struct hatch_arena *scratch, struct hatch_mesh *mesh,
+                                     struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
     double normal[3];
-    for (size_t v = 0; v < mesh->vertex_count; v++) {
-        hatch_vec_of(&normals[v * 3], normal);
-        if (!(hatch_vec_length(normal) > 0))
-            return HATCH_OK;
+    bool any = false;
+    for (size_t v = 0; v < vertices->count && !any; v++) {
+        hatch_vec_of(&vertices->normals[v * 3], normal);
+        any = hatch_vec_length(normal) > 0;
     }
+    if (!any)
+        return HATCH_OK;
     float *data;
     HATCH_TRY(hatch_mesh_add(arena, mesh, "NORMAL", 3, &data, err));
-    for (size_t v = 0; v < mesh->vertex_count; v++) {
-        hatch_vec_of(&normals[v * 3], normal);
+    for (size_t v = 0; v < vertices->count; v++) {
+        hatch_vec_of(&vertices->normals[v * 3], normal);
         hatch_vec_normalize(normal);
         hatch_vec_round(normal, &data[v * 3]);
     }
+    return hatch_mesh_replace_normals(scratch, mesh, &notes->normals_replaced, err);
+}
+
+static enum hatch_status add_texcoords(const struct hatch_vertices *vertices, struct hatch_arena *arena,
+                                       struct hatch_mesh *mesh, struct hatch_mesh_notes *notes, struct hatch_err *err)
+{
+    uint32_t missing = 0;
+    for (size_t v = 0; v < vertices->count; v++)
+        missing += isnan(vertices->texcoords[v * 2]) != 0;
+    notes->texcoords_missing += missing < vertices->count ? missing : 0;
+    if (missing)
+        return HATCH_OK;
+    float *data;
+    HATCH_TRY(hatch_mesh_add(arena, mesh, "TEXCOORD_0", 2, &data, err));
+    for (size_t v = 0; v < vertices->count; v++) {
+        data[v * 2] = vertices->texcoords[v * 2];
+        data[v * 2 + 1] = 1 - vertices->texcoords[v * 2 + 1]; /* glTF's v points downwards */
+    }
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const struct hatch_vertices *vertices,
+                                     struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
+                                     struct hatch_err *err)
+{
+    struct hatch_mesh made;
+    if (faces->face_count == 0)
+        return hatch_fail(err, HATCH_BAD_INPUT, "no faces, only %u vertices", vertices->count);
+    HATCH_TRY(hatch_mesh_make(arena, vertices->count, faces->face_count, &made, err));
+    memcpy(made.indices, faces->indices.data, faces->indices.size);
+    memcpy(made.attributes[0].data, vertices->positions, (size_t)made.vertex_count * 3 * sizeof(float));
+    notes->polygons_split += faces->polygons_split;
+    notes->degenerate_dropped += faces->lines_dropped;
+    if (vertices->normals)
+        HATCH_TRY(add_normals(vertices, arena, faces->scratch, &made, notes, err));
+    if (vertices->texcoords)
+        HATCH_TRY(add_texcoords(vertices, arena, &made, notes, err));
+    *mesh = made;
     return HATCH_OK;
 }

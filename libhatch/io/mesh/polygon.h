@@ -25,19 +25,20 @@ struct hatch_faces hatch_faces_in(struct hatch_arena *scratch);
 enum hatch_status hatch_faces_add(struct hatch_faces *faces, const float *positions, const uint32_t *point,
                                   const uint32_t *vertex, uint32_t count, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes the mesh, with copies of positions and indices, and adds to the counts in notes; dropped polygons count as
- * degenerate.
- *   positions  3 floats per vertex
- * HATCH_BAD_INPUT without faces. */
-enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const float *positions, uint32_t vertex_count,
+/* The vertices of a file. */
+struct hatch_vertices {
+    uint32_t count;
+    const float *positions; /* 3 each */
+    const float *normals;   /* 3 each, of any length; 0 0 0 where the file gives none. NULL: none anywhere */
+    const float *texcoords; /* 2 each, v upwards; NAN where the file gives none. NULL: none anywhere */
+};
+
+/* Makes the mesh of faces and vertices, and adds to the counts in notes; dropped polygons count as degenerate. NORMAL
+ * has unit vectors; missing ones become those of faces, if there are others. TEXCOORD_0 is left out if some are
+ * missing. HATCH_BAD_INPUT without faces. */
+enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const struct hatch_vertices *vertices,
                                      struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                      struct hatch_err *err) HATCH_MUST_USE;
-
-/* Adds NORMAL, with the normals made unit vectors. If any normal is zero, adds none: the normals of such a file are
- * unreliable.
- *   normals  3 floats per vertex */
-enum hatch_status hatch_faces_add_normals(const float *normals, struct hatch_arena *arena, struct hatch_mesh *mesh,
-                                          struct hatch_err *err) HATCH_MUST_USE;
 
 /* Returns the length of the keyword that begins an OFF file: any of ST, C and N, in this order, then OFF; 0 if there is
  * none. */

@@ -411,6 +411,32 @@ START_TEST(free_form_objects_are_left_out)
 }
 END_TEST
 
+#define PLY_ROOF(n0, n1, n2, n3)                                                                                       \
+    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"                  \
+    "property float nx\nproperty float ny\nproperty float nz\nelement face 2\n"                                        \
+    "property list uchar int vertex_index\nend_header\n0 0 0 " n0 "\n1 0 0 " n1 "\n0 1 0 " n2 "\n0 0 1 " n3            \
+    "\n9 9 9 0 0 0\n3 0 1 2\n3 0 2 3\n"
+
+/* The normals of both faces are those of z and of x. */
+START_TEST(missing_normals_are_those_of_the_faces)
+{
+    static const float half = 0.70710678f;
+    reads(text(PLY_ROOF("0 0 0", "0 3 0", "0 4 0", "0 0 0")), 5, 2);
+    const float want[] = {half, 0, half, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1};
+    for (int i = 0; i < 15; i++)
+        ck_assert_float_eq_tol(hatch_mesh_find(&mesh, "NORMAL", 3)[i], want[i], 1e-6f);
+    ck_assert_uint_eq(notes.normals_replaced, 2); /* no face uses the last vertex */
+    reads(text(PLY_ROOF("0 0 0", "0 0 0", "0 0 0", "0 0 0")), 5, 2);
+    ck_assert_ptr_null(hatch_mesh_find(&mesh, "NORMAL", 3));
+    ck_assert_uint_eq(notes.normals_replaced, 2);
+    /* Corners without a normal are vertices of their own. */
+    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 2 0\nvn 0 0 0\nf 1 2//1 3//1\nf 1//1 3//1 4//2\n"), 5, 2);
+    const float obj[] = {0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0};
+    ck_assert_mem_eq(hatch_mesh_find(&mesh, "NORMAL", 3), obj, sizeof obj);
+    ck_assert_uint_eq(notes.normals_replaced, 4);
+}
+END_TEST
+
 /* A polygon in the plane x + y + z = 0, in both orientations, from every first corner. want: area in xy. */
 static void triangulates(const double (*outline)[2], uint32_t count, double want)
 {
@@ -484,6 +510,7 @@ START_TEST(every_failed_allocation_is_a_limit)
         text(ascii_obj),
         text(ascii_off),
         binary_stl("s"),
+        text(PLY_ROOF("0 0 0", "0 1 0", "0 1 0", "0 1 0")),
         text("mtllib x\nv 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
@@ -539,6 +566,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_first_material_library_is_named);
     tcase_add_test(tests, lines_may_end_in_any_way);
     tcase_add_test(tests, free_form_objects_are_left_out);
+    tcase_add_test(tests, missing_normals_are_those_of_the_faces);
     tcase_add_test(tests, triangles_cover_their_polygon);
     tcase_add_test(tests, a_large_convex_polygon_is_triangulated);
     tcase_add_test(tests, a_mesh_far_from_the_origin_keeps_its_shape);
