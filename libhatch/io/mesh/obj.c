@@ -4,28 +4,20 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/random.h"
+#include "io/mesh/corners.h"
 #include "io/mesh/polygon.h"
 #include "io/mesh/text.h"
 
 enum { V, VT, VN, KINDS };
-#define ABSENT UINT32_MAX
-
-/* Indices of one corner of a face; ABSENT where the file gives none. */
-struct corner {
-    uint32_t index[KINDS];
-};
+_Static_assert(KINDS == HATCH_CORNER_PARTS, "the parts of a corner are indices of the kinds");
 
 struct obj {
     struct hatch_mesh_text text;
     const double *origin;
-    struct hatch_arena *scratch;
     struct hatch_buffer values[KINDS]; /* 3, 2 and 3 floats per value */
     bool positions_only;               /* faces have position indices only */
-    struct hatch_buffer vertices;      /* array of struct corner; empty if positions_only */
-    uint32_t vertex_count, slot_count;
-    uint32_t *slots;                  /* hash table of corners: vertex + 1, or 0 if free */
-    struct hatch_buffer points, used; /* of the face being read: indices of its positions; indices of its vertices */
+    struct hatch_corners corners;      /* empty if positions_only */
+    struct hatch_buffer points, used;  /* of the face being read: indices of its positions; indices of its vertices */
     struct hatch_faces faces;
     uint32_t free_forms;       /* curves and surfaces that are left out */
     struct hatch_text library; /* name of the first material library; length 0: none */
@@ -62,12 +54,12 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
 }
 
 /* Reads a corner: "7", "7/1", "7//3" or "7/1/3". Negative indices count back from the last value read. */
-static enum hatch_status read_corner(const struct obj *o, struct hatch_text word, struct corner *corner,
+static enum hatch_status read_corner(const struct obj *o, struct hatch_text word, struct hatch_corner *corner,
                                      struct hatch_err *err)
 {
     const char *at = word.at, *end = word.at + word.length;
     for (int kind = 0; kind < KINDS; kind++) {
-        corner->index[kind] = ABSENT;
+        corner->part[kind] = HATCH_CORNER_ABSENT;
         const char *stop = at;
         while (stop < end && *stop != '/')
             stop++;
@@ -81,61 +73,13 @@ static enum hatch_status read_corner(const struct obj *o, struct hatch_text word
                                   : kind == VT ? "texture coordinate"
                                                : "normal",
                                   hatch_mesh_text_shown(part), part.at, (long long)count);
-            corner->index[kind] = (uint32_t)(number > 0 ? number - 1 : count + number);
+            corner->part[kind] = (uint32_t)(number > 0 ? number - 1 : count + number);
         }
         at = stop < end ? stop + 1 : end;
     }
     if (at != end)
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: corner %.*s has more than three parts", o->text.line,
                           hatch_mesh_text_shown(word), word.at);
-    return HATCH_OK;
-}
-
-static uint64_t corner_hash(const struct corner *corner)
-{
-    uint64_t h = hatch_random_mix((uint64_t)corner->index[V] << 32 | corner->index[VT]);
-    return hatch_random_mix(h ^ corner->index[VN]);
-}
-
-static const struct corner *vertex_corners(const struct obj *o)
-{
-    return (const struct corner *)(const void *)o->vertices.data;
-}
-
-static enum hatch_status grow_slots(struct obj *o, struct hatch_err *err)
-{
-    if (o->vertex_count < o->slot_count / 2)
-        return HATCH_OK;
-    uint32_t count = o->slot_count ? o->slot_count * 2 : 1024;
-    uint32_t *slots = count < o->slot_count ? NULL : HATCH_NEW(o->scratch, uint32_t, count, err);
-    if (!slots)
-        return hatch_fail(err, HATCH_LIMIT, "line %u: %u vertices need too much memory", o->text.line, o->vertex_count);
-    for (uint32_t v = 0; v < o->vertex_count; v++) {
-        uint64_t slot = corner_hash(&vertex_corners(o)[v]);
-        while (slots[slot & (count - 1)])
-            slot++;
-        slots[slot & (count - 1)] = v + 1;
-    }
-    o->slots = slots;
-    o->slot_count = count;
-    return HATCH_OK;
-}
-
-static enum hatch_status vertex_for(struct obj *o, const struct corner *corner, uint32_t *vertex, struct hatch_err *err)
-{
-    HATCH_TRY(grow_slots(o, err));
-    uint64_t slot = corner_hash(corner);
-    uint32_t found;
-    while ((found = o->slots[slot & (o->slot_count - 1)]) != 0) {
-        if (memcmp(&vertex_corners(o)[found - 1], corner, sizeof *corner) == 0) {
-            *vertex = found - 1;
-            return HATCH_OK;
-        }
-        slot++;
-    }
-    HATCH_TRY(hatch_buffer_add(&o->vertices, corner, sizeof *corner, err));
-    *vertex = o->vertex_count++;
-    o->slots[slot & (o->slot_count - 1)] = o->vertex_count;
     return HATCH_OK;
 }
 
@@ -159,14 +103,14 @@ static enum hatch_status read_face(struct obj *o, struct hatch_err *err)
     uint32_t count = 0;
     for (;;) {
         struct hatch_text word = hatch_mesh_text_word(&o->text);
-        struct corner corner;
+        struct hatch_corner corner;
         if (word.length == 0)
             break;
         HATCH_TRY(read_corner(o, word, &corner, err));
-        uint32_t vertex = corner.index[V];
+        uint32_t vertex = corner.part[V];
         if (!o->positions_only)
-            HATCH_TRY(vertex_for(o, &corner, &vertex, err));
-        HATCH_TRY(hatch_buffer_add(&o->points, &corner.index[V], sizeof vertex, err));
+            HATCH_TRY(hatch_corners_add(&o->corners, &corner, &vertex, err));
+        HATCH_TRY(hatch_buffer_add(&o->points, &corner.part[V], sizeof vertex, err));
         HATCH_TRY(hatch_buffer_add(&o->used, &vertex, sizeof vertex, err));
         count++;
     }
@@ -227,39 +171,9 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
                       word.at);
 }
 
-/* Lists the values of a kind in the order of the vertices.
- *   missing  stands for values that the file does not give
- *   out      NULL if it gives none */
-static enum hatch_status gather(struct obj *o, int kind, float missing, const float **out, struct hatch_err *err)
+static enum hatch_status gather(const struct obj *o, int kind, float missing, const float **out, struct hatch_err *err)
 {
-    const struct corner *corners = vertex_corners(o);
-    uint32_t width = widths[kind], v = 0;
-    *out = NULL;
-    while (v < o->vertex_count && corners[v].index[kind] == ABSENT)
-        v++;
-    if (v == o->vertex_count)
-        return HATCH_OK;
-    float *data;
-    HATCH_TRY(HATCH_ALLOC(o->scratch, &data, (size_t)o->vertex_count * width, err));
-    for (v = 0; v < o->vertex_count; v++)
-        for (size_t k = 0; k < width; k++) {
-            uint32_t index = corners[v].index[kind];
-            data[v * width + k] = index == ABSENT ? missing : values(o, kind)[index * (size_t)width + k];
-        }
-    *out = data;
-    return HATCH_OK;
-}
-
-static enum hatch_status count_unused(struct obj *o, struct hatch_mesh_notes *notes, struct hatch_err *err)
-{
-    uint32_t count = value_count(o, V);
-    uint8_t *seen;
-    HATCH_TRY(HATCH_ALLOC(o->scratch, &seen, count, err));
-    for (uint32_t v = 0; v < o->vertex_count; v++)
-        seen[vertex_corners(o)[v].index[V]] = 1;
-    for (uint32_t i = 0; i < count; i++)
-        notes->unreferenced_dropped += !seen[i];
-    return HATCH_OK;
+    return hatch_corners_gather(&o->corners, kind, values(o, kind), widths[kind], missing, out, err);
 }
 
 static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct hatch_mesh *mesh,
@@ -267,8 +181,8 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
 {
     struct hatch_vertices vertices = {value_count(o, V), values(o, V), NULL, NULL};
     if (!o->positions_only) {
-        vertices.count = o->vertex_count;
-        HATCH_TRY(count_unused(o, notes, err));
+        vertices.count = o->corners.count;
+        HATCH_TRY(hatch_corners_count_unused(&o->corners, value_count(o, V), &notes->unreferenced_dropped, err));
         HATCH_TRY(gather(o, V, 0, &vertices.positions, err));
         HATCH_TRY(gather(o, VN, 0, &vertices.normals, err));
         HATCH_TRY(gather(o, VT, NAN, &vertices.texcoords, err));
@@ -280,13 +194,13 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
-    struct obj o = {.text = hatch_mesh_text_of(file), .origin = origin, .scratch = scratch};
+    struct obj o = {.text = hatch_mesh_text_of(file), .origin = origin, .corners = hatch_corners_in(scratch)};
     o.text.comment = '#';
     o.text.continues = true;
     o.positions_only = !has_slashes(o.text);
     for (int kind = 0; kind < KINDS; kind++)
         o.values[kind].arena = scratch;
-    o.vertices.arena = o.points.arena = o.used.arena = scratch;
+    o.points.arena = o.used.arena = scratch;
     o.faces = hatch_faces_in(scratch);
     do
         HATCH_TRY(read_line(&o, err));
