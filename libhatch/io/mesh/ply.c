@@ -3,7 +3,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
+#include "io/mesh/corners.h"
 #include "io/mesh/ply.h"
 #include "io/mesh/polygon.h"
 
@@ -24,7 +26,10 @@ struct ply {
     struct hatch_arena *scratch;
     uint32_t vertex_count;
     float *positions, *normals, *texcoords; /* NULL if the file has none */
-    struct hatch_buffer corners;
+    bool splits;                            /* faces have texture coordinates */
+    struct hatch_corners corners; /* if it splits: parts are the vertex of the file, and the bits of u and v */
+    /* Of the face being read: its vertices in the file and in the mesh, and u and v of each corner. */
+    struct hatch_buffer points, used, uv;
     struct hatch_faces faces;
 };
 
@@ -70,6 +75,23 @@ static enum hatch_status read_number(struct ply *p, enum ply_type type, double *
     }
     *number = read_binary(&p->reader, type);
     return p->reader.cut ? fail(p, err, "the file is truncated") : HATCH_OK;
+}
+
+/* Reads the next number as a float; NAN where a word of an ascii file is none. */
+static enum hatch_status read_float(struct ply *p, enum ply_type type, float *number, struct hatch_err *err)
+{
+    double value;
+    if (p->header.ascii) {
+        struct hatch_text word = hatch_mesh_text_any_word(&p->text);
+        if (word.length == 0)
+            return fail(p, err, "the file is truncated");
+        if (!hatch_text_decimal(word, &value))
+            value = NAN;
+    } else {
+        HATCH_TRY(read_number(p, type, &value, err));
+    }
+    *number = (float)value;
+    return HATCH_OK;
 }
 
 /* Returns the minimum size in bytes of an item of an element; in ascii, a number takes at least a digit and a
@@ -182,7 +204,7 @@ static enum hatch_status read_corners(struct ply *p, const struct ply_property *
 {
     uint32_t length;
     HATCH_TRY(read_length(p, property, &length, err));
-    p->corners.size = 0;
+    p->points.size = 0;
     for (uint32_t i = 0; i < length; i++) {
         double number;
         HATCH_TRY(read_number(p, property->type, &number, err));
@@ -193,9 +215,52 @@ static enum hatch_status read_corners(struct ply *p, const struct ply_property *
             return fail(p, err, what);
         }
         uint32_t corner = restart ? UINT32_MAX : (uint32_t)number;
-        HATCH_TRY(hatch_buffer_add(&p->corners, &corner, sizeof corner, err));
+        HATCH_TRY(hatch_buffer_add(&p->points, &corner, sizeof corner, err));
     }
     return HATCH_OK;
+}
+
+static enum hatch_status read_uv(struct ply *p, const struct ply_property *property, struct hatch_err *err)
+{
+    uint32_t length;
+    float number;
+    HATCH_TRY(read_length(p, property, &length, err));
+    for (uint32_t i = 0; i < length; i++) {
+        HATCH_TRY(read_float(p, property->type, &number, err));
+        HATCH_TRY(hatch_buffer_add(&p->uv, &number, sizeof number, err));
+    }
+    return HATCH_OK;
+}
+
+/* Finds the texture coordinates of a corner of the face being read, of which the face or the vertex may have some. */
+static const float *uv_of(const struct ply *p, uint32_t corner, uint32_t count, uint32_t point)
+{
+    const float *uv = p->uv.size == 2 * count * sizeof *uv
+                          ? (const float *)(const void *)p->uv.data + 2 * (size_t)corner
+                      : p->texcoords ? p->texcoords + 2 * (size_t)point
+                                     : NULL;
+    return uv && isfinite(uv[0]) && isfinite(uv[1]) ? uv : NULL;
+}
+
+/* Adds a face.
+ *   point  indices of its vertices in the file */
+static enum hatch_status add_face(struct ply *p, const uint32_t *point, uint32_t count, struct hatch_err *err)
+{
+    if (!p->splits)
+        return hatch_faces_add(&p->faces, p->positions, point, point, count, err);
+    p->used.size = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        struct hatch_corner corner = {{point[i], HATCH_CORNER_ABSENT, HATCH_CORNER_ABSENT}};
+        const float *uv = uv_of(p, i, count, point[i]);
+        uint32_t vertex;
+        for (int k = 0; uv && k < 2; k++) {
+            float number = uv[k] + 0.0f; /* -0 equals 0 */
+            memcpy(&corner.part[1 + k], &number, sizeof number);
+        }
+        HATCH_TRY(hatch_corners_add(&p->corners, &corner, &vertex, err));
+        HATCH_TRY(hatch_buffer_add(&p->used, &vertex, sizeof vertex, err));
+    }
+    return hatch_faces_add(&p->faces, p->positions, point, (const uint32_t *)(const void *)p->used.data, count, err);
 }
 
 /* Adds the triangles of one or more strips. Odd triangles of a strip are reversed, so that all have the same
@@ -212,7 +277,7 @@ static enum hatch_status add_strips(struct ply *p, const uint32_t *corner, uint3
         const uint32_t triangle[3] = {corner[i - 2], corner[odd ? i : i - 1], corner[odd ? i - 1 : i]};
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
             continue;
-        HATCH_TRY(hatch_faces_add(&p->faces, p->positions, triangle, triangle, 3, err));
+        HATCH_TRY(add_face(p, triangle, 3, err));
     }
     return HATCH_OK;
 }
@@ -221,21 +286,21 @@ static enum hatch_status read_faces(struct ply *p, struct hatch_err *err)
 {
     if (!p->positions)
         return hatch_fail(err, HATCH_BAD_INPUT, "element %s: must follow the element vertex", p->element->name);
-    for (p->item = 0; p->item < p->element->count; p->item++)
+    for (p->item = 0; p->item < p->element->count; p->item++) {
+        p->points.size = p->uv.size = 0;
         for (uint32_t i = 0; i < p->element->property_count; i++) {
             const struct ply_property *property = &p->element->properties[i];
-            if (property->use != PLY_INDICES) {
-                HATCH_TRY(skip_property(p, property, err));
-                continue;
-            }
-            HATCH_TRY(read_corners(p, property, err));
-            const uint32_t *corner = (const uint32_t *)(const void *)p->corners.data;
-            uint32_t count = (uint32_t)(p->corners.size / sizeof *corner);
-            if (p->element->kind == PLY_STRIPS)
-                HATCH_TRY(add_strips(p, corner, count, err));
+            if (property->use == PLY_INDICES)
+                HATCH_TRY(read_corners(p, property, err));
+            else if (property->use == PLY_TEXCOORDS)
+                HATCH_TRY(read_uv(p, property, err));
             else
-                HATCH_TRY(hatch_faces_add(&p->faces, p->positions, corner, corner, count, err));
+                HATCH_TRY(skip_property(p, property, err));
         }
+        const uint32_t *point = (const uint32_t *)(const void *)p->points.data;
+        uint32_t count = (uint32_t)(p->points.size / sizeof *point);
+        HATCH_TRY(p->element->kind == PLY_STRIPS ? add_strips(p, point, count, err) : add_face(p, point, count, err));
+    }
     return HATCH_OK;
 }
 
@@ -265,13 +330,39 @@ static enum hatch_status read_body(struct ply *p, struct hatch_err *err)
     return HATCH_OK;
 }
 
+static bool has_uv_at_corners(const struct ply_header *header)
+{
+    for (uint32_t e = 0; e < header->element_count; e++)
+        for (uint32_t i = 0; i < header->elements[e].property_count; i++)
+            if (header->elements[e].properties[i].use == PLY_TEXCOORDS)
+                return true;
+    return false;
+}
+
+/* Replaces the vertices of the file by those of the table of corners. */
+static enum hatch_status split(struct ply *p, struct hatch_vertices *vertices, uint32_t *unused, struct hatch_err *err)
+{
+    float *uv;
+    HATCH_TRY(hatch_corners_count_unused(&p->corners, p->vertex_count, unused, err));
+    HATCH_TRY(hatch_corners_gather(&p->corners, 0, p->positions, 3, 0, &vertices->positions, err));
+    if (p->normals)
+        HATCH_TRY(hatch_corners_gather(&p->corners, 0, p->normals, 3, 0, &vertices->normals, err));
+    HATCH_TRY(HATCH_ALLOC(p->scratch, &uv, 2 * (size_t)p->corners.count, err));
+    for (uint32_t v = 0; v < p->corners.count; v++) /* the bits of HATCH_CORNER_ABSENT are a NAN */
+        memcpy(&uv[2 * (size_t)v], &hatch_corners_list(&p->corners)[v].part[1], 2 * sizeof *uv);
+    vertices->texcoords = uv;
+    vertices->count = p->corners.count;
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
     struct ply *p;
     HATCH_TRY(HATCH_ALLOC(scratch, &p, 1, err));
-    p->scratch = p->corners.arena = scratch;
+    p->scratch = p->points.arena = p->used.arena = p->uv.arena = scratch;
+    p->corners = hatch_corners_in(scratch);
     p->faces = hatch_faces_in(scratch);
     p->origin = origin;
     p->text = hatch_mesh_text_of(file);
@@ -279,7 +370,10 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     p->reader = hatch_reader_of(file);
     p->reader.big_endian = p->header.big_endian;
     p->reader.at = (size_t)(p->text.at - (const char *)file.data);
+    p->splits = has_uv_at_corners(&p->header);
     HATCH_TRY(read_body(p, err));
-    const struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords};
+    struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords};
+    if (p->splits && p->corners.count > 0)
+        HATCH_TRY(split(p, &vertices, &notes->unreferenced_dropped, err));
     return hatch_faces_finish(&p->faces, &vertices, arena, mesh, notes, err);
 }

@@ -9,8 +9,21 @@
 
 enum ply_type { PLY_NONE, PLY_INT8, PLY_UINT8, PLY_INT16, PLY_UINT16, PLY_INT32, PLY_UINT32, PLY_FLOAT32, PLY_FLOAT64 };
 
-/* Meaning of a property; PLY_SKIP: not read. */
-enum ply_use { PLY_SKIP, PLY_X, PLY_Y, PLY_Z, PLY_NX, PLY_NY, PLY_NZ, PLY_U, PLY_V, PLY_INDICES, PLY_USES };
+/* Meaning of a property; PLY_SKIP: not read. PLY_TEXCOORDS: u and v of each corner of a face. */
+enum ply_use {
+    PLY_SKIP,
+    PLY_X,
+    PLY_Y,
+    PLY_Z,
+    PLY_NX,
+    PLY_NY,
+    PLY_NZ,
+    PLY_U,
+    PLY_V,
+    PLY_INDICES,
+    PLY_TEXCOORDS,
+    PLY_USES
+};
 
 struct ply_property {
     enum ply_type type;

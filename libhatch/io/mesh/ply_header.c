@@ -28,6 +28,8 @@ static enum ply_use use_of(enum ply_kind kind, bool list, struct hatch_text word
         {"x", PLY_X}, {"y", PLY_Y}, {"z", PLY_Z}, {"nx", PLY_NX}, {"ny", PLY_NY},       {"nz", PLY_NZ},
         {"u", PLY_U}, {"v", PLY_V}, {"s", PLY_U}, {"t", PLY_V},   {"texture_u", PLY_U}, {"texture_v", PLY_V},
     };
+    if (kind == PLY_FACE && list && hatch_text_is(word, "texcoord"))
+        return PLY_TEXCOORDS;
     if ((kind == PLY_FACE || kind == PLY_STRIPS) && list)
         return hatch_text_is(word, "vertex_indices") || hatch_text_is(word, "vertex_index") ? PLY_INDICES : PLY_SKIP;
     for (size_t i = 0; kind == PLY_VERTEX && !list && i < sizeof names / sizeof *names; i++)

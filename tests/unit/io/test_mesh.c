@@ -2,39 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "arenas.h"
-#include "fail_alloc.h"
-#include "io/mesh/file.h"
-#include "io/mesh/text.h"
+#include "files/read_mesh.h"
 #include "measure/mesh_figures.h"
-
-static struct hatch_mesh mesh;
-static struct hatch_mesh_notes notes;
-static double origin[3];
-
-static void begin_reading(void)
-{
-    begin();
-    notes = (struct hatch_mesh_notes){0};
-}
-
-static struct hatch_bytes text(const char *words)
-{
-    return (struct hatch_bytes){(const uint8_t *)words, strlen(words)};
-}
-
-static enum hatch_status read_bytes(struct hatch_bytes file)
-{
-    enum hatch_mesh_format format = hatch_mesh_format_of(file, NULL);
-    return hatch_mesh_read((struct hatch_mesh_file){file, format}, &keep, &scratch, &mesh, origin, &notes, &err);
-}
-
-static void reads(struct hatch_bytes file, uint32_t vertices, uint32_t faces)
-{
-    HATCH_TEST_OK(read_bytes(file), &err);
-    ck_assert_uint_eq(mesh.vertex_count, vertices);
-    ck_assert_uint_eq(mesh.face_count, faces);
-}
 
 static double area(void)
 {
@@ -170,14 +139,6 @@ START_TEST(a_truncated_file_is_refused)
     }
 }
 END_TEST
-
-static void refused(const char *file, const char *place)
-{
-    struct hatch_mesh before = mesh;
-    ck_assert_int_eq(read_bytes(text(file)), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(err.text, place) != NULL, "'%s' does not say '%s'", err.text, place);
-    ck_assert_mem_eq(&before, &mesh, sizeof mesh);
-}
 
 #define PLY_POINTS(count)                                                                                              \
     "ply\nformat ascii 1.0\nelement vertex " count                                                                     \
@@ -323,62 +284,6 @@ START_TEST(ply_attributes_and_strips_are_read)
 }
 END_TEST
 
-/* One triangle, as programs that have v upwards write it. */
-START_TEST(v_of_texture_coordinates_points_downwards)
-{
-    static const char *const files[] = {
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 0.75\nf 1/1 2/2 3/3\n",
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-        "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-        "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 0.75\n3 0 1 2\n"};
-    const float want[] = {0, 1, 1, 1, 0, 0.25f};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        reads(text(files[i]), 3, 1);
-        ck_assert_mem_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2), want, sizeof want);
-    }
-}
-END_TEST
-
-START_TEST(obj_index_triples_become_vertices)
-{
-    reads(text("mtllib x\nv 0 0 0 1 1 1\nv 1 0 0\r\nv 1 1 0\n\tv 0 1 0\nv 9 9 9\nvt 0 0\nvt 1 0.25\n"
-               "vn 0 0 5\nf 1/1/1 2/2/1 \\\n 3/1/1\nf -5/1/1 3/1/1 4/2/-1 # last\nl 1 2\n"),
-          4, 2);
-    const float uv[] = {0, 1, 1, 0.75f, 0, 1, 1, 0.75f};
-    ck_assert_mem_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2), uv, sizeof uv);
-    ck_assert_float_eq(hatch_mesh_find(&mesh, "NORMAL", 3)[11], 1);
-    ck_assert_uint_eq(notes.unreferenced_dropped, 1);
-    /* A texture seam doubles a vertex. Without texture coordinates in one face the attribute is dropped. */
-    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 3/1 2/1\n"), 4, 2);
-    ck_assert_ptr_nonnull(hatch_mesh_find(&mesh, "TEXCOORD_0", 2));
-    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nf 1 3 2\n"), 6, 2);
-    ck_assert_ptr_null(hatch_mesh_find(&mesh, "TEXCOORD_0", 2));
-}
-END_TEST
-
-#define A_FACE "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-#define LONG_NAME "0123456789/0123456789/0123456789/0123456789/0123456789/0123456789/long.mtl"
-
-/* A name may have spaces, but one that ends in .mtl begins a list of files. */
-START_TEST(the_first_material_library_is_named)
-{
-    static const char *const files[][2] = {{"mtllib my mats.mtl" A_FACE, "my mats.mtl"},
-                                           {"mtllib  my  mats.MTL \t\r" A_FACE, "my  mats.MTL"},
-                                           {"mtllib one two" A_FACE "mtllib three.mtl", "one two"},
-                                           {"mtllib one.mtl two.mtl # three" A_FACE, "one.mtl"},
-                                           {"mtllib .mtl x # of y" A_FACE, ".mtl"},
-                                           {"mtllib " LONG_NAME A_FACE, LONG_NAME}};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        notes.library = NULL;
-        reads(text(files[i][0]), 3, 1);
-        ck_assert_str_eq(notes.library, files[i][1]);
-    }
-    notes.library = NULL;
-    reads(text("mtllib " A_FACE), 3, 1);
-    ck_assert_ptr_null(notes.library);
-}
-END_TEST
-
 /* Line ends are LF, CR LF, or CR alone, as on the first Macintosh. */
 START_TEST(lines_may_end_in_any_way)
 {
@@ -398,42 +303,6 @@ START_TEST(lines_may_end_in_any_way)
     }
     ck_assert_str_eq(notes.library, "a b");
     refused("v 0 0 0\r\nv 1 0 0\rv 0 1 0\rf 1 2 4\r", "line 4: corner 4");
-}
-END_TEST
-
-START_TEST(free_form_objects_are_left_out)
-{
-    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\ncstype bspline\ndeg 3\ncurv 0 1 1 2 \\\n 3 1\nparm u 0 0 1 1\nend\n"
-               "bmat u 1 2\nstep 1 1\nf 1 2 3\ncurv2 1 2\nsurf 0 1 0 1 1 2 3\ntrim 0 1 1\nhole 0 1 1\nscrv 0 1 1\n"
-               "sp 1\ncon 1 0 1 1 2 0 1 1\nend\n"),
-          3, 1);
-    ck_assert_uint_eq(notes.free_forms_dropped, 3);
-}
-END_TEST
-
-#define PLY_ROOF(n0, n1, n2, n3)                                                                                       \
-    "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"                  \
-    "property float nx\nproperty float ny\nproperty float nz\nelement face 2\n"                                        \
-    "property list uchar int vertex_index\nend_header\n0 0 0 " n0 "\n1 0 0 " n1 "\n0 1 0 " n2 "\n0 0 1 " n3            \
-    "\n9 9 9 0 0 0\n3 0 1 2\n3 0 2 3\n"
-
-/* The normals of both faces are those of z and of x. */
-START_TEST(missing_normals_are_those_of_the_faces)
-{
-    static const float half = 0.70710678f;
-    reads(text(PLY_ROOF("0 0 0", "0 3 0", "0 4 0", "0 0 0")), 5, 2);
-    const float want[] = {half, 0, half, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1};
-    for (int i = 0; i < 15; i++)
-        ck_assert_float_eq_tol(hatch_mesh_find(&mesh, "NORMAL", 3)[i], want[i], 1e-6f);
-    ck_assert_uint_eq(notes.normals_replaced, 2); /* no face uses the last vertex */
-    reads(text(PLY_ROOF("0 0 0", "0 0 0", "0 0 0", "0 0 0")), 5, 2);
-    ck_assert_ptr_null(hatch_mesh_find(&mesh, "NORMAL", 3));
-    ck_assert_uint_eq(notes.normals_replaced, 2);
-    /* Corners without a normal are vertices of their own. */
-    reads(text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 2 0\nvn 0 0 0\nf 1 2//1 3//1\nf 1//1 3//1 4//2\n"), 5, 2);
-    const float obj[] = {0, 0, 1, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0};
-    ck_assert_mem_eq(hatch_mesh_find(&mesh, "NORMAL", 3), obj, sizeof obj);
-    ck_assert_uint_eq(notes.normals_replaced, 4);
 }
 END_TEST
 
@@ -493,16 +362,6 @@ START_TEST(a_large_convex_polygon_is_triangulated)
 }
 END_TEST
 
-static enum hatch_status read_one(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
-                                  struct hatch_err *error)
-{
-    struct hatch_mesh_notes noted = {0};
-    struct hatch_bytes file = *(const struct hatch_bytes *)context;
-    const char *name = file.data[0] == 's' ? "x.stl" : NULL;
-    return hatch_mesh_read((struct hatch_mesh_file){file, hatch_mesh_format_of(file, name)}, kept, temporary, &mesh,
-                           origin, &noted, error);
-}
-
 START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_bytes files[] = {
@@ -510,11 +369,10 @@ START_TEST(every_failed_allocation_is_a_limit)
         text(ascii_obj),
         text(ascii_off),
         binary_stl("s"),
-        text(PLY_ROOF("0 0 0", "0 1 0", "0 1 0", "0 1 0")),
         text("mtllib x\nv 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n"),
         text("solid\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nendsolid\n")};
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        hatch_test_fail_alloc(read_one, &files[i], &mesh, sizeof mesh);
+        hatch_test_fail_alloc(read_mesh_file, &files[i], &mesh, sizeof mesh);
 }
 END_TEST
 
@@ -561,12 +419,7 @@ static Suite *suite(void)
     tcase_add_test(tests, ply_elements_may_be_empty_and_have_long_names);
     tcase_add_test(tests, faces_of_less_than_three_corners_are_dropped);
     tcase_add_test(tests, files_of_other_programs_are_read);
-    tcase_add_test(tests, v_of_texture_coordinates_points_downwards);
-    tcase_add_test(tests, obj_index_triples_become_vertices);
-    tcase_add_test(tests, the_first_material_library_is_named);
     tcase_add_test(tests, lines_may_end_in_any_way);
-    tcase_add_test(tests, free_form_objects_are_left_out);
-    tcase_add_test(tests, missing_normals_are_those_of_the_faces);
     tcase_add_test(tests, triangles_cover_their_polygon);
     tcase_add_test(tests, a_large_convex_polygon_is_triangulated);
     tcase_add_test(tests, a_mesh_far_from_the_origin_keeps_its_shape);
