@@ -8,7 +8,7 @@
 #define HATCH_CORNER_PARTS 3
 #define HATCH_CORNER_ABSENT UINT32_MAX
 
-/* What a face says of a corner: indices of values, or values; HATCH_CORNER_ABSENT where it says nothing. */
+/* A corner as a face gives it: indices of values, or values; HATCH_CORNER_ABSENT where there is none. */
 struct hatch_corner {
     uint32_t part[HATCH_CORNER_PARTS];
 };

@@ -24,9 +24,10 @@ struct hatch_mesh_file {
  *   name  may be NULL */
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name);
 
-/* Reads a mesh: POSITION, and NORMAL and TEXCOORD_0 where an OBJ or PLY has them, at vertices or at corners of faces,
- * at which vertices are then split. v is flipped, since it points upwards in these formats, but downwards in glTF.
- * Normals that only some vertices lack become those of faces; texture coordinates that some lack are left out.
+/* Reads a mesh: POSITION, and NORMAL, TEXCOORD_0 and COLOR_0 where an OBJ, PLY or OFF has them, at vertices or at
+ * corners of faces, at which vertices are then split. v is flipped, since it points upwards in these formats, but
+ * downwards in glTF. Normals that only some vertices lack become those of faces; texture coordinates that some lack are
+ * left out. Colours are decoded from sRGB; vertices without one are white, where others have some.
  *   file    its format is not HATCH_MESH_GLTF
  *   origin  out: subtracted from all positions before they become floats. On each axis it is the centre of the mesh if
  *           this is so far from 0 that floats are coarse for the mesh's size, else 0. NULL: nothing is subtracted

@@ -15,6 +15,7 @@ struct obj {
     struct hatch_mesh_text text;
     const double *origin;
     struct hatch_buffer values[KINDS]; /* 3, 2 and 3 floats per value */
+    struct hatch_buffer colors;        /* 4 floats for each position; empty before the first colour */
     bool positions_only;               /* faces have position indices only */
     struct hatch_corners corners;      /* empty if positions_only */
     struct hatch_buffer points, used;  /* of the face being read: indices of its positions; indices of its vertices */
@@ -51,6 +52,27 @@ static enum hatch_status read_value(struct obj *o, int kind, struct hatch_err *e
             HATCH_TRY(hatch_mesh_text_float(&o->text, names[kind], &value[k], err));
     }
     return hatch_buffer_add(&o->values[kind], value, widths[kind] * sizeof *value, err);
+}
+
+/* Adds colours that the file does not give, so that there are as many as count. */
+static enum hatch_status pad_colors(struct obj *o, uint32_t count, struct hatch_err *err)
+{
+    static const float missing[4] = {NAN, NAN, NAN, NAN};
+    while (o->colors.size < count * sizeof missing)
+        HATCH_TRY(hatch_buffer_add(&o->colors, missing, sizeof missing, err));
+    return HATCH_OK;
+}
+
+/* Reads a vertex: its position and, after it, its colour, which many programs add. */
+static enum hatch_status read_vertex(struct obj *o, struct hatch_err *err)
+{
+    float color[4];
+    HATCH_TRY(read_value(o, V, err));
+    if (hatch_mesh_text_floats(&o->text, 3, color) < 3)
+        return HATCH_OK;
+    color[3] = 1;
+    HATCH_TRY(pad_colors(o, value_count(o, V) - 1, err));
+    return hatch_buffer_add(&o->colors, color, sizeof color, err);
 }
 
 /* Reads a corner: "7", "7/1", "7//3" or "7/1/3". Negative indices count back from the last value read. */
@@ -154,7 +176,7 @@ static enum hatch_status read_line(struct obj *o, struct hatch_err *err)
     if (word.length == 0)
         return HATCH_OK;
     if (hatch_text_is(word, "v"))
-        return read_value(o, V, err);
+        return read_vertex(o, err);
     if (hatch_text_is(word, "vt"))
         return read_value(o, VT, err);
     if (hatch_text_is(word, "vn"))
@@ -179,12 +201,18 @@ static enum hatch_status gather(const struct obj *o, int kind, float missing, co
 static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct hatch_mesh *mesh,
                                 struct hatch_mesh_notes *notes, struct hatch_err *err)
 {
-    struct hatch_vertices vertices = {value_count(o, V), values(o, V), NULL, NULL};
+    struct hatch_vertices vertices = {value_count(o, V), values(o, V), NULL, NULL, NULL};
+    if (o->colors.size > 0) {
+        HATCH_TRY(pad_colors(o, vertices.count, err));
+        vertices.colors = (const float *)(const void *)o->colors.data;
+    }
     if (!o->positions_only) {
         vertices.count = o->corners.count;
         HATCH_TRY(hatch_corners_count_unused(&o->corners, value_count(o, V), &notes->unreferenced_dropped, err));
         HATCH_TRY(gather(o, V, 0, &vertices.positions, err));
         HATCH_TRY(gather(o, VN, 0, &vertices.normals, err));
+        if (vertices.colors)
+            HATCH_TRY(hatch_corners_gather(&o->corners, V, vertices.colors, 4, 0, &vertices.colors, err));
         HATCH_TRY(gather(o, VT, NAN, &vertices.texcoords, err));
     }
     return hatch_faces_finish(&o->faces, &vertices, arena, mesh, notes, err);
@@ -200,7 +228,7 @@ enum hatch_status hatch_obj_read(struct hatch_bytes file, const double origin[3]
     o.positions_only = !has_slashes(o.text);
     for (int kind = 0; kind < KINDS; kind++)
         o.values[kind].arena = scratch;
-    o.points.arena = o.used.arena = scratch;
+    o.colors.arena = o.points.arena = o.used.arena = scratch;
     o.faces = hatch_faces_in(scratch);
     do
         HATCH_TRY(read_line(&o, err));

@@ -1,5 +1,6 @@
 /* Reads OFF (Geomview's object file format) in its text form, with optional texture coordinates (ST), colours (C) and
- * normals (N). They are skipped, as is the rest of any line after a position or a face's corners. */
+ * normals (N) of the vertices. The rest of a line after these, or after a face's corners, is skipped. */
+#include <math.h>
 #include <string.h>
 
 #include "io/mesh/polygon.h"
@@ -17,15 +18,25 @@ size_t hatch_off_keyword(const char *at, size_t size)
     return size - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
 }
 
+struct off {
+    struct hatch_mesh_text text;
+    const double *origin;
+    float *positions, *normals, *texcoords, *colors; /* as in struct hatch_vertices, except for the range of colours */
+    bool has_normals, has_texcoords, has_colors;     /* by the keyword */
+};
+
 /* Reads the keyword. In some files the counts follow it without a space ("OFF490 518 0"). */
-static enum hatch_status read_header(struct hatch_mesh_text *text, struct hatch_err *err)
+static enum hatch_status read_header(struct off *o, struct hatch_err *err)
 {
-    struct hatch_text word = hatch_mesh_text_any_word(text);
+    struct hatch_text word = hatch_mesh_text_any_word(&o->text);
     size_t length = hatch_off_keyword(word.at, word.length);
     if (!length)
-        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", text->line, hatch_mesh_text_shown(word),
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %.*s, want OFF", o->text.line, hatch_mesh_text_shown(word),
                           word.at);
-    text->at = word.at + length;
+    o->has_texcoords = memchr(word.at, 'S', length) != NULL;
+    o->has_colors = memchr(word.at, 'C', length) != NULL;
+    o->has_normals = memchr(word.at, 'N', length) != NULL;
+    o->text.at = word.at + length;
     return HATCH_OK;
 }
 
@@ -83,35 +94,85 @@ static enum hatch_status read_face(struct hatch_mesh_text *text, int64_t vertex_
     return HATCH_OK;
 }
 
+static enum hatch_status allocate(struct off *o, size_t vertices, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    HATCH_TRY(HATCH_ALLOC(scratch, &o->positions, vertices * 3, err));
+    if (o->has_normals)
+        HATCH_TRY(HATCH_ALLOC(scratch, &o->normals, vertices * 3, err));
+    if (o->has_texcoords)
+        HATCH_TRY(HATCH_ALLOC(scratch, &o->texcoords, vertices * 2, err));
+    if (o->has_colors)
+        HATCH_TRY(HATCH_ALLOC(scratch, &o->colors, vertices * 4, err));
+    return HATCH_OK;
+}
+
+/* Reads the values of a vertex that follow its position: three numbers of the normal, three or four of the colour, and
+ * two texture coordinates. Some may be missing. */
+static void read_values(struct off *o, size_t vertex)
+{
+    float numbers[9];
+    uint32_t first = 0, end = hatch_mesh_text_floats(&o->text, 9, numbers);
+    if (o->has_normals && end >= 3) {
+        memcpy(&o->normals[vertex * 3], numbers, 3 * sizeof *numbers);
+        first = 3;
+    }
+    if (o->has_texcoords) {
+        bool given = end >= first + 2;
+        end -= given ? 2 : 0;
+        for (size_t k = 0; k < 2; k++)
+            o->texcoords[vertex * 2 + k] = given ? numbers[end + k] : NAN;
+    }
+    for (uint32_t k = 0; o->has_colors && k < 4; k++)
+        o->colors[vertex * 4 + k] = end >= first + 3 && first + k < end ? numbers[first + k] : NAN;
+}
+
+/* Divides colours by 255 if any component is over 1: Geomview's are of 0 .. 1, but many programs write bytes. */
+static void scale_colors(float *colors, size_t vertices)
+{
+    bool bytes = false;
+    for (size_t i = 0; i < vertices * 4; i++)
+        bytes = bytes || colors[i] > 1;
+    for (size_t i = 0; bytes && i < vertices * 4; i++)
+        colors[i] /= 255;
+}
+
+static enum hatch_status read_vertices(struct off *o, int64_t count, struct hatch_err *err)
+{
+    for (int64_t v = 0; v < count; v++) {
+        if (!find_word(&o->text))
+            return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld vertices", (long long)v,
+                              (long long)count);
+        HATCH_TRY(hatch_mesh_text_position(&o->text, "vertex", o->origin, &o->positions[v * 3], err));
+        read_values(o, (size_t)v);
+        hatch_mesh_text_next_line(&o->text);
+    }
+    if (o->colors)
+        scale_colors(o->colors, (size_t)count);
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_off_read(struct hatch_bytes file, const double origin[3], struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                  struct hatch_err *err)
 {
-    struct hatch_mesh_text text = hatch_mesh_text_of(file);
-    text.comment = '#';
+    struct off o = {.text = hatch_mesh_text_of(file), .origin = origin};
+    o.text.comment = '#';
     int64_t counts[2];
-    HATCH_TRY(read_header(&text, err));
-    HATCH_TRY(read_counts(&text, counts, err));
-    float *positions;
-    HATCH_TRY(HATCH_ALLOC(scratch, &positions, (size_t)counts[0] * 3, err));
-    for (int64_t v = 0; v < counts[0]; v++) {
-        if (!find_word(&text))
-            return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld vertices", (long long)v,
-                              (long long)counts[0]);
-        HATCH_TRY(hatch_mesh_text_position(&text, "vertex", origin, &positions[v * 3], err));
-        hatch_mesh_text_next_line(&text);
-    }
+    HATCH_TRY(read_header(&o, err));
+    HATCH_TRY(read_counts(&o.text, counts, err));
+    HATCH_TRY(allocate(&o, (size_t)counts[0], scratch, err));
+    HATCH_TRY(read_vertices(&o, counts[0], err));
     struct hatch_faces faces = hatch_faces_in(scratch);
     struct hatch_buffer corners = {.arena = scratch};
     for (int64_t f = 0; f < counts[1]; f++) {
-        if (!find_word(&text))
+        if (!find_word(&o.text))
             return hatch_fail(err, HATCH_BAD_INPUT, "truncated after %lld of %lld faces", (long long)f,
                               (long long)counts[1]);
-        HATCH_TRY(read_face(&text, counts[0], &corners, err));
+        HATCH_TRY(read_face(&o.text, counts[0], &corners, err));
         const uint32_t *corner = (const uint32_t *)(const void *)corners.data;
-        HATCH_TRY(hatch_faces_add(&faces, positions, corner, corner, (uint32_t)(corners.size / sizeof *corner), err));
-        hatch_mesh_text_next_line(&text);
+        HATCH_TRY(hatch_faces_add(&faces, o.positions, corner, corner, (uint32_t)(corners.size / sizeof *corner), err));
+        hatch_mesh_text_next_line(&o.text);
     }
-    const struct hatch_vertices vertices = {.count = (uint32_t)counts[0], .positions = positions};
+    const struct hatch_vertices vertices = {(uint32_t)counts[0], o.positions, o.normals, o.texcoords, o.colors};
     return hatch_faces_finish(&faces, &vertices, arena, mesh, notes, err);
 }

@@ -25,8 +25,8 @@ struct ply {
     uint64_t item;                     /* index of the item in element, for messages */
     struct hatch_arena *scratch;
     uint32_t vertex_count;
-    float *positions, *normals, *texcoords; /* NULL if the file has none */
-    bool splits;                            /* faces have texture coordinates */
+    float *positions, *normals, *texcoords, *colors; /* NULL if the file has none */
+    bool splits;                                     /* faces have texture coordinates */
     struct hatch_corners corners; /* if it splits: parts are the vertex of the file, and the bits of u and v */
     /* Of the face being read: its vertices in the file and in the mesh, and u and v of each corner. */
     struct hatch_buffer points, used, uv;
@@ -170,6 +170,23 @@ static enum hatch_status allocate_vertices(struct ply *p, struct hatch_err *err)
     if (has[PLY_U] && has[PLY_V]) {
         HATCH_TRY(HATCH_ALLOC(p->scratch, &p->texcoords, (size_t)p->vertex_count * 2, err));
     }
+    if (has[PLY_RED] && has[PLY_GREEN] && has[PLY_BLUE]) {
+        HATCH_TRY(HATCH_ALLOC(p->scratch, &p->colors, (size_t)p->vertex_count * 4, err));
+        for (size_t v = 0; v < p->vertex_count && !has[PLY_ALPHA]; v++)
+            p->colors[v * 4 + 3] = 1;
+    }
+    return HATCH_OK;
+}
+
+/* Reads a component of a vertex's colour; integers count up to the largest of their type. */
+static enum hatch_status read_color(struct ply *p, const struct ply_property *property, struct hatch_err *err)
+{
+    static const float most[] = {1, INT8_MAX, UINT8_MAX, INT16_MAX, UINT16_MAX, (float)INT32_MAX, (float)UINT32_MAX,
+                                 1, 1};
+    float number = 0;
+    HATCH_TRY(read_float(p, property->type, &number, err));
+    if (p->colors)
+        p->colors[p->item * 4 + (uint64_t)(property->use - PLY_RED)] = number / most[property->type];
     return HATCH_OK;
 }
 
@@ -182,6 +199,10 @@ static enum hatch_status read_vertices(struct ply *p, struct hatch_err *err)
             double number;
             if (property->use == PLY_SKIP) {
                 HATCH_TRY(skip_property(p, property, err));
+                continue;
+            }
+            if (property->use >= PLY_RED) {
+                HATCH_TRY(read_color(p, property, err));
                 continue;
             }
             HATCH_TRY(read_number(p, property->type, &number, err));
@@ -347,6 +368,8 @@ static enum hatch_status split(struct ply *p, struct hatch_vertices *vertices, u
     HATCH_TRY(hatch_corners_gather(&p->corners, 0, p->positions, 3, 0, &vertices->positions, err));
     if (p->normals)
         HATCH_TRY(hatch_corners_gather(&p->corners, 0, p->normals, 3, 0, &vertices->normals, err));
+    if (p->colors)
+        HATCH_TRY(hatch_corners_gather(&p->corners, 0, p->colors, 4, 0, &vertices->colors, err));
     HATCH_TRY(HATCH_ALLOC(p->scratch, &uv, 2 * (size_t)p->corners.count, err));
     for (uint32_t v = 0; v < p->corners.count; v++) /* the bits of HATCH_CORNER_ABSENT are a NAN */
         memcpy(&uv[2 * (size_t)v], &hatch_corners_list(&p->corners)[v].part[1], 2 * sizeof *uv);
@@ -372,7 +395,7 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     p->reader.at = (size_t)(p->text.at - (const char *)file.data);
     p->splits = has_uv_at_corners(&p->header);
     HATCH_TRY(read_body(p, err));
-    struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords};
+    struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords, p->colors};
     if (p->splits && p->corners.count > 0)
         HATCH_TRY(split(p, &vertices, &notes->unreferenced_dropped, err));
     return hatch_faces_finish(&p->faces, &vertices, arena, mesh, notes, err);

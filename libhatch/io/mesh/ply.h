@@ -20,6 +20,10 @@ enum ply_use {
     PLY_NZ,
     PLY_U,
     PLY_V,
+    PLY_RED,
+    PLY_GREEN,
+    PLY_BLUE,
+    PLY_ALPHA,
     PLY_INDICES,
     PLY_TEXCOORDS,
     PLY_USES

@@ -24,10 +24,25 @@ static enum ply_use use_of(enum ply_kind kind, bool list, struct hatch_text word
     static const struct {
         const char *name;
         enum ply_use use;
-    } names[] = {
-        {"x", PLY_X}, {"y", PLY_Y}, {"z", PLY_Z}, {"nx", PLY_NX}, {"ny", PLY_NY},       {"nz", PLY_NZ},
-        {"u", PLY_U}, {"v", PLY_V}, {"s", PLY_U}, {"t", PLY_V},   {"texture_u", PLY_U}, {"texture_v", PLY_V},
-    };
+    } names[] = {{"x", PLY_X},
+                 {"y", PLY_Y},
+                 {"z", PLY_Z},
+                 {"nx", PLY_NX},
+                 {"ny", PLY_NY},
+                 {"nz", PLY_NZ},
+                 {"u", PLY_U},
+                 {"v", PLY_V},
+                 {"s", PLY_U},
+                 {"t", PLY_V},
+                 {"texture_u", PLY_U},
+                 {"texture_v", PLY_V},
+                 {"red", PLY_RED},
+                 {"green", PLY_GREEN},
+                 {"blue", PLY_BLUE},
+                 {"alpha", PLY_ALPHA},
+                 {"diffuse_red", PLY_RED},
+                 {"diffuse_green", PLY_GREEN},
+                 {"diffuse_blue", PLY_BLUE}};
     if (kind == PLY_FACE && list && hatch_text_is(word, "texcoord"))
         return PLY_TEXCOORDS;
     if ((kind == PLY_FACE || kind == PLY_STRIPS) && list)

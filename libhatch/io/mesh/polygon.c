@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "image/image.h"
 #include "math/vector.h"
 
 /* Limit of the steps of ear clipping per file, which take some seconds. */
@@ -265,6 +266,18 @@ static enum hatch_status add_texcoords(const struct hatch_vertices *vertices, st
     return HATCH_OK;
 }
 
+static enum hatch_status add_colors(const struct hatch_vertices *vertices, struct hatch_arena *arena,
+                                    struct hatch_mesh *mesh, struct hatch_err *err)
+{
+    float *data;
+    HATCH_TRY(hatch_mesh_add(arena, mesh, "COLOR_0", 4, &data, err));
+    for (size_t i = 0; i < 4 * (size_t)vertices->count; i++) {
+        float value = isnan(vertices->colors[i]) ? 1 : fminf(fmaxf(vertices->colors[i], 0), 1);
+        data[i] = i % 4 == 3 ? value : hatch_srgb_to_linear(value);
+    }
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const struct hatch_vertices *vertices,
                                      struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                      struct hatch_err *err)
@@ -281,6 +294,8 @@ enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const stru
         HATCH_TRY(add_normals(vertices, arena, faces->scratch, &made, notes, err));
     if (vertices->texcoords)
         HATCH_TRY(add_texcoords(vertices, arena, &made, notes, err));
+    if (vertices->colors)
+        HATCH_TRY(add_colors(vertices, arena, &made, err));
     *mesh = made;
     return HATCH_OK;
 }

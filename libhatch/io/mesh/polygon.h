@@ -31,11 +31,12 @@ struct hatch_vertices {
     const float *positions; /* 3 each */
     const float *normals;   /* 3 each, of any length; 0 0 0 where the file gives none. NULL: none anywhere */
     const float *texcoords; /* 2 each, v upwards; NAN where the file gives none. NULL: none anywhere */
+    const float *colors;    /* 4 each, sRGB and alpha, of 0 .. 1; NAN where the file gives none. NULL: none anywhere */
 };
 
 /* Makes the mesh of faces and vertices, and adds to the counts in notes; dropped polygons count as degenerate. NORMAL
  * has unit vectors; missing ones become those of faces, if there are others. TEXCOORD_0 is left out if some are
- * missing. HATCH_BAD_INPUT without faces. */
+ * missing. COLOR_0 is linear, and white where it is missing. HATCH_BAD_INPUT without faces. */
 enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const struct hatch_vertices *vertices,
                                      struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                      struct hatch_err *err) HATCH_MUST_USE;

@@ -155,6 +155,15 @@ enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char
     return HATCH_OK;
 }
 
+uint32_t hatch_mesh_text_floats(struct hatch_mesh_text *text, uint32_t most, float *numbers)
+{
+    uint32_t count = 0;
+    double value;
+    while (count < most && hatch_text_decimal(hatch_mesh_text_word(text), &value) && isfinite((float)value))
+        numbers[count++] = (float)value;
+    return count;
+}
+
 enum hatch_status hatch_mesh_text_position(struct hatch_mesh_text *text, const char *what, const double origin[3],
                                            float position[3], struct hatch_err *err)
 {

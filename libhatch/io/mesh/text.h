@@ -43,6 +43,9 @@ bool hatch_mesh_text_integer(struct hatch_text word, int64_t *number);
 enum hatch_status hatch_mesh_text_float(struct hatch_mesh_text *text, const char *what, float *number,
                                         struct hatch_err *err) HATCH_MUST_USE;
 
+/* Reads up to `most` finite numbers, until the line's end or another word; returns how many. */
+uint32_t hatch_mesh_text_floats(struct hatch_mesh_text *text, uint32_t most, float *numbers);
+
 /* Reads the next three words of the line as a position.
  *   origin  subtracted in double precision
  * HATCH_BAD_INPUT with the line. */
