@@ -68,7 +68,7 @@ struct hatch_mesh_notes {
     uint32_t meshes_undrawn;     /* meshes that no node of the scene draws */
     uint32_t levels_dropped;     /* nodes whose levels of detail (MSFT_lod) are not read: only the finest is */
     uint32_t scenes_dropped;     /* scenes beside the default one */
-    uint32_t images_dropped;     /* images that are neither PNG nor JPEG nor WebP, or missing, and not among images_missing */
+    uint32_t images_dropped;     /* images of other kinds than PNG, JPEG and WebP, or missing; not images_missing */
     uint32_t attributes_rounded; /* vertex attributes with integers over 2^24, for which floats are too short */
     uint32_t extensions_dropped; /* extensions that are neither read nor kept */
     char extension_dropped[192]; /* names of the first of them, with commas */

@@ -11,7 +11,6 @@ static struct hatch_scene full, back;
 
 static const uint8_t png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 1, 2, 3};
 static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 4};
-static const uint8_t webp[] = {'R', 'I', 'F', 'F', 4, 0, 0, 0, 'W', 'E', 'B', 'P', 'V'};
 static const uint8_t gif[] = {'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0};
 
 static struct hatch_scene_mesh scene_meshes[5];
@@ -442,20 +441,6 @@ START_TEST(meshes_without_faces_are_left_out)
 }
 END_TEST
 
-START_TEST(webp_needs_an_extension)
-{
-    ck_assert(!contains(write_and_read(&full), "EXT_texture_webp"));
-    textures[1] = (struct hatch_texture){.data = webp, .size = sizeof webp};
-    materials[1].base.texture = 1;
-    struct hatch_buffer file = write_and_read(&full);
-    ck_assert_mem_eq(back.textures[back.materials[1].base.texture].data, webp, sizeof webp);
-    ck_assert(contains(file, "\"mimeType\":\"image/webp\"") && contains(file, "\"mimeType\":\"image/png\""));
-    ck_assert(contains(file, "\"extensions\":{\"EXT_texture_webp\":{\"source\":1}}"));
-    ck_assert(contains(file, "\"extensionsUsed\":[\"KHR_texture_transform\",\"EXT_texture_webp\","));
-    ck_assert(contains(file, "\"extensionsRequired\":[\"EXT_texture_webp\"]"));
-}
-END_TEST
-
 /* The size is checked before the mesh's data, which do not exist, are read. */
 START_TEST(over_four_gigabytes_are_refused)
 {
@@ -502,7 +487,6 @@ static Suite *suite(void)
     tcase_add_test(tests, surplus_attributes_are_counted);
     tcase_add_test(tests, bounds_are_exact);
     tcase_add_test(tests, unsupported_images_and_empty_skins_are_left_out);
-    tcase_add_test(tests, webp_needs_an_extension);
     tcase_add_test(tests, an_empty_scene_is_written);
     tcase_add_test(tests, meshes_without_faces_are_left_out);
     tcase_add_test(tests, over_four_gigabytes_are_refused);

@@ -239,6 +239,31 @@ START_TEST(samplers_and_textures_are_kept)
 }
 END_TEST
 
+/* RIFF, four bytes of size, WEBPV */
+START_TEST(webp_needs_an_extension)
+{
+    static const char json[] =
+        HEAD ",\"extensionsUsed\":[\"EXT_texture_webp\"],"
+             "\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgoBAgM=\"},"
+             "{\"uri\":\"data:image/webp;base64,UklGRgQAAABXRUJQVg==\"}],"
+             "\"textures\":[{\"source\":0},{\"extensions\":{\"EXT_texture_webp\":{\"source\":1}}}],"
+             "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}},"
+             "{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]}";
+    static const char *const texts[] = {
+        "\"textures\":[{\"sampler\":0,\"source\":0},{\"sampler\":1,\"extensions\":{\"EXT_texture_webp\":{\"source\":1}}"
+        "}]",
+        "\"mimeType\":\"image/png\"",
+        "\"mimeType\":\"image/webp\"",
+        "\"extensionsUsed\":[\"EXT_texture_webp\"]",
+        "\"extensionsRequired\":[\"EXT_texture_webp\"]",
+        NULL,
+    };
+    copies(json, texts);
+    ck_assert_uint_eq(scene.textures[1].size, 13);
+    ck_assert_mem_eq(scene.textures[1].data + 8, "WEBPV", 5);
+}
+END_TEST
+
 /* What hatching does not draw. Texture 1 has another image, texture 2 one that is missing; their transforms and sets of
  * texture coordinates stay. */
 START_TEST(members_of_materials_are_kept)
@@ -292,6 +317,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_glb_may_lack_a_binary_chunk);
     tcase_add_test(tests, names_and_extras_are_kept);
     tcase_add_test(tests, samplers_and_textures_are_kept);
+    tcase_add_test(tests, webp_needs_an_extension);
     tcase_add_test(tests, members_of_materials_are_kept);
     suite_add_tcase(suite, tests);
     return suite;

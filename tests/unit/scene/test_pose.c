@@ -107,7 +107,7 @@ END_TEST
 static struct hatch_mesh wide;
 static float turns[3] = {0, 0.5f, 1}, places[9] = {0, 0, 0, 10, 0, 0, 0, 0, 0};
 static struct hatch_animation_channel moving = {0, HATCH_PATH_TRANSLATION, HATCH_LINEAR, 3, turns, places, 0};
-static struct hatch_animation swing = {1, &moving, 1};
+static struct hatch_animation swing = {.channel_count = 1, .channels = &moving, .duration_s = 1};
 
 static void begin_film(void)
 {
