@@ -109,6 +109,13 @@ static bool in_range(const struct cmd_option *option, double value)
     return value >= option->minimum && value <= option->maximum && whole;
 }
 
+/* Doubles do not hold all whole numbers over 2^53: one more may be rounded to a limit. */
+static bool whole_in_range(const struct cmd_option *option, int64_t value)
+{
+    bool limited = option->maximum < 0x1p63;
+    return in_range(option, (double)value) && (!limited || value <= (int64_t)option->maximum);
+}
+
 static bool parse_size(const char *text, int64_t *value)
 {
     size_t length = strlen(text);
@@ -164,7 +171,7 @@ void cmd_set_option(const struct cmd_option *option, const char *text)
         *(bool *)option->value = true;
         break;
     case CMD_INT:
-        if (!parse_whole(text, strlen(text), &whole) || !in_range(option, (double)whole))
+        if (!parse_whole(text, strlen(text), &whole) || !whole_in_range(option, whole))
             refuse_range(option, text);
         *(int64_t *)option->value = whole;
         break;
@@ -174,7 +181,7 @@ void cmd_set_option(const struct cmd_option *option, const char *text)
         *(double *)option->value = real;
         break;
     case CMD_SIZE:
-        if (!parse_size(text, &whole) || !in_range(option, (double)whole))
+        if (!parse_size(text, &whole) || !whole_in_range(option, whole))
             refuse_range(option, text);
         *(uint64_t *)option->value = (uint64_t)whole;
         break;

@@ -184,6 +184,7 @@ static char *const wrong[] = {
     "-s-1",
     "--max-memory=1",
     "--seed=1.0",
+    "--seed=9007199254740993", /* 2^53 + 1, which as a double is 2^53 */
 };
 
 START_TEST(wrong_values_exit_2)
