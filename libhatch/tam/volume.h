@@ -82,12 +82,15 @@ enum hatch_status hatch_volume_from_texels(const struct hatch_texels *texels, co
  *   tone       0 paper .. 1 ink
  *   lod        level of detail: 0 is the finest level, fractions lie between levels
  *   corrected  false: tones before the first and after the last slice are clamped to those slices. true: the
- *              border correction of the paper, which blends to paper from the first slice to tone 0 and, if darkest
- *              is 1, to ink from the last slice to tone 1
+ *              border correction of the paper, which goes on from the first slice to paper at tone 0, and from the last
+ *              one to the map's darkest tone, if that slice is lighter
  *   value      out: texels.channels numbers, 0 .. 1
  *
- * In a shader, for a whole volume, with CLAMP_TO_EDGE in r and h = 0.5 exp2(lod) / D (0.5 / D for an array):
- *     mix(1, mix(texture, 0, darkest < 1 ? 0 : max(0, t - 1 + h) / h), min(1, t / h)) */
+ * In a shader, for a whole volume, with CLAMP_TO_EDGE in r, light = 1 - min(t, darkest), and h and H half of the
+ * distance between slices of the two levels whose texels are blended, with the share s of H (both 0.5 / D for an
+ * array):
+ *     held(x) = mix(max(x, h), max(x, H), s)
+ *     (1 - (1 - texture) t / held(t)) light / held(light) */
 void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod, bool corrected,
                          float *value);
 

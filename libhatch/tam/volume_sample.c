@@ -1,3 +1,4 @@
+#include <math.h>
 #include <stdlib.h>
 
 #include "tam/taps.h"
@@ -43,28 +44,37 @@ static float sample_level(const struct hatch_texels *texels, uint32_t level, uin
     return sum / 255;
 }
 
+/* Returns how far a tone is from one end of the tones in what texture units return: outermost slices stand for all
+ * tones beyond them.
+ *   distance   of the tone from that end
+ *   outermost  of the outermost slices of two levels, which share blends */
+static float distance_held(float distance, const float outermost[2], float share)
+{
+    float finer = fmaxf(distance, outermost[0]), coarser = fmaxf(distance, outermost[1]);
+    return finer + share * (coarser - finer);
+}
+
 void hatch_volume_sample(const struct hatch_volume *volume, float u, float v, float tone, float lod, bool corrected,
                          float *value)
 {
     const struct hatch_texels *texels = &volume->texels;
-    float clamped = tone > 0 ? (tone < 1 ? tone : 1) : 0, share;
-    uint32_t level = hatch_tap_levels(lod, texels->level_count, &share), finest = texels->depth;
+    float clamped = tone > 0 ? (tone < 1 ? tone : 1) : 0, share, first[2], last[2];
+    uint32_t level = hatch_tap_levels(lod, texels->level_count, &share);
     for (uint32_t c = 0; c < texels->channels; c++)
         value[c] = 0;
-    for (uint32_t i = 0; i < (share > 0 ? 2u : 1u); i++) {
-        uint32_t at = level + i, depth = finest ? hatch_mip_size(finest, at) : texels->layers;
+    for (uint32_t i = 0; i < 2; i++) {
+        uint32_t at = level + (share > 0 ? i : 0);
+        uint32_t depth = texels->depth ? hatch_mip_size(texels->depth, at) : texels->layers;
         struct hatch_taps taps =
             hatch_taps_at(u, v, hatch_mip_size(texels->width, at), hatch_mip_size(texels->height, at));
-        for (uint32_t c = 0; c < texels->channels; c++)
+        for (uint32_t c = 0; (!i || share > 0) && c < texels->channels; c++)
             value[c] += (i ? share : 1 - share) * sample_level(texels, at, depth, &taps, clamped / volume->top, c);
+        first[i] = 0.5f * volume->top / (float)depth;
+        last[i] = 1 - volume->top + first[i];
     }
-    float half =
-        0.5f * volume->top / (float)(finest ? finest : texels->layers) * (finest ? exp2f((float)level + share) : 1);
-    half = half < 0.5f ? half : 0.5f;
+    float light = 1 - fminf(clamped, volume->darkest);
     for (uint32_t c = 0; corrected && c < texels->channels && c < 3; c++) {
-        if (clamped < half)
-            value[c] = 1 + (value[c] - 1) * (clamped / half);
-        if (clamped > 1 - half && volume->darkest >= 1 && volume->top >= 1)
-            value[c] *= (1 - clamped) / half;
+        value[c] = 1 + (value[c] - 1) * (clamped / distance_held(clamped, first, share));
+        value[c] *= light / distance_held(light, last, share);
     }
 }

@@ -136,7 +136,7 @@ void assets_free(struct assets *assets)
 
 void asset_tones_use(const struct asset_tones *tones, float anisotropy, uint32_t side, struct frame_block *block)
 {
-    frame_block_set_tones(block, tones->targets, tones->count, tones->reaches_ink);
+    frame_block_set_tones(block, tones->targets, tones->count, tones->darkest);
     gpu_texture_bind(UNIT_TONES, tones->texture, tones->sampler);
     if (anisotropy > 1) /* the driver chooses the level; a bias in the shader would slow down software renderers */
         glSamplerParameterf(tones->sampler, GL_TEXTURE_LOD_BIAS, (float)log2(side));

@@ -32,7 +32,7 @@ struct asset_tones {
     GLuint texture, sampler;
     bool layered;                       /* a 2D array texture; false: 3D, or 2D if exact */
     bool exact;                         /* exact runs or lists: integers, which samplers cannot filter */
-    bool reaches_ink;                   /* the darkest tone is 1, solid ink; not set for maps */
+    float darkest;                      /* of a volume: darkest tone of its slices; 0 for others */
     uint32_t count;                     /* number of columns or slices, at most HATCH_TAM_TONES_MAX */
     float targets[HATCH_TAM_TONES_MAX]; /* tone of each column, ascending; of a volume, the first is the number of its
                                            slices with those that were left out; 0 for threshold textures */

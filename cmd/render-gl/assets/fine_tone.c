@@ -73,8 +73,11 @@ static enum hatch_status upload_texels(const struct asset *asset, struct asset_t
     HATCH_TRY(check_texels(texels, err));
     tones->count = slices;
     tones->layered = !texels->depth;
-    if (asset->texture.holds == TONE_TEXTURE_VOLUME)
+    if (asset->texture.holds == TONE_TEXTURE_VOLUME) {
+        const struct asset_part part = asset_part(asset);
         tones->targets[0] = (float)slices / asset->texture.top;
+        tones->darkest = part.cut_tones ? part.last : asset->texture.darkest;
+    }
     tones->texture = gpu_texture_make(texels->depth ? GL_TEXTURE_3D : GL_TEXTURE_2D_ARRAY, (GLsizei)texels->level_count,
                                       format_of(texels), texels->width, texels->height, slices);
     if (texels->channels == 1)
@@ -89,7 +92,6 @@ static enum hatch_status upload(const struct asset *asset, uint32_t size_max_px,
 {
     (void)size_max_px;
     (void)scratch;
-    tones->reaches_ink = asset->texture.darkest >= 1 && !asset_part(asset).cut_tones;
     return asset->texture.holds == TONE_TEXTURE_RUNS ? upload_runs(asset, tones, err)
                                                      : upload_texels(asset, tones, err);
 }

@@ -24,10 +24,10 @@ void frame_block_set_curve(struct frame_block *block, const struct frame_curve *
     block->shade[3] = (float)curve->shininess;
 }
 
-void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, bool reaches_ink)
+void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, float darkest)
 {
     block->counts[1] = (int32_t)count;
-    block->counts[3] = reaches_ink;
+    block->shade[0] = darkest;
     for (uint32_t i = 0; i < count; i++) {
         float begin = i ? targets[i - 1] : 0.0f;
         block->targets[i / 4][i % 4] = targets[i];

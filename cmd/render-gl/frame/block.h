@@ -29,10 +29,10 @@ struct frame_block {
     float eye[4];             /* w = 1: position of the camera; w = 0 (orthographic): direction towards the camera */
     float paper[4], ink[4], light_ink[4];
     float curve[4];                         /* low, high, gamma; samples per pixel */
-    float shade[4];                         /* unused, ambient, specular, shininess */
+    float shade[4];                         /* darkest tone of a volume; ambient, specular, shininess */
     float viewport[4];                      /* half the tile's width and height, and its lower left corner, in pixels */
     float hatch[4];                         /* cosine and sine of the pattern's rotation, both divided by its scale */
-    int32_t counts[4];                      /* numbers of lights and of tones; enum frame_ink_mode; reaches_ink */
+    int32_t counts[4];                      /* numbers of lights and of tones; enum frame_ink_mode; unused */
     float ramp_low[2][4], ramp_scale[2][4]; /* for the first six tones: the preceding tone, 1 / difference from it */
     float targets[FRAME_TONES_MAX / 4][4];  /* tone of each column, ascending */
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
@@ -49,10 +49,10 @@ void frame_block_set_inks(struct frame_block *block, const struct frame_inks *in
 void frame_block_set_curve(struct frame_block *block, const struct frame_curve *curve);
 
 /* Sets the tones of the asset that strokes are read from.
- *   targets      tone of each column, ascending
- *   count        number of tones, at most FRAME_TONES_MAX; 0: none
- *   reaches_ink  the darkest tone of a volume is solid ink */
-void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, bool reaches_ink);
+ *   targets  tone of each column, ascending
+ *   count    number of tones, at most FRAME_TONES_MAX; 0: none
+ *   darkest  of a volume: darkest tone of its slices, 0 .. 1 */
+void frame_block_set_tones(struct frame_block *block, const float *targets, uint32_t count, float darkest);
 
 /* Sets the rotation and the scale of the strokes' pattern on surfaces.
  *   turn_rad  rotation, counter-clockwise as seen from outside

@@ -73,7 +73,7 @@ static enum hatch_status begin(struct technique_context *context, struct techniq
     if (instance->tones)
         asset_tones_use(instance->tones, frame->style.anisotropy, request->canvas->side, &frame->block);
     else
-        frame_block_set_tones(&frame->block, NULL, 0, false);
+        frame_block_set_tones(&frame->block, NULL, 0, 0);
     enum hatch_status status = frame_begin(frame, request, instance->places, err);
     frame->style.curve.high = high;
     return status;

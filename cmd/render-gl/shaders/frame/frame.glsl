@@ -11,10 +11,10 @@ layout(std140, binding = BLOCK_FRAME) uniform Frame {
     vec4 eye;   // w = 1: position of the camera; w = 0 (orthographic): direction towards the camera
     vec4 paper, ink, light_ink;
     vec4 curve; // least and greatest amount of ink; gamma; samples per pixel
-    vec4 shade; // unused; ambient light; strength and exponent of highlights
+    vec4 shade; // darkest tone of a volume; ambient light; strength and exponent of highlights
     vec4 viewport; // half the tile's width and height, and its lower left corner, in pixels
     vec4 hatch; // cosine and sine of the pattern's rotation, both divided by its scale
-    ivec4 counts; // number of lights, of columns; enum frame_ink_mode; 1: a volume's darkest tone is solid ink
+    ivec4 counts; // number of lights, of columns; enum frame_ink_mode; unused
     vec4 ramp_low[2], ramp_scale[2];
     vec4 targets[64];
     Light lights[64];

@@ -6,21 +6,32 @@
 in vec2 v_texcoord;
 out vec4 o_color;
 
+// Returns how far a tone is from one end of the tones in what the texture unit returns: the outermost slices stand for
+// all tones beyond them. outermost: their distances, of two levels; share: of the second one.
+float distance_held(float distance, vec2 outermost, float share)
+{
+    return mix(max(distance, outermost.x), max(distance, outermost.y), share);
+}
+
 // Returns the coverage at a tone. Texture filters do not interpolate in the half slice at either end of the range of
-// tones. There, coverage fades to paper, and at the dark end to solid ink if the volume reaches it. The slices of the
+// tones. There, coverage goes on to paper, and at the dark end to the darkest tone of the map. The slices of the
 // darkest tones may have been left out.
 vec3 coverage(float tone)
 {
-    float slices = float(counts.y), all = targets[0].x, half_slice = 0.5 / all;
+    float slices = float(counts.y), top = slices / targets[0].x, light = 1.0 - min(tone, shade.x), share = 0.0;
+    vec2 depths = vec2(slices);
 #ifdef LAYERED
-    float place = clamp(tone * all - 0.5, 0.0, slices - 1.0), below = floor(place);
+    float place = clamp(tone / top * slices - 0.5, 0.0, slices - 1.0), below = floor(place);
     vec3 texel = mix(read_columns(below).rgb, read_columns(min(below + 1.0, slices - 1.0)).rgb, place - below);
 #else
-    vec3 texel = read_columns(tone * all / slices).rgb;
-    half_slice = min(half_slice * exp2(max(column_level, 0.0)), 0.5);
+    vec3 texel = read_columns(tone / top).rgb;
+    float level = max(column_level, 0.0);
+    share = fract(level);
+    depths = max(floor(slices * exp2(-floor(level) - vec2(0.0, 1.0))), 1.0);
 #endif
-    texel = mix(vec3(1.0), texel, min(tone / half_slice, 1.0));
-    return 1.0 - texel * (counts.w > 0 ? min((1.0 - tone) / half_slice, 1.0) : 1.0);
+    vec2 half_slice = 0.5 * top / depths;
+    texel = 1.0 - (1.0 - texel) * (tone / distance_held(tone, half_slice, share));
+    return 1.0 - texel * (light / distance_held(light, 1.0 - top + half_slice, share));
 }
 
 void main()
