@@ -103,33 +103,58 @@ static void fill_slice(void *context, uint32_t number)
         }
 }
 
-/* Box-filters a level from the one before it: the mean of two texels along each axis longer than 1; the last of
- * an odd number of texels is left out. */
+/* The texels along an axis that a texel of the next level covers, and their parts of it. */
+struct cover {
+    uint32_t first, count, parts[3];
+};
+
+/* Returns those of texel `at`: two texels; of an odd number, three, the outer ones in part; or the only one. */
+static struct cover find_cover(uint32_t size, uint32_t at)
+{
+    uint32_t next = hatch_mip_size(size, 1);
+    if (size == 1)
+        return (struct cover){0, 1, {1}};
+    if (size % 2 == 0)
+        return (struct cover){2 * at, 2, {1, 1}};
+    return (struct cover){2 * at, 3, {next - at, next, at + 1}};
+}
+
+/* Returns the weighted mean of a channel over the texels that a texel of the next level covers.
+ *   from  sizes of the level in */
+static uint8_t filter_texel(const uint8_t *in, const uint32_t from[3], const struct cover cover[3], uint32_t channels,
+                            uint32_t channel)
+{
+    uint64_t sum = 0, weights = 0;
+    for (uint32_t k = 0; k < cover[2].count; k++)
+        for (uint32_t j = 0; j < cover[1].count; j++)
+            for (uint32_t i = 0; i < cover[0].count; i++) {
+                uint64_t weight = (uint64_t)cover[0].parts[i] * cover[1].parts[j] * cover[2].parts[k];
+                size_t row = (size_t)(cover[2].first + k) * from[1] + cover[1].first + j;
+                sum += weight * in[(row * from[0] + cover[0].first + i) * channels + channel];
+                weights += weight;
+            }
+    return (uint8_t)((sum + weights / 2) / weights);
+}
+
+/* Box-filters a level from the one before it. */
 static void filter_level(const struct hatch_texels *texels, uint32_t level)
 {
-    uint32_t from[3], to[3], reach[3], at[3], channels = texels->channels;
     const uint32_t sizes[3] = {texels->width, texels->height, texels->depth};
+    uint32_t from[3], to[3], at[3];
     for (int axis = 0; axis < 3; axis++) {
         from[axis] = hatch_mip_size(sizes[axis], level - 1);
         to[axis] = hatch_mip_size(sizes[axis], level);
-        reach[axis] = from[axis] > 1 ? 2 : 1;
     }
     const uint8_t *in = texels->texels[level - 1];
     uint8_t *out = texels->texels[level];
-    uint32_t cells = reach[0] * reach[1] * reach[2];
     for (at[2] = 0; at[2] < to[2]; at[2]++)
         for (at[1] = 0; at[1] < to[1]; at[1]++)
-            for (at[0] = 0; at[0] < to[0]; at[0]++)
-                for (uint32_t c = 0; c < channels; c++) {
-                    uint32_t sum = cells / 2;
-                    for (uint32_t i = 0; i < cells; i++) {
-                        size_t x = at[0] * reach[0] + i % reach[0];
-                        size_t y = at[1] * reach[1] + i / reach[0] % reach[1];
-                        size_t z = at[2] * reach[2] + i / (reach[0] * reach[1]);
-                        sum += in[((z * from[1] + y) * from[0] + x) * channels + c];
-                    }
-                    *out++ = (uint8_t)(sum / cells);
-                }
+            for (at[0] = 0; at[0] < to[0]; at[0]++) {
+                const struct cover cover[3] = {find_cover(from[0], at[0]), find_cover(from[1], at[1]),
+                                               find_cover(from[2], at[2])};
+                for (uint32_t c = 0; c < texels->channels; c++)
+                    *out++ = filter_texel(in, from, cover, texels->channels, c);
+            }
 }
 
 /* Fills the slices of the first `levels` levels from columns: these are all levels of an array, but only the drawn ones

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "fail_alloc.h"
 #include "tam/volume.h"
+#include "tam/whole.h"
 
 static struct hatch_volume volume;
 static struct hatch_volume_figures figures;
@@ -119,6 +120,24 @@ START_TEST(dark_tones_of_a_map_are_held_on_all_levels)
                               (double)darkest, (double)tone, 0.25 * lod, (double)value);
             }
     }
+}
+END_TEST
+
+/* A map without its darkest columns, as one made for needs: its volume has 50 slices, and ends at tone 50/64. */
+START_TEST(the_last_tone_of_a_part_of_a_map_is_held)
+{
+    struct hatch_tam tam = made_map(64, 240, 1, "Y", made_ramp);
+    hatch_tam_cut(&tam, 180, 0, 0.01);
+    make(&tam, 64, HATCH_VOLUME_3D, false);
+    ck_assert_float_eq(volume.darkest, 0.75f);
+    ck_assert_uint_eq(volume.texels.depth, 50);
+    for (int i = 0; i <= 75; i++)
+        for (int lod = 0; lod <= 24; lod++) {
+            float value, tone = (float)i / 100;
+            hatch_volume_sample(&volume, 0.3f, 0.4f, tone, 0.25f * (float)lod, true, &value);
+            ck_assert_msg(fabsf(value - (1 - tone)) <= 0.032f, "tone %g lod %g: %g", (double)tone, 0.25 * lod,
+                          (double)value);
+        }
 }
 END_TEST
 
@@ -322,6 +341,7 @@ static Suite *suite(void)
     tcase_add_test(tests, few_slices_have_their_tones_on_all_levels);
     tcase_add_loop_test(tests, a_ramp_is_reproduced_at_every_position_tone_and_level, 0, 2);
     tcase_add_loop_test(tests, dark_tones_of_a_map_are_held_on_all_levels, 0, 2);
+    tcase_add_test(tests, the_last_tone_of_a_part_of_a_map_is_held);
     tcase_add_test(tests, the_first_and_the_last_tone_are_corrected);
     tcase_add_test(tests, a_constant_map_is_constant);
     tcase_add_test(tests, a_stroke_is_sharp_at_its_edges_and_over_tone);
