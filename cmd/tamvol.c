@@ -75,8 +75,15 @@ static enum hatch_texels_code choose_blocks(const struct hatch_texels *texels)
     return texels->channels == 1 ? HATCH_TEXELS_BC4 : HATCH_TEXELS_BC1;
 }
 
-static void warn(const char *name, const struct hatch_tam *tam, const struct hatch_volume_figures *figures)
+static void warn(const char *name, const struct hatch_tam *tam, const struct hatch_volume *volume,
+                 const struct hatch_volume_figures *figures)
 {
+    uint32_t dense = hatch_volume_dense_levels(&volume->texels, volume->levels);
+    if (volume->texels.depth && dense < volume->levels)
+        cmd_warn(name,
+                 "strokes of %u of %u levels are grey, because these have fewer than %u slices: "
+                 "want --layout array, or more --tones",
+                 volume->levels - dense, volume->levels, HATCH_VOLUME_SLICES_FEW);
     if (figures->blended)
         cmd_warn(name,
                  "%u of %u slices are blends of two columns, because the nearest column is up to %.4f away in tone: "
@@ -165,6 +172,6 @@ int main(int argc, char **argv)
     cmd_note("%u slices in the drawn levels, at most %.4f from the tone of a column; %zu bytes", figures.slices,
              figures.distance, file.size);
     cmd_write(output, file.data, file.size);
-    warn(name, &tam, &figures);
+    warn(name, &tam, &volume, &figures);
     return cmd_end(&args, HATCH_OK);
 }

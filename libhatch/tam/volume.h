@@ -53,6 +53,7 @@ struct hatch_volume_figures {
 };
 
 #define HATCH_VOLUME_DISTANCE_MAX 0.25
+#define HATCH_VOLUME_SLICES_FEW 4u /* with fewer slices, hardly any stroke of a level has its full strength */
 
 /* Makes a volume. A slice is the nearest column if that lies within a quarter of the level's slice spacing (1 / D on
  * the finest level), else a blend of the two columns around it, or of paper and the first column. Slices darker than
@@ -64,6 +65,11 @@ struct hatch_volume_figures {
 enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct hatch_volume_options *options,
                                     struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_volume *volume,
                                     struct hatch_volume_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
+
+/* Returns how many of the drawn levels of a volume have HATCH_VOLUME_SLICES_FEW slices or more.
+ *   texels  of the volume
+ *   levels  number of drawn levels */
+uint32_t hatch_volume_dense_levels(const struct hatch_texels *texels, uint32_t levels);
 
 /* Key of the file, beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_VOLUME_KEY_DARKEST "hatch:darkest"

@@ -17,6 +17,11 @@ tamgen --size 64 --tones 3 --levels 2 --ids -o few.exr
 
 try tamvol map.exr -o volume.ktx2
 is "a volume has the size given in the paper" "$status $(shape volume.ktx2) $(wc -c <.err)" "0 9 256 256 64 0 9 0"
+try tamvol --tones 16 map.exr -o coarse.ktx2
+is "levels of few slices are warned of" "$status $(cat .err)" "0 tamvol: map.exr: warning: strokes of 1 of 4 levels are \
+grey, because these have fewer than 4 slices: want --layout array, or more --tones"
+try tamvol --tones 2 --layout array map.exr -o two.ktx2
+is "all slices of an array are on all levels" "$status $(wc -c <.err)" "0 0"
 try tamvol --tones 32 --layout array map.exr -o array.ktx2
 is "--layout array makes a texture array" "$status $(shape array.ktx2)" "0 9 256 256 0 32 9"
 try tamvol --compress map.exr -o packed.ktx2

@@ -71,6 +71,16 @@ START_TEST(tones_are_those_of_the_paper)
 }
 END_TEST
 
+START_TEST(levels_of_a_volume_are_dense_up_to_four_slices)
+{
+    const struct hatch_texels thick = {.depth = 31}, layered = {.layers = 4}, thin = {.layers = 3};
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 3), 3);
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 5), 3); /* 31, 15, 7 slices */
+    ck_assert_uint_eq(hatch_volume_dense_levels(&layered, 5), 5);
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thin, 5), 0);
+}
+END_TEST
+
 /* The only slice of a level has the tone in the middle. */
 START_TEST(few_slices_have_their_tones_on_all_levels)
 {
@@ -338,6 +348,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("volume");
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, tones_are_those_of_the_paper);
+    tcase_add_test(tests, levels_of_a_volume_are_dense_up_to_four_slices);
     tcase_add_test(tests, few_slices_have_their_tones_on_all_levels);
     tcase_add_loop_test(tests, a_ramp_is_reproduced_at_every_position_tone_and_level, 0, 2);
     tcase_add_loop_test(tests, dark_tones_of_a_map_are_held_on_all_levels, 0, 2);
