@@ -132,18 +132,22 @@ static void encode(struct cmd_args *args, const struct hatch_tam *tam, const str
     cmd_encode_texture(args, &texture, args->output, file);
 }
 
-/* Leaves out what views do not need: columns and levels of the map, slices, and of grey texels the bits that blocks do
- * not have. */
+/* Leaves out what views do not need: columns and levels of the map, slices, and of texels the bits that blocks do not
+ * have. An array is the layout of which this leaves most out: a volume has fewer slices on coarser levels, and needs as
+ * many there. */
 static void fit(struct cmd_args *args, struct hatch_tam *tam)
 {
     struct hatch_needs needs;
     cmd_read_needs(args, needs_path, &needs);
     cmd_cut_map(&needs, tam);
-    uint32_t slices = tones_given ? (uint32_t)tones : hatch_needs_slices(&needs, (uint32_t)tones);
+    if (!layout_given)
+        layout = HATCH_VOLUME_ARRAY;
+    uint32_t levels = layout == HATCH_VOLUME_ARRAY ? 1 : tam->levels;
+    uint32_t slices = tones_given ? (uint32_t)tones : hatch_needs_slices(&needs, levels, (uint32_t)tones);
     if (slices < tones)
         cmd_note("%u slices, not %d: strokes appear within %g tolerances", slices, (int)tones, HATCH_NEEDS_SLICE);
     tones = slices;
-    compress = compress || (!layout_given && !alpha && !tam->color && !cmd_is_exr_path(args->output));
+    compress = compress || (!layout_given && !alpha && !cmd_is_exr_path(args->output));
 }
 
 int main(int argc, char **argv)

@@ -166,9 +166,10 @@ uint32_t hatch_needs_tile(const struct hatch_needs *needs, uint32_t size_px, uin
     return size_px;
 }
 
-uint32_t hatch_needs_slices(const struct hatch_needs *needs, uint32_t slices)
+uint32_t hatch_needs_slices(const struct hatch_needs *needs, uint32_t levels, uint32_t slices)
 {
-    while (slices > 4 && HATCH_NEEDS_SLICE * needs->tolerance * slices >= 2)
+    const uint32_t halved = levels - 1;
+    while (slices >> halved > 4 && HATCH_NEEDS_SLICE * needs->tolerance * (slices >> halved) >= 2)
         slices /= 2;
     return slices;
 }

@@ -13,7 +13,7 @@ static void check(const struct hatch_needs *needs)
     if (!tones || columns < 1 || columns > 3 || size_px < 64 || size_px > 256 ||
         !(hatch_needs_strokes(needs, 1e30, &pen, 2) >= 0))
         abort();
-    uint32_t tile_px = hatch_needs_tile(needs, 256, 64), slices = hatch_needs_slices(needs, 64);
+    uint32_t tile_px = hatch_needs_tile(needs, 256, 64), slices = hatch_needs_slices(needs, 3, 64);
     uint32_t solid = hatch_needs_solid(needs, 64, 8);
     if (tile_px < 64 || tile_px > 256 || slices < 4 || slices > 64 || solid < 8 || solid > 64)
         abort();

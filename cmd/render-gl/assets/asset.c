@@ -9,6 +9,7 @@
 #include "render-gl/gpu/texture.h"
 #include "shared/map.h"
 #include "stroke/script.h"
+#include "tam/volume.h"
 
 /* Reads the list of a map's strokes. Without one, those that no texel names are not drawn. */
 static enum hatch_status read_strokes(struct asset *asset, struct hatch_arena *arena, struct hatch_err *err)
@@ -52,6 +53,18 @@ uint32_t asset_size_px(const struct asset *asset)
     return asset_is_map(asset) ? asset->map.size_px : asset->texture.size_px;
 }
 
+uint32_t asset_levels(const struct asset *asset)
+{
+    return asset_is_map(asset) ? asset->map.levels : asset->texture.levels;
+}
+
+uint32_t asset_dense_levels(const struct asset *asset)
+{
+    if (asset->texture.holds == TONE_TEXTURE_VOLUME && asset->texture.texels.depth)
+        return hatch_volume_dense_levels(&asset->texture.texels, asset->texture.levels);
+    return asset_levels(asset);
+}
+
 struct asset_part asset_part(const struct asset *asset)
 {
     const struct hatch_tam *map = &asset->map;
@@ -75,7 +88,7 @@ uint32_t asset_whole_levels(const struct asset *asset)
     uint32_t finer = 0, size_px = asset_size_px(asset);
     while (size_px && size_px << finer < asset_whole_size_px(asset))
         finer++;
-    return (asset_is_map(asset) ? asset->map.levels : asset->texture.levels) + finer;
+    return asset_levels(asset) + finer;
 }
 
 bool assets_have(const struct assets *assets, const struct asset_kind *kind)

@@ -76,6 +76,11 @@ bool asset_is_map(const struct asset *asset);
 float asset_darkest(const struct asset *asset);
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
 
+/* The number of levels that hold strokes, and of those that have enough slices of tone: all, but in 3D textures those
+ * of hatch_volume_dense_levels. 0: no asset. */
+uint32_t asset_levels(const struct asset *asset);
+uint32_t asset_dense_levels(const struct asset *asset);
+
 /* Returns how much of the whole map the asset holds, itself or the map that it was made from. */
 struct asset_part asset_part(const struct asset *asset);
 

@@ -255,6 +255,32 @@ tamgen -q --size 128 --tones 32 --needs turn.needs | tamvol -q -o cut.ktx2
 tamvol -v --needs turn.needs whole.exr -o fit.ktx2 2>said
 is "tamvol says that it makes fewer slices" "$(grep -c '32 slices, not 64' said)" 1
 tamvol -q whole.exr -o all.ktx2
+# shape FILE: prints VkFormat, depth and layers
+shape() {
+    for offset in 12 28 32; do
+        od -An -tu4 -j $offset -N 4 "$1"
+    done | tr -d ' ' | paste -sd' '
+}
+tamgen -q --size 128 --tones 16 --palette dusk -o colour.exr
+tamvol -q --needs turn.needs colour.exr -o colour.ktx2
+is "of a coloured map it makes BC1 blocks, too, in an array" "$(shape colour.ktx2 | sed 's/ [12][0-9]$/ N/')" "131 0 N"
+tamvol -q --alpha --needs turn.needs colour.exr -o alpha.ktx2
+is "with --alpha, an array of RGBA8" "$(shape alpha.ktx2 | sed 's/ [12][0-9]$/ N/')" "37 0 N"
+tamvol -q --layout volume --needs turn.needs colour.exr -o deep.ktx2
+is "a volume keeps slices for its coarser levels" "$(shape deep.ktx2 | awk '{print $1, ($2 > 32)}')" "23 1"
+
+# A plane of 40 pixels shows the level of 32 texels, on which a volume of 4 slices has 2: they are grey strokes.
+# shellcheck disable=SC2086
+render-gl -q plane.glb $front --size 40x40 --tone-range .5:.5 --needs -o far.needs
+for layout in array volume; do
+    tamvol -q --needs far.needs --layout $layout --tones 4 whole.exr -o four.ktx2
+    # shellcheck disable=SC2086
+    try render-gl -q plane.glb $front --size 40x40 --tone-range .5:.5 -t volume -T four.ktx2 -o x.png
+    echo "$status $(cat "$WORK/.err")"
+done >four
+is "all slices of an array are on all levels" "$(head -n 1 four)" "0 "
+is "levels of few slices are refused where a view shows them" "$(tail -n 1 four)" "3 render-gl: four.ktx2: 100 % of \
+this view shows levels with fewer than 4 slices of tone; want tamvol --layout array"
 tamthresh -q --exact --needs turn.needs whole.exr -o exact.ktx2
 tamthresh -q whole.exr -o bins.ktx2
 tamthresh -v --needs turn.needs whole.exr -o few.ktx2 2>said

@@ -284,12 +284,16 @@ END_TEST
 START_TEST(slices_and_texels_follow_tolerance_and_period)
 {
     struct hatch_needs needs = {.tolerance = 0.01, .solid_px = 64};
-    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 32); /* of 1/32, under .04 */
-    ck_assert_uint_eq(hatch_needs_slices(&needs, 16), 16);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 1, 64), 32); /* of 1/32, under .04 */
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 1, 16), 16);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 2, 256), 64); /* 32 on the coarser level */
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 4, 64), 64);
     needs.tolerance = 0.003;
-    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 64);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 1, 64), 64);
     needs.tolerance = 1;
-    ck_assert_uint_eq(hatch_needs_slices(&needs, 64), 4);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 1, 64), 4);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 4, 64), 32);
+    ck_assert_uint_eq(hatch_needs_slices(&needs, 8, 64), 64);
     ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 32); /* two pixels per texel */
     needs.solid_px = 65;
     ck_assert_uint_eq(hatch_needs_solid(&needs, 64, 8), 64);

@@ -12,6 +12,8 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
     struct hatch_arena *keep = &job->args.keep;
     struct hatch_err err;
     *measure = (struct needs_measure){.map_px = asset_size_px(&job->asset),
+                                      .levels = asset_levels(&job->asset),
+                                      .dense_levels = asset_dense_levels(&job->asset),
                                       .tolerance = tolerance,
                                       .unseen_tolerance = 1,
                                       .inks = options->inks.two ? 2 : 1,
@@ -60,7 +62,9 @@ static void count_pixel(const struct job *job, const uint32_t at[2], const float
     if (mesh->patches || !hatch_mesh_find(mesh->surface, "TEXCOORD_0", 2)) /* strokes as large as those of the map */
         octave = HATCH_NEEDS_OCTAVES - 1;
     measure->texels[(uint32_t)fmin(fmax(octave, 0), HATCH_NEEDS_OCTAVES - 1)]++;
-    measure->finer += measure->map_px > 0 && octave > log2(measure->map_px) + 0.5;
+    double level = measure->map_px > 0 ? log2(measure->map_px) - octave : 0;
+    measure->finer += level < -0.5;
+    measure->sparse += level > measure->dense_levels - 0.5 && level < measure->levels - 0.5;
 }
 
 /* Counts the pixels of a rectangle of the frame just drawn. Returns how many show the scene.
@@ -125,7 +129,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     struct technique_instance *instance = job_use(job, &needs_technique);
     struct hatch_err err;
     uint64_t drawn = 0;
-    measure->finer = measure->unseen = 0;
+    measure->finer = measure->sparse = measure->unseen = 0;
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
     begin_boxes(measure, job->scene.unit.item_count);

@@ -30,6 +30,8 @@ struct needs_measure {
     uint64_t texels[HATCH_NEEDS_OCTAVES]; /* pixels of items that have texture coordinates */
     double map_px;                        /* side of the finest level of the map in use; 0: none */
     uint64_t finer;                       /* of the last view: pixels that need a level finer by more than 0.5 */
+    uint32_t levels, dense_levels;        /* of the asset (assets/asset.h) */
+    uint64_t sparse;                      /* of the last view: pixels of levels that hold strokes and have few slices */
     double unseen_tolerance;           /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
     uint64_t unseen;                   /* of the last view: pixels of such meshes */
     double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale, of either ink: as in struct hatch_needs */

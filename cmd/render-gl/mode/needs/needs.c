@@ -7,6 +7,7 @@
 #include "render-gl/mode/needs/measure.h"
 #include "render-gl/mode/needs/regions.h"
 #include "shared/report.h"
+#include "tam/volume.h"
 
 #define LEEWAY 1.5 /* views between those that were measured may exceed the tolerance by this factor */
 
@@ -147,6 +148,19 @@ static void check_map(const struct job *job, const struct needs_measure *measure
     }
 }
 
+/* Exits with a message if a view shows levels of a volume that was made for needs on which strokes are grey, since
+ * there are few slices. measure, drawn  as for check_map */
+static void check_slices(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
+{
+    struct hatch_err err;
+    if ((double)measure->sparse <= LEEWAY * (double)asset_part(&job->asset).tolerance * (double)drawn)
+        return;
+    hatch_fail(&err, HATCH_BAD_INPUT,
+               "%.3g %% of this view shows levels with fewer than %u slices of tone; want tamvol --layout array",
+               100 * (double)measure->sparse / (double)drawn, HATCH_VOLUME_SLICES_FEW);
+    cmd_die(cmd_input_name(job->options->map_path), &err);
+}
+
 void needs_check_mode(const struct job *job)
 {
     struct hatch_err err;
@@ -172,8 +186,10 @@ void needs_check(struct job *job)
         job_set_frame(job, frame, &view);
         uint64_t drawn = needs_add(job, &view, &measure);
         check_scene(job, &measure, drawn);
-        if (map)
+        if (map) {
             check_map(job, &measure, drawn);
+            check_slices(job, &measure, drawn);
+        }
     }
     needs_end(&measure);
     job_set_frame(job, 0, &view);
