@@ -7,6 +7,7 @@
 #include "tam/runs.h"
 
 #define FULL 255u
+#define ROUNDING 1e-3           /* of tones in 255ths */
 #define CROSSING_STROKES_MAX 4u /* more steps of a texel in one bin are a shade of grey, not strokes */
 
 struct step {
@@ -15,14 +16,16 @@ struct step {
 };
 
 /* Computes the tone code at which each column begins: half-way from the column before it, rounded to nearest and
- * ties down, so that sampling at the tone of a column yields its image.
+ * ties down, but below the tone of the column, so that sampling there shows it. Sampling at the tone of a column yields
+ * its image unless that of the next one is less than a code darker.
  *   code  out: one entry per column */
 static void step_codes(const struct hatch_tam *tam, uint8_t *code)
 {
     for (uint32_t c = 0; c < tam->tones; c++) {
         double before = c ? (double)tam->target[c - 1] : 0;
         double middle = (before + (double)tam->target[c]) / 2 * 255;
-        code[c] = (uint8_t)fmax(0, ceil(middle - 0.5 - 1e-3));
+        double last = ceil((double)tam->target[c] * 255 - ROUNDING) - 1;
+        code[c] = (uint8_t)fmax(0, fmin(last, ceil(middle - 0.5 - ROUNDING)));
     }
 }
 
@@ -48,7 +51,7 @@ static uint32_t steps_of_texel(const struct hatch_runs *runs, const uint8_t *cod
 static void bin_codes(const float *border, uint32_t bins, uint32_t *first)
 {
     for (uint32_t b = 0; b <= bins; b++)
-        first[b] = b < bins ? (uint32_t)ceil((double)border[b] * 255 - 1e-3) : 256;
+        first[b] = b < bins ? (uint32_t)ceil((double)border[b] * 255 - ROUNDING) : 256;
 }
 
 #define CODES 256u

@@ -59,8 +59,9 @@ struct hatch_thresholds {
     struct hatch_threshold_figures figures; /* zeros when read from a file */
 };
 
-/* Makes every level from the map's level. A step lies half-way between the tones of two columns, so that sampling at
- * the tone of a column yields its image. Several steps in a bin are merged into one with the sum of their heights. Its
+/* Makes every level from the map's level. A step lies half-way between the tones of two columns, rounded to below that
+ * of the darker one, so that sampling at the tone of a column yields its image, or that of the next if it is less than
+ * 1/255 darker. Several steps in a bin are merged into one with the sum of their heights. Its
  * x is that of a random one of them, chosen with a probability in proportion to its height, which keeps the mean
  * reflectance. All texels in which the same steps meet, at most four, use one random number, which follows from seed,
  * bin and steps, so that crossing strokes stay whole; a texel with more steps in a bin has a random number of its own.

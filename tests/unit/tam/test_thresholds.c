@@ -79,6 +79,25 @@ START_TEST(a_step_lies_where_its_column_begins)
 }
 END_TEST
 
+/* Ink from tone .999 on. */
+static float only_the_darkest(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)u, (void)v, (void)level, (void)channel;
+    return tone > 0.999f ? 0 : 1;
+}
+
+/* Columns of tones 255/256 and 1 are nearer to each other than codes of tone: 254.5/255, half-way, rounds to 1. */
+START_TEST(the_darkest_of_many_columns_appears_at_its_tone)
+{
+    struct hatch_tam tam = made_map(64, 256, 1, "Y", only_the_darkest);
+    make(&tam, 7, NULL);
+    for (int lod = 0; lod < 7; lod++) {
+        ck_assert_float_eq(hatch_thresholds_sample(&made, 0.3f, 0.6f, 1, (float)lod), 0);
+        ck_assert_float_eq(hatch_thresholds_sample(&made, 0.3f, 0.6f, 0.995f, (float)lod), 1);
+    }
+}
+END_TEST
+
 /* Compares every texel of every level at the tone of every column; no steps are merged. */
 START_TEST(steps_that_fit_the_bins_are_exact)
 {
@@ -425,6 +444,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("thresholds");
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, a_step_lies_where_its_column_begins);
+    tcase_add_test(tests, the_darkest_of_many_columns_appears_at_its_tone);
     tcase_add_test(tests, steps_that_fit_the_bins_are_exact);
     tcase_add_test(tests, steps_stay_within_their_bins);
     tcase_add_test(tests, an_empty_texel_has_the_mean_x_of_its_neighbours);
