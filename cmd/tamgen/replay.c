@@ -86,7 +86,7 @@ static void warn_of_range(const struct job *job, const char *name, const struct 
     if (result->exhausted)
         cmd_warn(name, "%u %s lighter than the target, by up to %.4f: the next finer level has no more strokes",
                  result->exhausted, cmd_plural(result->exhausted, "image stays", "images stay"),
-                 (double)result->tone_error);
+                 (double)result->shortfall);
 }
 
 /* Reports the errors: with --fit unless --quiet, else only with --verbose. */

@@ -183,7 +183,10 @@ static void fill_image(struct replay *r, uint32_t level, uint32_t tone)
         met = fill_backwards(r, level, tone, target);
     double error = r->canvas.darkness[level] - target;
     r->result.tone_error = fmaxf(r->result.tone_error, (float)fabs(error));
-    r->result.exhausted += !met && error < -(double)HATCH_REPLAY_TONE;
+    if (met || !(error < -(double)HATCH_REPLAY_TONE))
+        return;
+    r->result.exhausted++;
+    r->result.shortfall = fmaxf(r->result.shortfall, (float)-error);
 }
 
 static void mean_chroma(const struct replay *r, uint32_t level, double chroma[2])

@@ -34,6 +34,7 @@ struct hatch_replay_result {
                            stroke adds to an image */
     uint32_t exhausted; /* number of images that are more than HATCH_REPLAY_TONE lighter than their target although they
                            hold all strokes of the next finer image */
+    float shortfall;    /* how much lighter such an image is at most */
     float chroma_error; /* largest distance of an image's mean (chroma, hue) from that of its tone's finest image;
                            as both are means, no blend of images has a larger one */
     float hue_error_deg; /* largest difference in hue between an image's mean and that of its tone's finest image, over

@@ -30,6 +30,13 @@ try tamgen --replay "$drawing" --size 64 --tones 10 --set 'darkest .9' -o light.
 ok "a drawing too light for its targets is warned of" grep -qE \
     'warning: the whole drawing has a tone of 0\.6[0-9]+: 3 of 10 columns are meant to be darker, and hold all its strokes$' .err
 
+# Of two columns, a wide stroke makes the first one far too dark, and leaves the last .02 too light.
+printf 'x\ty\tlength\tangle\twidth\ttone\tr\tg\tb\n.5\t.5\t1\t0\t.3\t1\t0\t0\t0\n' >wide.tsv
+whole=$(tamgen -v --size 64 --levels 1 --tones 1 --replay wide.tsv -o wide.exr 2>&1 | sed -n 's/.* tone up to //p')
+try tamgen --size 64 --levels 1 --tones 2 --replay wide.tsv --set "darkest $(echo "$whole" | awk '{print $1 + .02}')" -o wide.exr
+is "how much images are too light is that of the lightest: $whole" \
+    "$(sed -n 's/.*1 image stays lighter than the target, by up to \(0...\).*/\1/p' .err)" 0.02
+
 # The first stroke is the longest and the widest, and both are far beyond the style's.
 big="0.5\t0.5\t6\t0.5\t0.6\t1\t0\t0\t0" tiny="0.2\t0.2\t0.1\t0\t0.01\t1\t0\t0\t0"
 for order in "$big\n$tiny" "$tiny\n$big"; do
