@@ -1,4 +1,6 @@
 /* tamgen: makes a tonal art map from strokes of a style, or from those of a drawing. */
+#include <stdio.h>
+
 #include "shared/style.h"
 #include "io/svg/svg.h"
 #include "shared/needs/map.h"
@@ -133,6 +135,18 @@ static void read_needs(struct job *job)
     job->levels -= part.finer;
 }
 
+/* Warns of images whose tone is not that of their column. */
+static void warn_of_misses(const struct job *job, const struct hatch_fill_misses *misses)
+{
+    char why[64] = "the ink is too light";
+    if (misses->images == 0)
+        return;
+    if (!misses->light_ink)
+        snprintf(why, sizeof why, "strokes are too large for the level of %u pixels", job->size_px >> misses->level);
+    cmd_warn(cmd_input_name(style_name), "%u of %u images miss their tone, by up to %.2f: %s", misses->images,
+             job->tones * job->levels, (double)misses->most, why);
+}
+
 /* Fills the map with strokes of the style and passes its columns to job->columns. */
 static void fill_map(struct job *job)
 {
@@ -152,8 +166,11 @@ static void fill_map(struct job *job)
                                       .color = job->color,
                                       .ids = job->ids};
     const struct hatch_tam_sink sink = {columns_take, &job->columns};
-    cmd_check(hatch_tam_fill(&fill, &job->args.keep, &job->args.scratch, &sink, &job->strokes, &err), NULL, &err);
-    cmd_note("%u strokes", job->strokes.count);
+    struct hatch_fill_misses misses;
+    cmd_check(hatch_tam_fill(&fill, &job->args.keep, &job->args.scratch, &sink, &job->strokes, &misses, &err), NULL,
+              &err);
+    warn_of_misses(job, &misses);
+    cmd_note("%u strokes, tone within %.4f on every level", job->strokes.count, (double)misses.most);
 }
 
 int main(int argc, char **argv)

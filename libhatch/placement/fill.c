@@ -25,7 +25,10 @@ struct filler {
     struct hatch_arena *arena;
     struct hatch_stroke_list strokes;
     uint64_t choices; /* number of choices so far, which selects the random numbers of the next one */
-    float *scale;     /* per stroke: share of its full length at which it is drawn */
+    bool fruitless[HATCH_MIP_LEVELS_MAX]; /* per level: the image of this column was given up, since strokes do not
+                                             darken it */
+    struct hatch_fill_misses misses;
+    float *scale; /* per stroke: share of its full length at which it is drawn */
     uint32_t scale_capacity;
 };
 
@@ -188,6 +191,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
     if (f->options->color)
         hatch_ramp_color(f->style->colors, f->style->color_count, f->targets[tone], choice.rgb);
     grow_strokes(f, tone, level);
+    f->fruitless[level] = false;
     for (uint32_t fruitless = 0; fruitless < FRUITLESS_MAX && f->canvas.darkness[level] < target;) {
         double room = room_for_stroke(f, level, target);
         if (!(room > 0) || is_shortest_too_dark(f, tone, level, room))
@@ -196,7 +200,9 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
         struct hatch_stroke stroke = place(f, &choice);
         double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);
         f->gain_per_length[level] = gain / (double)stroke.length;
-        switch (judge(gain, room)) {
+        enum verdict verdict = judge(gain, room);
+        f->fruitless[level] = verdict == FRUITLESS;
+        switch (verdict) {
         case TAKE:
             fruitless = 0;
             stroke.column = tone;
@@ -213,6 +219,21 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
         }
     }
     return HATCH_OK;
+}
+
+/* Compares the means of a column's images with its target. */
+static void note_misses(struct filler *f, uint32_t tone)
+{
+    struct hatch_fill_misses *misses = &f->misses;
+    for (uint32_t level = 0; level < f->options->levels; level++) {
+        float off = (float)(f->canvas.darkness[level] - (double)f->targets[tone]);
+        misses->images += fabsf(off) > HATCH_FILL_TONE;
+        if (!(fabsf(off) > misses->most))
+            continue;
+        misses->most = fabsf(off);
+        misses->level = level;
+        misses->light_ink = off < 0 && f->fruitless[level];
+    }
 }
 
 /* Counts the columns of strokes in those that are delivered: each n-th one. */
@@ -241,7 +262,8 @@ static enum hatch_status make_metadata(const struct filler *f, uint32_t columns,
 
 enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, const struct hatch_tam_sink *sink,
-                                 struct hatch_stroke_list *strokes, struct hatch_err *err)
+                                 struct hatch_stroke_list *strokes, struct hatch_fill_misses *misses,
+                                 struct hatch_err *err)
 {
     const struct hatch_style *style = options->style;
     assert((options->size_px & (options->size_px - 1)) == 0);
@@ -267,6 +289,8 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
         if (status == HATCH_OK && tone + 1 == columns)
             renumber(&f.strokes, every);
         if (status == HATCH_OK && (tone + 1) % every == 0)
+            note_misses(&f, tone);
+        if (status == HATCH_OK && (tone + 1) % every == 0)
             status = hatch_column_deliver(&f.canvas, &metadata, tone / every, f.targets[tone],
                                           options->ids && tone + 1 == columns ? &f.strokes : NULL, arena, scratch, sink,
                                           err);
@@ -274,5 +298,7 @@ enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struc
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK && strokes)
         *strokes = f.strokes;
+    if (status == HATCH_OK && misses)
+        *misses = f.misses;
     return status;
 }

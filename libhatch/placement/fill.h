@@ -34,12 +34,25 @@ struct hatch_fill_options {
                       darken one another (tam(5)) */
 };
 
+/* Difference of a mean tone that is no longer that of the last stroke: the installed styles stay below it. */
+#define HATCH_FILL_TONE 0.05f
+
+/* Images of a map whose mean tones are not those of their columns. */
+struct hatch_fill_misses {
+    uint32_t images; /* number of images that differ by more than HATCH_FILL_TONE */
+    float most;      /* largest difference of an image, 0 .. 1 */
+    uint32_t level;  /* that image's */
+    bool light_ink;  /* more strokes do not darken that image; otherwise, its strokes are too large for the tone */
+};
+
 /* Fills a map and passes each column to sink. Deterministic for any number of threads.
  *   arena    receives the strokes
  *   strokes  out: in drawing order; may be NULL
+ *   misses   out, of the columns that were passed on; may be NULL; unchanged on failure
  * The status of sink; HATCH_LIMIT when memory does not suffice. */
 enum hatch_status hatch_tam_fill(const struct hatch_fill_options *options, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, const struct hatch_tam_sink *sink,
-                                 struct hatch_stroke_list *strokes, struct hatch_err *err) HATCH_MUST_USE;
+                                 struct hatch_stroke_list *strokes, struct hatch_fill_misses *misses,
+                                 struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

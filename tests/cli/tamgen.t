@@ -53,6 +53,17 @@ refused "a missing brush image" 4 1
 try tamgen $small --brush bad.style -o x.exr
 refused "a brush that is not an image" 3 1
 
+# Six tones rise to .9, on two levels. Two strokes of half ink on each other are no darker than one; and one that is as
+# wide as the tile covers it.
+try tamgen --size 64 --set 'overlap flat; ink .5' -o light.exr
+is "tones over that of the ink are warned of" "$status $(cat .err)" \
+    "0 tamgen: ink: warning: 6 of 12 images miss their tone, by up to 0.40: the ink is too light"
+try tamgen --size 64 --levels 1 --set 'width 64' -o large.exr
+is "and strokes that are too large" "$status $(sed 's/up to 0\.[0-9]*/up to X/' .err)" "0 tamgen: ink: warning: 6 of 6 images miss \
+their tone, by up to X: strokes are too large for the level of 64 pixels"
+try tamgen --size 64 --levels 1 --set 'width 4' -o wide.exr
+is "not others" "$status $(wc -c <.err)" "0 0"
+
 for wrong in '--size 100' '--size 128 --levels 4' '--tones 0' '--tones 257' '--growth 1' '--growth nan' \
     '--candidates 0:5' '--candidates 5' '--method best'; do
     try tamgen $wrong -o x.exr

@@ -103,7 +103,8 @@ static inline void map_fill(struct test_map *map)
 {
     map->strokes = (struct hatch_stroke_list){0};
     const struct hatch_tam_sink sink = {map_keep, map};
-    HATCH_TEST_OK(hatch_tam_fill(&map->options, &map_arena, &map_scratch, &sink, &map->strokes, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_tam_fill(&map->options, &map_arena, &map_scratch, &sink, &map->strokes, NULL, &map_err),
+                  &map_err);
     HATCH_TEST_OK(hatch_tam_from_mipmaps(map->columns, map->options.tones, &map->tam, &map_err), &map_err);
     ck_assert_uint_eq(map->tam.levels, map->options.levels);
 }

@@ -338,11 +338,40 @@ START_TEST(a_failing_sink_ends_the_filling)
     uint32_t calls = 0;
     struct hatch_stroke_list list = {.count = 9};
     const struct hatch_tam_sink sink = {fail_at_column_2, &calls};
-    ck_assert_int_eq(hatch_tam_fill(&map.options, &map_arena, &map_scratch, &sink, &list, &map_err), HATCH_IO);
+    ck_assert_int_eq(hatch_tam_fill(&map.options, &map_arena, &map_scratch, &sink, &list, NULL, &map_err), HATCH_IO);
     ck_assert_str_eq(map_err.text, "no room for column 2");
     ck_assert_uint_eq(calls, 3);
     ck_assert_uint_eq(list.count, 9);
     ck_assert_ptr_null(hatch_arena_mark(&map_scratch).block);
+}
+END_TEST
+
+static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
+{
+    (void)context, (void)tone, (void)column, (void)err;
+    return HATCH_OK;
+}
+
+/* Six tones rise to .9. */
+START_TEST(images_that_miss_their_tone_are_counted)
+{
+    static const struct {
+        const char *lines;
+        uint32_t images;
+        float most, off;
+        bool light_ink;
+    } cases[] = {{NULL, 0, 0.02f, 0.02f, false},
+                 {"overlap flat\nink 0.5", 6, 0.4f, 1e-4f, true}, /* .5 instead of .6, .75 and .9, on two levels */
+                 {"color 0 fff", 12, 0.9f, 1e-4f, true},
+                 {"color 0 fff\ndarkest 0.04", 0, 0.04f, 1e-4f, true},
+                 {"width 64", 12, 0.7f, 0.2f, false}};
+    struct hatch_fill_misses misses;
+    const struct hatch_tam_sink sink = {ignore, NULL};
+    map_style("ink", cases[_i].lines, &map);
+    HATCH_TEST_OK(hatch_tam_fill(&map.options, &map_arena, &map_scratch, &sink, NULL, &misses, &map_err), &map_err);
+    ck_assert_uint_eq(misses.images, cases[_i].images);
+    ck_assert_float_eq_tol(misses.most, cases[_i].most, cases[_i].off);
+    ck_assert_int_eq(misses.light_ink, cases[_i].light_ink);
 }
 END_TEST
 
@@ -356,7 +385,8 @@ START_TEST(each_second_column_has_the_whole_maps_pixels)
     half.options.every = 2;
     half.options.needed = _i ? 4 : 0;
     const struct hatch_tam_sink sink = {map_keep, &half};
-    HATCH_TEST_OK(hatch_tam_fill(&half.options, &map_arena, &map_scratch, &sink, &half.strokes, &map_err), &map_err);
+    HATCH_TEST_OK(hatch_tam_fill(&half.options, &map_arena, &map_scratch, &sink, &half.strokes, NULL, &map_err),
+                  &map_err);
     HATCH_TEST_OK(hatch_tam_from_mipmaps(half.columns, _i ? 2 : 3, &half.tam, &map_err), &map_err);
     ck_assert_uint_eq(half.tam.whole.tones, 3);
     for (uint32_t i = 0; i < half.tam.tones; i++) {
@@ -379,17 +409,11 @@ START_TEST(a_rounded_map_that_lacks_nothing_names_the_tolerance)
 }
 END_TEST
 
-static enum hatch_status ignore(void *context, uint32_t tone, const struct hatch_mipmap *column, struct hatch_err *err)
-{
-    (void)context, (void)tone, (void)column, (void)err;
-    return HATCH_OK;
-}
-
 static enum hatch_status fill(void *context, struct hatch_arena *keep, struct hatch_arena *scratch,
                               struct hatch_err *err)
 {
     const struct hatch_tam_sink sink = {ignore, NULL};
-    return hatch_tam_fill(&map.options, keep, scratch, &sink, context, err);
+    return hatch_tam_fill(&map.options, keep, scratch, &sink, context, NULL, err);
 }
 
 START_TEST(every_failed_allocation_is_a_status)
@@ -463,6 +487,7 @@ static Suite *suite(void)
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);
     tcase_add_test(tests, every_stroke_brings_its_image_closer_to_the_target);
     tcase_add_loop_test(tests, an_image_is_full_after_eight_choices_without_effect, 0, 2);
+    tcase_add_loop_test(tests, images_that_miss_their_tone_are_counted, 0, 5);
     tcase_add_test(tests, a_failing_sink_ends_the_filling);
     tcase_add_loop_test(tests, every_failed_allocation_is_a_status, 0, 2);
     tcase_add_test(tests, the_sheet_shows_every_image);
