@@ -113,11 +113,21 @@ is "--modulate and --mask fill the spare channels" "$status $(cmp -s pictures.kt
 try tamthresh --mask nonesuch.png map.exr -o x
 refused "a missing picture" 4 1
 
+# OpenEXR is for looking at textures.
+tamvol -q --tones 16 few.exr -o volume.exr
+tamthresh -q few.exr -o thresholds.exr
+try hatchstat tones volume.exr --reference map.exr
+is "hatchstat refuses a volume in OpenEXR" "$status $(cat .err)" "3 hatchstat: volume.exr: not a tonal art map, but a \
+volume; volumes are read in KTX2 only: tamvol -o FILE.ktx2"
+try hatchstat tones thresholds.exr --reference map.exr
+is "and thresholds" "$status $(cat .err)" "3 hatchstat: thresholds.exr: not a tonal art map, but thresholds, which are \
+read in KTX2 only: tamthresh -o FILE.ktx2"
+try tamvol volume.exr -o x
+refused "a volume instead of a map" 3 1
+
 # Parts of an EXR file are its slices, and its layers.
 if command -v exrheader >/dev/null; then
-    tamvol --tones 16 few.exr -q -o volume.exr
     is "EXR has a part for each slice" "$(exrheader volume.exr | grep -c 'name (type string): "slice.0')" 16
-    tamthresh -q few.exr -o thresholds.exr
     is "EXR has a part for each layer" \
         "$(exrheader thresholds.exr | sed -n 's/^name (type string): "\(.*\)"/\1/p' | paste -sd' ')" "x.0 x.1 dy.0 dy.1"
 else
