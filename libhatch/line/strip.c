@@ -5,7 +5,7 @@
 
 #define PIECE_PX 1.5      /* largest length of a piece */
 #define STEP_PX 4.0       /* least step in depth across a silhouette, in pixels at its distance */
-#define DOT_PX 0.5        /* chains that reach less far are left out; beside others, nobody misses them */
+#define DOT_PX 0.1        /* chains that reach less far are left out; beside others, nobody misses them */
 #define DEPTH_LEAST 1e-30 /* of what lies behind a silhouette: over that of the far plane */
 #define ERROR_MAX_PX 0.5  /* lines are drawn only where the error of float positions is at most this */
 

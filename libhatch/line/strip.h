@@ -77,8 +77,8 @@ struct hatch_line_picture {
 };
 
 /* Clips chains at the near and far planes, where floats are too inaccurate, and margin_px outside the tile, and cuts
- * them into pieces. The places of the cuts do not depend on the tile. Chains that reach less than half a pixel in the
- * picture are left out.
+ * them into pieces. The places of the cuts do not depend on the tile. Chains that reach less than a tenth of a pixel in
+ * the picture are left out.
  *   strips  out: in arena */
 enum hatch_status hatch_line_strips_make(const struct hatch_line_trace *trace, const struct hatch_line_chains *chains,
                                          const struct hatch_line_picture *picture, struct hatch_arena *arena,

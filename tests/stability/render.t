@@ -86,9 +86,9 @@ ok "a box without normals has flat sides" hatchstat diff box.exr flat.exr --max-
 draws "a camera inside" teapot.glb --camera 0,0.4,0:1,0.4,0.2 --size 160x120
 ok "a camera inside sees the inner wall with strokes" between 0.05 0.98
 draws "a camera straight above" teapot.glb --camera 0,5,0 --size 160x120
-draws "a camera very far away" teapot.glb --camera 1e30,0,0 --size 160x120
 scene "$point" "$(at 0,0,2)" >square.gltf
 expected='the picture is blank'
+draws "a camera very far away" teapot.glb --camera 1e30,0,0 --size 160x120
 draws "a camera on a vertex" square.gltf --camera 1,1,0:0,0,-1 --size 160x120
 expected=
 draws "a camera in the plane of a face" square.gltf --camera 3,0,0:0,0,0 --size 160x120

@@ -8,7 +8,7 @@ command -v make >/dev/null || {
 would() {
     file=$1
     shift
-    make -n -f "$TOP/pipelines/$file.mk" "$@" 2>&1
+    make --no-print-directory -n -f "$TOP/pipelines/$file.mk" "$@" 2>&1
 }
 : >m.glb
 for file in engrave lapped solid strokes plan; do

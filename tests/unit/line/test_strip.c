@@ -204,11 +204,10 @@ START_TEST(pieces_of_a_straight_line_are_drawn_as_one)
 }
 END_TEST
 
-/* Haloes split a line into parts; short uncovered parts are hidden, independent of the length under the halo. */
-/* A cube that a node scales to nothing, or to a fifth of a pixel, is no dot; one of two pixels is. */
+/* A cube that a node scales to nothing, or to a twelfth of a pixel, is no dot; one of two pixels is. */
 START_TEST(objects_without_size_have_no_lines)
 {
-    static const double scales[] = {0, 1e-9, 1e-3, 1e-2};
+    static const double scales[] = {0, 1e-9, 4e-4, 1e-2};
     struct hatch_mesh mesh = cube(-1, 1);
     struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, 0.7);
     for (int i = 0; i < 8; i++) {
@@ -228,6 +227,7 @@ START_TEST(objects_without_size_have_no_lines)
 }
 END_TEST
 
+/* Haloes split a line into parts; short uncovered parts are hidden, independent of the length under the halo. */
 START_TEST(specks_between_haloes_are_hidden)
 {
     struct hatch_line_strips strips = square();
