@@ -12,6 +12,9 @@ extern bool cmd_is_quiet, cmd_is_verbose;
  * --options-table; dies on wrong usage. */
 void cmd_parse(const struct cmd_program *program, int argc, char **argv, struct cmd_args *args);
 
+/* Returns whether a number is one that an option takes (cmd_set_option). */
+bool cmd_in_range(const struct cmd_option *option, double value);
+
 /* A command line that has been parsed. */
 struct cmd_line {
     const struct cmd_option *options; /* count entries: the command's own and the common ones */

@@ -32,7 +32,7 @@ fi
 build() {
     mkdir -p objects bin
     rm -f objects/*
-    (cd "$TOP" && ls cmd/tamgen/*.c cmd/shared/*.c cmd/shared/rules/*.c cmd/shared/names/*.c cmd/shared/needs/map.c \
+    (cd "$TOP" && ls cmd/tamgen/*.c cmd/shared/*.c cmd/shared/rules/*.c cmd/shared/names/*.c cmd/shared/values/*.c cmd/shared/needs/map.c \
         cmd/shared/needs/needs.c libhatch/base/*.c libhatch/image/*.c \
         libhatch/filter/*.c libhatch/stroke/*.c libhatch/tam/*.c libhatch/placement/*.c libhatch/io/exr/*.c \
         libhatch/io/svg/*.c libhatch/io/png/*.c libhatch/io/foreign/*.c libhatch/curve/stroke_look.c \

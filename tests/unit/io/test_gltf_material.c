@@ -264,8 +264,8 @@ START_TEST(webp_needs_an_extension)
 }
 END_TEST
 
-/* Members that hatching does not draw. Texture 1 has another image, texture 2 one that is missing; their transforms and sets of
- * texture coordinates stay. */
+/* Members that hatching does not draw. Texture 1 has another image, texture 2 one that is missing; their transforms
+ * and sets of texture coordinates stay. */
 START_TEST(members_of_materials_are_kept)
 {
     static const char json[] =
