@@ -178,7 +178,7 @@ $(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(patsubst $(B)/%,%.c,$(BENCHES) $(LIMITS))): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/meshes cli/plan cli/render-gl cli/solid cli/strokes cli/setup prop stability bad memory fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/* prop stability bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
