@@ -111,12 +111,22 @@ static void add_atom(char *words, const struct atom *atom, const char *joint)
     add_list(words, atom->list, " or ");
 }
 
+/* Returns the mark between a refusal and its reason, which may be a sentence or a clause on the option named last. */
+static const char *before_reason(const char *reason)
+{
+    static const char *const pronouns[] = {"which ", "whose ", "that "};
+    for (size_t i = 0; reason && i < sizeof pronouns / sizeof *pronouns; i++)
+        if (strncmp(reason, pronouns[i], strlen(pronouns[i])) == 0)
+            return ", ";
+    return reason ? ": " : "";
+}
+
 /* Refuses an option because of a condition that does not hold. */
 static noreturn void refuse(const struct hatch_text *option, struct hatch_text condition, const char *reason,
                             const struct cmd_line *line)
 {
     char needed[WORDS_MAX] = "", opposed[WORDS_MAX] = "";
-    const char *colon = reason ? ": " : "", *why = reason ? reason : "";
+    const char *before = before_reason(reason), *why = reason ? reason : "";
     int length = (int)option->length;
     while (condition.length) {
         const struct atom atom = atom_of(cut(&condition, '|'));
@@ -130,8 +140,8 @@ static noreturn void refuse(const struct hatch_text *option, struct hatch_text c
     }
     if (opposed[0])
         cmd_usage("--%.*s cannot be combined with %s%s%s%s%s", length, option->at, opposed,
-                  needed[0] ? " without " : "", needed, colon, why);
-    cmd_usage("--%.*s needs %s%s%s", length, option->at, needed, colon, why);
+                  needed[0] ? " without " : "", needed, before, why);
+    cmd_usage("--%.*s needs %s%s%s", length, option->at, needed, before, why);
 }
 
 static void check(struct hatch_text option, const struct cmd_rule *rule, const struct cmd_line *line)

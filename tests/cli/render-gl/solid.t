@@ -144,7 +144,7 @@ refuses "--wet without a look" 2 2 "--wet needs --look watercolor" --wet .2
 refuses "two kinds of colours" 2 2 "--texture-color cannot be combined with --inks: give one of them" \
     --look watercolor --texture-color --inks red
 refuses "colours and tones of materials" 2 2 \
-    "--texture-color cannot be combined with --texture-tone: which would darken the colours twice" \
+    "--texture-color cannot be combined with --texture-tone, which would darken the colours twice" \
     --look watercolor --texture-color --texture-tone
 refuses "a 2D texture on another technique" 2 2 \
     "--solid flat.ktx2: a 2D texture paints no pictures of a technique; want a 3D one, which solidgen makes" \
