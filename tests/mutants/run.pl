@@ -181,18 +181,25 @@ sub measure_tests {
     return %odd;
 }
 
-# As measure_tests, but keeps the result, and takes it from the folder if it has that of the same tree.
+# As measure_tests, but keeps the result in the folder, and takes from there what it has for the same code and the same
+# tests.
 sub know_tests {
     my ($took, @tests) = @_;
-    my ($tree) = split /\n/, `git rev-parse 'HEAD^{tree}'`;
-    my $kept = -e 'tests.coverage' ? retrieve('tests.coverage') : {tree => ''};
-    if ($kept->{tree} ne $tree) {
-        my %odd = measure_tests($took, @tests);
-        $kept = {tree => $tree, took => $took, odd => \%odd, reach => reach_all()};
+    my $code = `git rev-parse HEAD:libhatch HEAD:cmd`;
+    my %now = map { $_ => scalar `git rev-parse HEAD:$_` } map { /\.t$/ ? $_ : "$_.c" } @tests;
+    my $kept = -e 'tests.coverage' ? retrieve('tests.coverage') : {code => ''};
+    $kept = {code => $code, took => {}, odd => {}, is => {}} if $kept->{code} ne $code;
+    reach_take($kept->{reach}) if $kept->{reach};
+    my @new = grep { my $file = /\.t$/ ? $_ : "$_.c"; ($kept->{is}{$_} // '') ne $now{$file} } @tests;
+    if (@new) {
+        delete @{$kept->{odd}}{@new};
+        my %odd = measure_tests($kept->{took}, @new);
+        $kept->{odd} = {%{$kept->{odd}}, %odd};
+        $kept->{is}{$_} = $now{/\.t$/ ? $_ : "$_.c"} for @new;
+        $kept->{reach} = reach_all();
         store($kept, 'tests.coverage');
     }
     %$took = %{$kept->{took}};
-    reach_take($kept->{reach});
     return %{$kept->{odd}};
 }
 
