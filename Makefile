@@ -178,7 +178,7 @@ $(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(patsubst $(B)/%,%.c,$(BENCHES) $(LIMITS))): BASE += -Itests/support
-SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/* prop stability bad memory fuzz interop lint))
+SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/* prop stability golden bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
 REPLAYS := $(FUZZ_NAMES:%=$(B)/tests/fuzz/%)
@@ -199,8 +199,9 @@ check-long: fuzz
 	LONG=1 $(MAKE) check
 	sh tests/fuzz/long.sh $(FUZZERS)
 # Readers that are not ours; those from npm are fetched once, and their tests skip without them.
-INTEROP := $(B)/tests/interop/samples $(B)/tests/interop/oiio_texels $(B)/tests/bad/maps
-$(B)/tests/interop/samples $(B)/tests/bad/maps: $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
+MAKERS := $(addprefix $(B)/tests/,interop/samples bad/maps golden/pixels)
+INTEROP := $(MAKERS) $(B)/tests/interop/oiio_texels
+$(MAKERS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	@mkdir -p $(@D)
 	$(call say,link $@)$(LINK) $< $(fuzz_libs)
 $(B)/tests/interop/oiio_texels: $(call obj,tests/interop/oiio_texels.cc)

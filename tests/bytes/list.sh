@@ -542,14 +542,9 @@ list_help() {
     done
 }
 
+# The parts of the list; the environment variable PARTS selects some.
 list() {
-    list_techniques
-    list_pictures
-    list_seeds
-    list_reports
-    list_refusals
-    list_maps
-    list_meshes
-    list_windows
-    list_help
+    for part in ${PARTS:-techniques pictures seeds reports refusals maps meshes windows help}; do
+        "list_$part"
+    done
 }

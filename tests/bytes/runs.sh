@@ -3,8 +3,8 @@
 # prints a line for each run, separated by tabs: its name, a checksum of all files it wrote, its exit status, a checksum
 # of its standard error. A change that is to alter no output gives the same lines before and after (compare.sh).
 #
-# PATTERN, a regular expression, selects runs by name. The environment variable KEEP, a folder that does not exist yet,
-# keeps the files of each run in runs/NAME. Pictures depend on the driver, so compare builds on one machine.
+# PATTERN, a regular expression, selects runs by name, the environment variable PARTS parts of the list ("maps meshes").
+# The environment variable KEEP, a folder that does not exist yet, keeps the files of each run in runs/NAME. Pictures depend on the driver, so compare builds on one machine.
 #
 # The first lines are the inputs, which the build's own commands and scenes.pl make. The folder of each run has links to
 # them. The name of a run starts with its subject.

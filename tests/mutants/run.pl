@@ -150,9 +150,9 @@ sub put {
 # code's form.
 sub build_tests {
     my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
-    my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory}/*.t';
+    my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory,golden}/*.t';
     for my $of (sort keys %flags) {
-        build($of, $of eq 'sane' ? () : ('stage', 'tests/bad/maps'), @programs)
+        build($of, $of eq 'sane' ? () : ('stage', 'tests/bad/maps', 'tests/golden/pixels'), @programs)
             or die "run.pl: the unchanged tree does not build\n", contents('make.log');
     }
     return (\@programs, \@scripts);
