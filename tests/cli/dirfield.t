@@ -267,4 +267,13 @@ for solver in multigrid cholesky; do
     is "a needle that rounding leaves no area, $solver" "$status $(hatchstat field -q needle.glb | column smoothness |
         awk '{print ($1 >= 0 && $1 < .001)}')" "0 1"
 done
+
+# The phases follow each other, so that their times add up to less than the run took.
+meshgen torus --faces 20000 -o torus.glb
+begin=$(date +%s%N)
+dirfield -q torus.glb -r report.tsv -o field.glb
+end=$(date +%s%N)
+is "times of phases are positive and not above the run's" "$(awk -v ms=$(((end - begin) / 1000000)) -F'\t' '
+    NR == 1 {for (i = 1; i <= NF; i++) if ($i ~ /_ms$/) timed[i] = 1}
+    $1 == "all" {for (i in timed) {sum += $i; bad += !($i > 0)} print bad + 0, (sum > 1 && sum <= ms + 1)}' report.tsv)" "0 1"
 finish
