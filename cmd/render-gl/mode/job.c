@@ -136,12 +136,11 @@ struct technique_instance *job_use(struct job *job, const struct technique *tech
     return instance;
 }
 
-/* Opens the chosen technique and all techniques whose options were given: a window may switch to them, and errors in
- * their files should be reported at the start. */
+/* Opens all techniques whose options were given: a window may switch to them, and errors in their files should be
+ * reported at the start. */
 static void open_techniques(struct job *job)
 {
     struct hatch_err err;
-    cmd_check(job_open(job, job->options->technique, &err) ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (size_t i = 0; techniques[i]; i++)
         for (const struct cmd_option *row = techniques[i]->options; row && row->name; row++)
             if (options_is_given(row->name))
