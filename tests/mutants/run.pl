@@ -3,13 +3,15 @@
 # each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that gives the
 # same machine code, is replaced by another. A first run of all tests, built with --coverage, finds which of them execute
 # the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
-# eight times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
+# three times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
 # of arrays; those that all tests pass go through the unit programs once more, built as by make check SANITIZE=1.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
-# equivalent.tsv explains are not counted: they cannot change a result.
+# equivalent.tsv explains are not counted: they cannot change a result. Verdicts are kept in the folder, so that a run
+# that was stopped goes on where it was, if neither code nor tests have changed.
 use strict;
 use warnings;
 use Cwd qw(abs_path);
+use Digest::SHA qw(sha1_hex);
 use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
 use POSIX qw(setsid :sys_wait_h);
@@ -40,7 +42,7 @@ sub prepare_tree {
     system("git -C '$folder' reset -q --hard") if -d "$folder/.git";
     system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
     system("git init -q '$folder' && git ls-files -z | $git add --pathspec-from-file=- --pathspec-file-nul && " .
-        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /sane -e /tests.coverage") == 0
+        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /sane -e /tests.coverage -e /verdicts") == 0
         or die "run.pl: git cannot take the copy\n";
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
@@ -209,6 +211,25 @@ sub in_order {
     return sort { nearness($b, $file) <=> nearness($a, $file) || $took->{$a} <=> $took->{$b} } @tests;
 }
 
+# Returns what verdicts depend on: the code and the tests, without this folder.
+sub verdicts_key {
+    return sha1_hex(grep { !m{\ttests/mutants$} } `git ls-tree HEAD libhatch cmd Makefile tests/`);
+}
+
+# Returns the verdicts that were kept, by "FILE:LINE TEXT" of mutations.
+sub kept_verdicts {
+    my ($key) = @_;
+    return map { my ($of, $mutation, $said) = split /\t/; $of eq $key ? ($mutation => $said) : () }
+        split /\n/, contents('verdicts');
+}
+
+sub keep_verdict {
+    my (@fields) = @_;
+    open my $out, '>>', 'verdicts' or die "run.pl: verdicts: $!\n";
+    print $out join("\t", @fields), "\n";
+    close $out;
+}
+
 # Judges the mutation that the tree has: "does not compile", "same code", the test that fails, or "survived".
 #   programs, scripts  the tests that execute the line
 sub verdict {
@@ -216,7 +237,7 @@ sub verdict {
     my $object = object_of($file);
     return 'does not compile' if $object && !build('build', $object);
     return 'same code' if $object && contents("build/$object") eq $before;
-    my %limit = map { $_ => 60 + 8 * $took->{$_} } keys %$took;
+    my %limit = map { $_ => 60 + 3 * $took->{$_} } keys %$took;
     my @near = grep { nearness($_, $file) == 2 } @$programs;
     my %is_near = map { $_ => 1 } @near;
     my @other = grep { !$is_near{$_} } @$programs;
@@ -241,11 +262,14 @@ my $took = {};
 my %odd = know_tests($took, @$programs, @$scripts);
 my %reason = map { chomp; my ($file, $line, $after, $why) = split /\t/; ("$file\t$line\t$after" => $why) }
     split /^/, contents("$here/equivalent.tsv");
+my $key = verdicts_key();
+my %kept = kept_verdicts($key);
 my ($counted, @survivors) = (0);
 for my $mutation (@drawn) {
     last if $counted == $wanted;
     my ($file, $number, $line, $after) = @$mutation;
     my ($old, $new) = map { s/^\s+//r } $line, $after;
+    my $name = "$file:$number $new";
     my $text = contents($file);
     my $before = object_of($file) ? contents('build/' . object_of($file)) : '';
     my $some = [grep { $odd{$_} || reaches($_, $file, $number) } @$programs];
@@ -255,7 +279,9 @@ for my $mutation (@drawn) {
     $lines[$number - 1] = $after;
     put($file, join "\n", @lines);
     my $since = time;
-    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent' : verdict($file, $before, $some, $others, $took);
+    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent'
+        : $kept{$name} // verdict($file, $before, $some, $others, $took);
+    keep_verdict($key, $name, $said) unless $kept{$name} || $said eq 'equivalent';
     put($file, $text);
     build($_, object_of($file)) for object_of($file) ? ('build', 'sane') : ();
     $counted++ unless $said =~ /^(?:does not compile|same code|equivalent)$/;
