@@ -5,8 +5,8 @@
 # the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
 # three times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
 # of arrays; those that all tests pass go through the unit programs once more, built as by make check SANITIZE=1.
-# Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that
-# equivalent.tsv explains are not counted: they cannot change a result. Verdicts are kept in the folder, so that a run
+# Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that only make an
+# allocated array larger, or that equivalent.tsv explains, are not counted: they cannot change a result. Verdicts are kept in the folder, so that a run
 # that was stopped goes on where it was, if neither code nor tests have changed.
 use strict;
 use warnings;
@@ -211,6 +211,17 @@ sub in_order {
     return sort { nearness($b, $file) <=> nearness($a, $file) || $took->{$a} <=> $took->{$b} } @tests;
 }
 
+# Returns whether a mutation only makes an allocated array larger: a whole number in the call, one more.
+sub is_larger_array {
+    my ($old, $new) = @_;
+    my ($begin, $was) = $old =~ /^(.*\bHATCH_(?:ALLOC|NEW)(?:_UNSET)?\()(.*)$/ ? ($1, $2) : return 0;
+    while ($was =~ /\b\d+\b/g) {
+        my ($before, $number, $after) = ($`, $&, $');
+        return 1 if $new eq $begin . $before . ($number + 1) . $after && $before !~ /(?:\[|[-\/%] )$/;
+    }
+    return 0;
+}
+
 # Returns what verdicts depend on: the code and the tests, without this folder.
 sub verdicts_key {
     return sha1_hex(grep { !m{\ttests/mutants$} } `git ls-tree HEAD libhatch cmd Makefile tests/`);
@@ -279,7 +290,7 @@ for my $mutation (@drawn) {
     $lines[$number - 1] = $after;
     put($file, join "\n", @lines);
     my $since = time;
-    my $said = $reason{"$file\t$old\t$new"} ? 'equivalent'
+    my $said = $reason{"$file\t$old\t$new"} || is_larger_array($old, $new) ? 'equivalent'
         : $kept{$name} // verdict($file, $before, $some, $others, $took);
     keep_verdict($key, $name, $said) unless $kept{$name} || $said eq 'equivalent';
     put($file, $text);
