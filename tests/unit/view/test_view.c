@@ -165,6 +165,22 @@ START_TEST(tiles_are_parts_of_the_picture)
 END_TEST
 
 /* The scene turns with the view: a point and the view that are turned alike give the same picture. */
+/* A camera's near plane moves closer for views that move, and may then be moved where a face is near; that of an
+ * orthographic view stays. */
+START_TEST(near_planes_of_perspective_views_become_automatic)
+{
+    struct hatch_view view = {.near = 0.5}, close = {.near = 1e-6}, orthographic = {.near = 0.5, .orthographic = true};
+    hatch_view_set_near_automatic(&view);
+    ck_assert_double_eq(view.near, HATCH_VIEW_NEAR);
+    ck_assert(view.near_is_automatic);
+    hatch_view_set_near_automatic(&close);
+    ck_assert_double_eq(close.near, 1e-6);
+    hatch_view_set_near_automatic(&orthographic);
+    ck_assert_double_eq(orthographic.near, 0.5);
+    ck_assert(!orthographic.near_is_automatic);
+}
+END_TEST
+
 START_TEST(a_view_turns_about_the_vertical)
 {
     struct hatch_view view = view_at(1, 2, 5, false), turned = view;
@@ -237,6 +253,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_finite_view_ends_at_its_far_plane);
     tcase_add_test(tests, pixels_follow_the_depth);
     tcase_add_test(tests, tiles_are_parts_of_the_picture);
+    tcase_add_test(tests, near_planes_of_perspective_views_become_automatic);
     tcase_add_test(tests, a_view_turns_about_the_vertical);
     tcase_add_test(tests, a_zoom_is_as_steady_as_its_views);
     suite_add_tcase(suite, tests);
