@@ -32,4 +32,27 @@ done
 for count in 31 127 4095; do
     ok "collage: a border between objects whose numbers differ by $((count + 1))" cmp balls0.png balls$count.png
 done
+
+# A square of one tone, with all effects off: as dark as if so much of the ink covered the paper, of which the lightest
+# tone is a thin wash of a quarter. Of inks whose channels are all or nothing, the mean of the channels shows that, too.
+perl "$TOP/tests/support/solid/make.pl" 8 grey:128 >one.ktx2
+meshgen plane --faces 2 -o plane.glb
+square="render-gl plane.glb --camera 0,0,4:0,0,0 --size 16x16 --fov 10 --samples 1 --lines none -t solid"
+flat="$square --solid one.ktx2 --look watercolor --bands 15 --wobble 0 --dry 0 --paper-grain 0 --grain 0
+    --edge-darkening 0 --wet 0"
+# grey FILE: prints the mean of a picture's channels
+grey() {
+    hatchstat frames "$1" "$1" | awk 'NR == 2 {print $2}'
+}
+for colors in ffff00:.66667 00ffff:.66667 00ff00:.33333 000000:0; do
+    ink=${colors%:*} least=${colors#*:}
+    wrong=$(for tone in 0 .4 .8 1; do
+        $flat --ink "#$ink" --tone-range "$tone:$tone" -o square.exr
+        echo "$tone $(grey square.exr)"
+    done | awk -v least="$least" '{
+        want = 1 + (.25 + .75 * $1) * (least - 1)
+        if ($2 < want - .006 || $2 > want + .006) print $1, $2, want
+    }')
+    is "watercolor: tones of #$ink on white" "$wrong" ""
+done
 finish

@@ -10,17 +10,24 @@ float luminance(vec3 color)
 }
 
 // Returns the colour of a transparent layer of ink that is as dark as if an amount of the ink covered the paper. Thin
-// layers absorb less, so that they are more colourful: of thickness q, paper * (ink / paper)^q; Newton on logarithms.
+// layers absorb less, so that they are more colourful: of thickness q, paper * (ink / paper)^q. Its luminance is convex
+// in q. Unless it falls or rises all the way from paper to ink, no such thickness leads from one to the other, and the
+// amount is the thickness.
 vec3 glaze(vec3 ink, float amount)
 {
     vec3 least = vec3(0.004), base = max(paper.rgb, least), full = max(ink, least), rate = log(full / base);
-    float want = mix(luminance(base), luminance(full), amount), thickness = amount;
-    for (int i = 0; i < 3; i++) {
-        vec3 now = base * exp(thickness * rate);
-        float slope = luminance(rate * now), light = luminance(now);
-        thickness -= log(light / want) * light / (abs(slope) > 1e-6 ? slope : 1.0);
+    float low = 0.0, high = 1.0, want = mix(luminance(base), luminance(full), amount);
+    float way = sign(luminance(full) - luminance(base));
+    if (way * luminance(rate * base) <= 0.0 || way * luminance(rate * full) <= 0.0)
+        return base * exp(amount * rate);
+    for (int i = 0; i < 10; i++) {
+        float middle = 0.5 * (low + high);
+        if (way * (luminance(base * exp(middle * rate)) - want) < 0.0)
+            low = middle;
+        else
+            high = middle;
     }
-    return base * exp(clamp(thickness, 0.0, 1.0) * rate);
+    return base * exp(0.5 * (low + high) * rate);
 }
 
 #ifdef COLORS
