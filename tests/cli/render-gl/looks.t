@@ -55,4 +55,16 @@ for colors in ffff00:.66667 00ffff:.66667 00ff00:.33333 000000:0; do
     }')
     is "watercolor: tones of #$ink on white" "$wrong" ""
 done
+
+# A texture that reflects a half, in light that is 1 - tone of all, or with an ink lighter than the paper the tone.
+for inks in white:black black:white grey:black,white; do
+    IFS=: read -r paper ink <<END
+$inks
+END
+    for tone in 0 .5 1; do
+        $square -q --solid one.ktx2 --look plain --paper "$paper" --ink "$ink" --tone-range $tone:$tone -o square.exr
+        printf '%.2f ' "$(grey square.exr)"
+    done
+done >plain
+is "plain: a dark ink, a light one, and two" "$(cat plain)" "0.50 0.25 0.00 0.00 0.25 0.50 0.11 0.25 0.39 "
 finish

@@ -9,5 +9,6 @@ void main()
     base_holes();
     vec2 asked = amounts();
     vec3 grain = mix(vec3(1.0), texture_color(solid_of_material()), marks.x);
-    o_color = vec4(base_color(0.0) * own_ink_on_paper(1.0 - grain * (1.0 - asked.x), asked.yyy * grain), opacity);
+    vec3 dark = counts.z == 1 ? grain * asked.x : 1.0 - grain * (1.0 - asked.x); // a light ink shows what is lit
+    o_color = vec4(base_color(0.0) * own_ink_on_paper(dark, grain * asked.y), opacity);
 }
