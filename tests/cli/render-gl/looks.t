@@ -56,6 +56,22 @@ for colors in ffff00:.66667 00ffff:.66667 00ff00:.33333 000000:0; do
     is "watercolor: tones of #$ink on white" "$wrong" ""
 done
 
+# Bare paper, beside the scene: a texture without grain leaves it as it is, however dark; in one with grain, the part
+# that is lower than the mean is in the shade, be the texture dark or light.
+bare="$square -q --camera 0,0,4:0,0,8 --size 64x64 --look watercolor --paper-grain 1"
+for grey in 20 235; do
+    perl "$TOP/tests/support/solid/make.pl" 8 grey:$grey >one$grey.ktx2
+    $bare --solid one$grey.ktx2 -o bare.exr
+    grey bare.exr
+done >bare
+is "watercolor: paper without grain" "$(tr '\n' ' ' <bare)" "1 1 "
+for white in 777 fff; do
+    solidgen --size 16 --set "color 0 000; color 1 $white" -o grain.ktx2
+    $bare --solid grain.ktx2 -o bare.exr
+    grey bare.exr
+done | awk '{print ($1 > .93 && $1 < .97)}' >bare
+is "watercolor: paper of dark and of light textures" "$(tr '\n' ' ' <bare)" "1 1 "
+
 # A texture that reflects a half, in light that is 1 - tone of all, or with an ink lighter than the paper the tone.
 for inks in white:black black:white grey:black,white; do
     IFS=: read -r paper ink <<END

@@ -5,6 +5,8 @@ layout(std140, binding = BLOCK_TECHNIQUE) uniform Solids {
     vec4 zoom; // y: pixels along a period of the paper; w: how far ink runs
     vec4 marks;
     vec4 edges;
+    vec4 inks[16];
+    vec4 offset, axes[3]; // of the first texture: its mean and deviation, as in solid/zoom.glsl
 };
 
 layout(binding = UNIT_SOLIDS) uniform sampler3D paper_octaves;
@@ -25,9 +27,11 @@ int side_samples()
     return int(sqrt(curve.w) + 0.5);
 }
 
-// Returns the height of the paper behind the scene, -1 .. 1. at: in pixels of the tile; level: of a mip chain
+// Returns the height of the paper behind the scene, -1 .. 1, around the mean of the texture, whatever its contrast. at:
+// in pixels of the tile; level: of a mip chain
 float paper_height(vec2 at, float depth, float level)
 {
     vec3 place = vec3((at + viewport.zw) / zoom.y, depth);
-    return clamp(4.0 * (textureLod(paper_octaves, place, level).r - 0.5), -1.0, 1.0);
+    float away = textureLod(paper_octaves, place, level).r - axes[2].w;
+    return clamp(away / (1.7 * axes[1].w), -1.0, 1.0);
 }
