@@ -73,7 +73,7 @@ static void find_digits(struct equalizing *e)
     for (uint32_t cut = 0; cut < CUTS; cut++) {
         uint32_t group = count_upto(e->prefixes, e->prefix_count, e->cuts[cut]) - 1, digit = 0;
         const uint32_t *counts = e->counts[0] + (size_t)group * DIGITS;
-        uint32_t left = e->count / (CUTS + 1) * (cut + 1) - e->below[cut];
+        uint32_t left = (uint32_t)((uint64_t)e->count * (cut + 1) / (CUTS + 1)) - e->below[cut];
         for (; counts[digit] <= left; digit++) {
             left -= counts[digit];
             e->below[cut] += counts[digit];

@@ -4,10 +4,10 @@
 
 #include "base/parallel.h"
 
-/* Replaces values by bytes in the same order, of which each of 0 .. 255 occurs equally often. Equal values are ordered
- * by a hash of their index.
+/* Replaces values by bytes in the same order, of which each of 0 .. 255 occurs equally often or, if the values are no
+ * multiple of 256, once more or less. Equal values are ordered by a hash of their index.
  *   values  count finite numbers
- *   count   a multiple of 256, up to 2^28
+ *   count   a multiple of 64, up to 2^28
  *   bytes   out: count bytes */
 enum hatch_status hatch_equalize(const float *values, uint32_t count, struct hatch_pool *pool,
                                  struct hatch_arena *scratch, uint8_t *bytes, struct hatch_err *err) HATCH_MUST_USE;

@@ -8,12 +8,12 @@
  *     B_s(p) = (1 - s) A(p) + s A(p / 2),    A(p) = T(p) / 2 + T(2 p) / 3 + T(4 p) / 6
  * A is made once (hatch_zoom_make); shaders read it twice per fragment instead of T four times.
  *
- * Sums of octaves blur marks such as dots. HATCH_ZOOM_UNION keeps them: A has the ranks of T's values, 0 .. 1, and a
- * place is inked where it is in a mark of either octave, those of A(p) covering f and those of A(p / 2) covering c of
- * the surface. At tone t, f - c = (1 - 2 s) t, so that those of the finer octave shrink evenly to nothing while those
- * of the coarser one grow, and 1 - (1 - f) (1 - c) = t, as if octaves did not depend on each other. Solved for the tone
- * at which a place appears, B_s(p) = min(u(A(p), s), u(A(p / 2), 1 - s)),    u(a, s) = a (2 - a) / (1 + (1 - a) (1 - 2
- * s)) */
+ * Sums of octaves blur marks such as dots. HATCH_ZOOM_UNION keeps them: A has the ranks of T's values, 0 .. 1 (equal
+ * ones, if many, by what is around them: zoom/ranks.h), and a place is inked where it is in a mark of either octave,
+ * those of A(p) covering f and those of A(p / 2) covering c of the surface. At tone t, f - c = (1 - 2 s) t, so that
+ * those of the finer octave shrink evenly to nothing while those of the coarser one grow, and 1 - (1 - f) (1 - c) = t,
+ * as if octaves did not depend on each other. Solved for the tone at which a place appears, B_s(p) = min(u(A(p), s),
+ * u(A(p / 2), 1 - s)),    u(a, s) = a (2 - a) / (1 + (1 - a) (1 - 2 s)) */
 #ifndef HATCH_SOLID_ZOOM_H
 #define HATCH_SOLID_ZOOM_H
 

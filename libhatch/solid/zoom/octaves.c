@@ -5,6 +5,7 @@
 
 #include "image/color.h"
 #include "solid/zoom/axes.h"
+#include "solid/zoom/ranks.h"
 
 void hatch_zoom_weights(double s, double weights[HATCH_ZOOM_OCTAVES])
 {
@@ -138,22 +139,6 @@ static enum hatch_status make_grey(const struct hatch_solid *solid, struct hatch
     return HATCH_OK;
 }
 
-/* Turns the values of a grey texture into their ranks, each in the middle of those of its value. */
-static enum hatch_status make_ranks(struct hatch_solid *solid, struct hatch_arena *arena, struct hatch_err *err)
-{
-    const uint8_t *from = solid->texels;
-    size_t count = hatch_solid_count(solid), below = 0, counts[256] = {0};
-    uint8_t ranks[256];
-    HATCH_TRY(hatch_solid_make_like(arena, solid, solid->size, 1, solid, err));
-    for (size_t i = 0; i < count; i++)
-        counts[from[i]]++;
-    for (size_t value = 0; value < 256; below += counts[value++])
-        ranks[value] = hatch_unorm8((float)(((double)below + 0.5 * (double)counts[value]) / (double)count));
-    for (size_t i = 0; i < count; i++)
-        solid->texels[i] = ranks[from[i]];
-    return HATCH_OK;
-}
-
 enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size, bool grey,
                                   enum hatch_zoom_blend blend, struct hatch_pool *pool, struct hatch_arena *arena,
                                   struct hatch_arena *scratch, struct hatch_zoom *zoom, struct hatch_err *err)
@@ -167,7 +152,7 @@ enum hatch_status hatch_zoom_make(const struct hatch_solid *solid, uint32_t size
     else
         made.base = *solid;
     if (status == HATCH_OK && blend == HATCH_ZOOM_UNION && made.base.channels == 1)
-        status = make_ranks(&made.base, arena, err);
+        status = hatch_zoom_rank(&made.base, pool, arena, scratch, err);
     if (status == HATCH_OK)
         status = sum_octaves(&made.base, size, blend, pool, arena, scratch, &made.octaves, err);
     hatch_arena_rewind(scratch, mark);

@@ -137,18 +137,53 @@ START_TEST(a_cycle_ends_where_the_next_begins)
 }
 END_TEST
 
-/* Ranks are shares of lower values and half of the equal ones. */
+/* Ranks are shares of lower values and half of the equal ones, where these are few. */
 START_TEST(a_union_takes_ranks)
 {
     struct hatch_zoom zoom;
     struct hatch_texels mips;
     HATCH_TEST_OK(hatch_solid_make(&keep, SIZE, 1, &solid, &err), &err);
     for (size_t i = 0; i < (size_t)SIZE * SIZE * SIZE; i++)
-        solid.texels[i] = i % 4 == 0 ? 30 : i % 4 == 1 ? 31 : 200;
+        solid.texels[i] = (uint8_t)(30 + i % 128);
     make_zoom(SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
-    for (size_t i = 0; i < 8; i++)
-        ck_assert_uint_eq(zoom.base.texels[i], i % 4 == 0 ? 32 : i % 4 == 1 ? 96 : 191);
+    for (size_t i = 0; i < 128; i++)
+        ck_assert_uint_eq(zoom.base.texels[i], hatch_unorm8(((float)i + 0.5f) / 128));
     ck_assert_uint_eq(solid.texels[0], 30);
+}
+END_TEST
+
+/* Fills the texture with a black ball on white, or a flat one with a disk. */
+static void make_ball(bool flat)
+{
+    HATCH_TEST_OK(hatch_solid_make_like(&keep, &(struct hatch_solid){.depth = flat ? 1 : SIZE}, SIZE, 1, &solid, &err),
+                  &err);
+    for (size_t i = 0; i < hatch_solid_count(&solid); i++) {
+        double x = (double)(i % SIZE) - 7.5, y = (double)(i / SIZE % SIZE) - 7.5;
+        double z = flat ? 0 : (double)(i / SIZE / SIZE) - 7.5;
+        solid.texels[i] = x * x + y * y + z * z < 25 ? 0 : 255;
+    }
+}
+
+/* The ball grows from its middle to its border and, after all of its texels, on from there. */
+START_TEST(a_union_orders_equal_values_by_what_is_around_them)
+{
+    const size_t at = _i ? SIZE / 2 * SIZE : (SIZE / 2 * SIZE + SIZE / 2) * SIZE; /* a row through the middle */
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    uint32_t counts[256] = {0}, black = 0, white = 255;
+    make_ball(_i);
+    make_zoom(SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
+    for (size_t i = 0; i < hatch_solid_count(&solid); i++) {
+        uint32_t rank = zoom.base.texels[i];
+        counts[rank]++;
+        black = solid.texels[i] == 0 && rank > black ? rank : black;
+        white = solid.texels[i] && rank < white ? rank : white;
+    }
+    for (uint32_t rank = 0; rank < 256; rank++)
+        ck_assert_uint_eq(counts[rank], hatch_solid_count(&solid) / 256);
+    ck_assert_uint_le(black, white);
+    for (size_t x = SIZE / 2; x + 1 < SIZE; x++)
+        ck_assert_uint_le(zoom.base.texels[at + x], zoom.base.texels[at + x + 1] + 1u); /* of 256 */
 }
 END_TEST
 
@@ -283,6 +318,23 @@ START_TEST(ranks_cover_what_tones_ask_for)
 }
 END_TEST
 
+START_TEST(two_values_cover_what_tones_ask_for)
+{
+    struct hatch_zoom zoom;
+    struct hatch_texels mips;
+    struct hatch_zoom_table table;
+    double mean, deviation, below[10];
+    make_ball(false);
+    make_zoom(2 * SIZE, HATCH_ZOOM_UNION, &zoom, &mips);
+    HATCH_TEST_OK(hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_UNION, 0, &keep, &scratch, &table, &err), &err);
+    for (uint32_t step = 0; step < HATCH_ZOOM_STEPS; step++) {
+        measure(&mips, HATCH_ZOOM_UNION, &table, step, 0, &mean, &deviation, below);
+        for (int t = 0; t < 10; t++)
+            ck_assert_double_eq_tol(below[t], t / 10.0, 0.03);
+    }
+}
+END_TEST
+
 START_TEST(axes_keep_colors)
 {
     struct hatch_zoom zoom;
@@ -329,20 +381,26 @@ START_TEST(one_value_stays_one_value)
 }
 END_TEST
 
+static enum hatch_zoom_blend failing;
+
 static enum hatch_status make_all(void *context, struct hatch_arena *keeping, struct hatch_arena *working,
                                   struct hatch_err *error)
 {
     struct hatch_zoom zoom;
     struct hatch_texels mips;
-    HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, HATCH_ZOOM_HISTOGRAM, NULL, keeping, working, &zoom, error));
-    HATCH_TRY(hatch_zoom_mips(&zoom, HATCH_ZOOM_HISTOGRAM, keeping, &mips, error));
-    return hatch_zoom_table_make(&zoom, &mips, HATCH_ZOOM_HISTOGRAM, 0, keeping, working, context, error);
+    HATCH_TRY(hatch_zoom_make(&solid, SIZE, false, failing, NULL, keeping, working, &zoom, error));
+    HATCH_TRY(hatch_zoom_mips(&zoom, failing, keeping, &mips, error));
+    return hatch_zoom_table_make(&zoom, &mips, failing, 0, keeping, working, context, error);
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
 {
     struct hatch_zoom_table table = {NULL};
-    make_noise(3);
+    failing = _i ? HATCH_ZOOM_UNION : HATCH_ZOOM_HISTOGRAM;
+    if (_i)
+        make_ball(false);
+    else
+        make_noise(3);
     hatch_test_fail_alloc(make_all, &table, &table, sizeof table);
 }
 END_TEST
@@ -359,11 +417,13 @@ static Suite *suite(void)
     tcase_add_test(tests, tables_give_back_mean_and_contrast);
     tcase_add_loop_test(tests, the_distribution_of_a_texture_ends_with_its_extremes, 0, 2);
     tcase_add_test(tests, a_union_takes_ranks);
+    tcase_add_loop_test(tests, a_union_orders_equal_values_by_what_is_around_them, 0, 2);
+    tcase_add_test(tests, two_values_cover_what_tones_ask_for);
     tcase_add_test(tests, a_union_shows_the_marks_of_two_octaves);
     tcase_add_loop_test(tests, ranks_cover_what_tones_ask_for, 0, 10);
     tcase_add_test(tests, axes_keep_colors);
     tcase_add_test(tests, one_value_stays_one_value);
-    tcase_add_test(tests, every_failed_allocation_is_a_limit);
+    tcase_add_loop_test(tests, every_failed_allocation_is_a_limit, 0, 2);
     suite_add_tcase(suite, tests);
     return suite;
 }
