@@ -15,6 +15,21 @@ static void set_box(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
     }
 }
 
+static void set_facing(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
+{
+    double corners[3][3], normal[3];
+    for (int i = 0; i < 9; i++)
+        unit->facing[i] = 0;
+    for (uint32_t face = 0; face < mesh->face_count; face++) {
+        if (!hatch_mesh_corners(mesh, face, corners))
+            continue;
+        hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+        double length = hatch_vec_length(normal);
+        for (int i = 0; i < 9 && length > 0; i++)
+            unit->facing[i] += normal[i / 3] * (normal[i % 3] / length);
+    }
+}
+
 static struct hatch_item item_of(const struct hatch_scene *scene, uint32_t node, uint32_t mesh)
 {
     const struct hatch_scene_mesh *from = &scene->meshes[mesh];
@@ -51,6 +66,7 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
         mesh->patches = patches && patches[i].patch_count ? &patches[i] : NULL;
         mesh->surface = mesh->patches ? &patches[i].surface : mesh->mesh;
         set_box(mesh->mesh, mesh);
+        set_facing(mesh->surface, mesh);
     }
     for (uint32_t node = 0; node < scene->node_count; node++)
         for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
@@ -98,30 +114,56 @@ static void place_item(const struct hatch_unit_scene *unit, struct hatch_item *i
     box_item(unit, item);
 }
 
-/* Returns the determinant of the upper left 3x3 part. */
-static double determinant(const double matrix[16])
+/* Finds the matrices that take a posed item to the world: that of its node or, of a skinned item, the first joint's
+ * inverse bind matrix and the joint's matrix. Returns their number. */
+static int matrices_of(const struct hatch_unit_scene *unit, const struct hatch_item *item, double matrices[2][16])
 {
-    double cofactors[9];
-    bool mirrors = hatch_pose_normal_matrix(matrix, cofactors);
-    double volume = matrix[0] * cofactors[0] + matrix[1] * cofactors[1] + matrix[2] * cofactors[2];
-    return mirrors ? -fabs(volume) : volume;
+    uint32_t skin = unit->scene->nodes[item->node].skin;
+    if (skin == HATCH_NONE || unit->scene->skins[skin].joint_count == 0) {
+        hatch_pose_matrix(&unit->pose, item->node, matrices[0]);
+        return 1;
+    }
+    for (int i = 0; i < 16; i++)
+        matrices[0][i] = (double)unit->scene->skins[skin].inverse_bind[i];
+    hatch_pose_matrix(&unit->pose, unit->scene->skins[skin].joints[0], matrices[1]);
+    return 2;
 }
 
-/* Returns the factor, less than 0 if it mirrors, by which a posed item's matrix, or that of its first joint, scales
- * volumes. */
-static double volume_factor(const struct hatch_unit_scene *unit, const struct hatch_item *item)
+static bool is_mirrored(const struct hatch_unit_scene *unit, const struct hatch_item *item)
 {
-    double world[16], factor = 1;
-    uint32_t skin = unit->scene->nodes[item->node].skin, node = item->node;
-    if (skin != HATCH_NONE && unit->scene->skins[skin].joint_count > 0) {
-        const float *bind = unit->scene->skins[skin].inverse_bind;
-        for (int i = 0; i < 16; i++)
-            world[i] = (double)bind[i];
-        factor = determinant(world);
-        node = unit->scene->skins[skin].joints[0];
+    double matrices[2][16], normal[9];
+    bool mirrored = false;
+    for (int i = 0, count = matrices_of(unit, item, matrices); i < count; i++)
+        mirrored ^= hatch_pose_normal_matrix(matrices[i], normal);
+    return mirrored;
+}
+
+/* Replaces F by N F N^T. F is symmetric; N is column-major. */
+static void transform_facing(const double n[9], double f[9])
+{
+    double product[9];
+    for (int i = 0; i < 9; i++)
+        product[i] = n[i / 3] * f[i % 3] + n[3 + i / 3] * f[3 + i % 3] + n[6 + i / 3] * f[6 + i % 3];
+    for (int i = 0; i < 9; i++)
+        f[i] = product[i / 3 * 3] * n[i % 3] + product[i / 3 * 3 + 1] * n[3 + i % 3] +
+               product[i / 3 * 3 + 2] * n[6 + i % 3];
+}
+
+/* Returns the factor by which a posed item's matrices scale lengths on the meshes of its node: the root of that of
+ * areas, as a quadratic mean. */
+static double length_factor(const struct hatch_unit_scene *unit, const struct hatch_item *item)
+{
+    const struct hatch_node *node = &unit->scene->nodes[item->node];
+    double matrices[2][16], normal[9], facing[9] = {0};
+    for (uint32_t mesh = 0; mesh < node->mesh_count; mesh++)
+        for (int i = 0; i < 9; i++)
+            facing[i] += unit->meshes[node->first_mesh + mesh].facing[i];
+    double before = facing[0] + facing[4] + facing[8];
+    for (int i = 0, count = matrices_of(unit, item, matrices); i < count; i++) {
+        hatch_pose_normal_matrix(matrices[i], normal);
+        transform_facing(normal, facing);
     }
-    hatch_pose_matrix(&unit->pose, node, world);
-    return factor * determinant(world);
+    return sqrt(sqrt((facing[0] + facing[4] + facing[8]) / before));
 }
 
 /* Sets the matrices of a deformed item, whose vertices are computed directly in the unit scene. */
@@ -131,7 +173,7 @@ static void place_deformed(const struct hatch_unit_scene *unit, struct hatch_ite
     static const float normal_identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     memcpy(item->to_unit, identity, sizeof identity);
     memcpy(item->normal, normal_identity, sizeof normal_identity);
-    item->mirrored = volume_factor(unit, item) < 0;
+    item->mirrored = is_mirrored(unit, item);
 }
 
 void hatch_unit_scene_pose(struct hatch_unit_scene *unit, uint32_t animation, double time_s)
@@ -194,7 +236,7 @@ struct hatch_item_rest hatch_item_rest(const struct hatch_unit_scene *unit, uint
     static const double away[3] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703}; /* on no grid */
     const struct hatch_item *item = &unit->items[index];
     const struct hatch_node *node = &unit->scene->nodes[item->node];
-    double half = 0, factor = cbrt(fabs(volume_factor(unit, item)));
+    double half = 0, factor = length_factor(unit, item);
     for (uint32_t i = 0; i < node->mesh_count; i++)
         for (int k = 0; k < 3; k++)
             half = fmax(half, unit->meshes[node->first_mesh + i].half[k]);

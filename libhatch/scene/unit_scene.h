@@ -16,6 +16,7 @@ struct hatch_unit_mesh {
     double origin[3]; /* centre of the mesh's bounding box; subtracted from positions before to_unit
                          converts them, except for deformed items */
     double half[3];   /* half the sides of that box */
+    double facing[9]; /* sum over its faces of n n^T / |n|, n being a normal as long as twice the area */
 };
 
 struct hatch_item {
@@ -78,7 +79,8 @@ struct hatch_item_rest {
     double unit;       /* a power of two, about the size of the node's meshes */
     double axes[3][3]; /* unit vectors, orthogonal to each other */
     double offset[3];  /* the mesh's origin in units along the axes, less a multiple of 64, plus a constant */
-    double scale;      /* length in the unit scene, at the pose, of a unit: the cube root of the volume's factor */
+    double scale;      /* length in the unit scene, at the pose, of a unit: the root of the factor by which the
+                          areas of the node's faces change, as a quadratic mean */
 };
 
 /* Turns solid textures against the meshes of all items, from alignment: around x first, then around y, then around z.

@@ -133,6 +133,32 @@ START_TEST(turned_textures_continue_from_mesh_to_mesh)
 }
 END_TEST
 
+/* Poses a shape that its node scales. Returns the length of a unit. */
+static double scale_of(enum hatch_shape shape, float x, float y, float z)
+{
+    const struct hatch_bounds bounds = {.radius = 1};
+    struct hatch_mesh mesh = shape_of(shape, 2000);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &keep, &scene, &err), &err);
+    memcpy(scene.nodes[0].scale, (const float[]){x, y, z}, 3 * sizeof x);
+    HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
+    hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+    struct hatch_item_rest rest = hatch_item_rest(&unit, 0);
+    return rest.scale / rest.unit;
+}
+
+/* A square across z grows by the factors along x and y alone. A sphere grows like a cube, of which a third each of the
+ * faces grows by y z, by z x and by x y. */
+START_TEST(solid_textures_have_the_size_of_the_surface)
+{
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_PLANE, 10, 10, 10), 10, 1e-6);
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_PLANE, 10, 10, 1), 10, 1e-6);
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_PLANE, 10, -10, 0), 10, 1e-6);
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_PLANE, 8, 2, 5), 4, 1e-6);
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_TORUS, 3, 3, 3), 3, 1e-6);
+    ck_assert_double_eq_tol(scale_of(HATCH_SHAPE_SPHERE, 2, 3, 4), sqrt(sqrt((144 + 64 + 36) / 3.0)), 0.01);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("unit scene");
@@ -144,6 +170,7 @@ static Suite *suite(void)
     tcase_add_test(tests, posing_again_at_the_same_moment_is_no_change);
     tcase_add_test(tests, solid_textures_turn_around_x_then_y_then_z);
     tcase_add_test(tests, turned_textures_continue_from_mesh_to_mesh);
+    tcase_add_test(tests, solid_textures_have_the_size_of_the_surface);
     suite_add_tcase(made, tests);
     return made;
 }
