@@ -73,14 +73,14 @@ static const struct number_key number_keys[] = {
     {"octaves", NOISE, 1, 1, 8, 1, AT(octaves), 0},
     {"gain", NOISE, 1, 0.1, 1, 0, AT(gain), 0},
     {"rings", BIT(WOOD), 1, 1, 64, 1, AT(rings), 2},
-    {"veins", BIT(MARBLE), 3, -32, 32, 1, AT(veins), 0},
+    {"veins", BIT(MARBLE), 3, -32, 32, 1, AT(veins), 4},
     {"warp", BIT(WOOD) | BIT(MARBLE), 1, 0, 16, 0, AT(warp), 0},
     {"grain", BIT(WOOD) | BIT(PAPER), 1, 0, 1, 0, AT(grain), 0},
     {"fibers", BIT(WOOD), 1, 4, 128, 1, AT(fibers), 1},
     {"sharpness", BIT(MARBLE), 1, 1, 16, 0, AT(sharpness), 0},
     {"jitter", BIT(WORLEY), 1, 0, 1, 0, AT(jitter), 0},
     {"jitter", BIT(STROKES), 1, 0, 90, 0, AT(jitter), 0},
-    {"dots", BIT(STIPPLE), 1, 2, 64, 1, AT(dots), 0},
+    {"dots", BIT(STIPPLE), 1, 2, 64, 1, AT(dots), 2},
     {"vary", BIT(STIPPLE) | BIT(CANVAS), 1, 0, 1, 0, AT(vary), 0},
     {"length", BIT(STROKES), 1, 0.01, 0.75, 0, AT(length), 0},
     {"width", BIT(STROKES), 1, 0.005, 0.1, 0, AT(width), 0},
@@ -217,11 +217,13 @@ const char *hatch_solid_style_fit(struct hatch_solid_style *style, uint32_t size
     for (const struct number_key *key = number_keys; key < number_keys + NUMBER_KEYS; key++) {
         if (!key->texels || !(key->kinds & 1u << style->kind))
             continue;
-        float *value = (float *)((char *)style + key->offset), most = (float)(size / key->texels);
-        if (*value <= most)
-            continue;
-        *value = most;
-        lowered = lowered ? lowered : key->name;
+        float *values = (float *)((char *)style + key->offset), most = (float)(size / key->texels);
+        for (uint32_t i = 0; i < key->count; i++) {
+            if (fabsf(values[i]) <= most)
+                continue;
+            values[i] = copysignf(most, values[i]);
+            lowered = lowered ? lowered : key->name;
+        }
     }
     return lowered;
 }

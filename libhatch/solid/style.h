@@ -76,9 +76,9 @@ bool hatch_solid_equalizes(const struct hatch_solid_style *style);
 /* Returns whether the textures of a style have no direction: its kind has none, or its strokes point anywhere. */
 bool hatch_solid_is_isotropic(const struct hatch_solid_style *style);
 
-/* Lowers the numbers of cells, rings, fibres and threads to those that texels can show: of cells and rings one for two
- * texels, of fibres one for each, of threads one for four. With more, noise and threads would be the same in all
- * texels. Returns the first key that it has lowered, or NULL.
+/* Lowers the numbers of cells, rings, dots, fibres, threads and veins to those that texels can show: of cells, rings
+ * and dots one for two texels, of fibres one for each, of threads and, in either direction, of veins one for four. With
+ * more, noise, threads and veins would be the same in all texels. Returns the first key that it has lowered, or NULL.
  *   style  of a kind
  *   size   texels along a side, a power of two, at least 8 */
 const char *hatch_solid_style_fit(struct hatch_solid_style *style, uint32_t size);

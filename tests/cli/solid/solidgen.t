@@ -61,6 +61,10 @@ try solidgen --set 'scale 64' --size 32 -v -o lowered.ktx2
 is "a scale beyond the texels: message" "$(head -n 1 .err)" \
     "solidgen: scale: lowered to the most that 32 texels along a side can show"
 ok "and texture" cmp most.ktx2 lowered.ktx2
+try solidgen --style marble --set 'veins 0 -32 0; warp 0' --size 32 -v -o lowered.ktx2
+is "as many veins as texels: message" "$(head -n 1 .err)" \
+    "solidgen: veins: lowered to the most that 32 texels along a side can show"
+ok "and texture" test "$(texels lowered.ktx2 | sort -u | wc -l)" -gt 2
 
 printf 'kind worley\nscale 4 # cells\ndistance f2-f1\n' >cells.solid
 printf 'kind strokes\n' >strewn.solid

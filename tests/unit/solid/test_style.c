@@ -133,6 +133,31 @@ START_TEST(wrong_styles_are_refused_and_change_nothing)
 }
 END_TEST
 
+/* Each key with twice as many features as 32 texels can show, and with just as many. */
+START_TEST(numbers_are_lowered_to_those_that_texels_show)
+{
+    static const struct {
+        const char *text, *key;
+        size_t offset;
+        float most;
+    } cases[] = {
+        {"kind perlin\nscale 32", "scale", offsetof(struct hatch_solid_style, scale), 16},
+        {"kind wood\nfibers 4\nrings 32", "rings", offsetof(struct hatch_solid_style, rings), 16},
+        {"kind wood\nfibers 64", "fibers", offsetof(struct hatch_solid_style, fibers), 32},
+        {"kind stipple\ndots 32", "dots", offsetof(struct hatch_solid_style, dots), 16},
+        {"kind canvas\nthreads 16", "threads", offsetof(struct hatch_solid_style, threads), 8},
+        {"kind marble\nveins 16 0 0", "veins", offsetof(struct hatch_solid_style, veins), 8},
+        {"kind marble\nveins 0 -8 -16", "veins", offsetof(struct hatch_solid_style, veins) + 2 * sizeof(float), -8},
+    };
+    float value;
+    HATCH_TEST_OK(parse_style(cases[_i].text, &style), &err);
+    ck_assert_str_eq(hatch_solid_style_fit(&style, 32), cases[_i].key);
+    memcpy(&value, (char *)&style + cases[_i].offset, sizeof value);
+    ck_assert_float_eq(value, cases[_i].most);
+    ck_assert_ptr_null(hatch_solid_style_fit(&style, 32));
+}
+END_TEST
+
 START_TEST(a_ninth_direction_is_refused)
 {
     char text[512] = "kind strokes\n";
@@ -154,6 +179,7 @@ static Suite *suite(void)
     tcase_add_test(tests, every_key_sets_its_member);
     tcase_add_test(tests, directions_of_a_text_replace_those_before);
     tcase_add_loop_test(tests, wrong_styles_are_refused_and_change_nothing, 0, sizeof refusals / sizeof *refusals);
+    tcase_add_loop_test(tests, numbers_are_lowered_to_those_that_texels_show, 0, 7);
     tcase_add_test(tests, a_ninth_direction_is_refused);
     suite_add_tcase(suite, tests);
     return suite;
