@@ -13,4 +13,14 @@
 void cmd_read_picture(struct cmd_args *args, const char *path, float fallback, struct hatch_arena *arena,
                       struct hatch_image *image);
 
+/* Does the same with a file that has been read. */
+void cmd_parse_picture(struct cmd_args *args, const char *path, struct hatch_bytes file, float fallback,
+                       struct hatch_arena *arena, struct hatch_image *image);
+
+/* Replaces numbers of an image that are not finite in the same way; returns how many. */
+size_t cmd_replace_non_finite(const struct hatch_image *image, float fallback);
+
+/* Warns of numbers of a file that were replaced; 0: no warning. */
+void cmd_warn_replaced(const char *name, size_t replaced, float fallback);
+
 #endif

@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include "image/color.h"
-#include "io/foreign/foreign.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
+#include "shared/picture.h"
 #include "shared/solid/solid.h"
 #include "shared/style.h"
 #include "solid/make.h"
@@ -19,9 +19,8 @@ static void read_picture(struct cmd_args *args, const char *path, struct hatch_b
 {
     struct hatch_image image;
     struct hatch_err err;
-    const char *name = cmd_input_name(path), *plugin = cmd_installed_path(args, "lib/hatch/hatch-oiio.so");
-    cmd_check(hatch_image_read_any(file, path, plugin, &args->keep, &args->scratch, &image, &err), name, &err);
-    cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), name, &err);
+    cmd_parse_picture(args, path, file, 1, &args->keep, &image); /* numbers that are not finite become paper */
+    cmd_check(hatch_solid_of_image(&image, &args->keep, solid, &err), cmd_input_name(path), &err);
 }
 
 static void read_one(struct cmd_args *args, const char *path, struct hatch_solid *solid)

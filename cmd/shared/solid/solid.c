@@ -4,6 +4,9 @@
 
 #include "io/exr/exr.h"
 #include "io/texture/container.h"
+#include "shared/picture.h"
+
+#define PAPER 1.0f /* takes the place of numbers that are not finite */
 
 /* Parses the slices of an OpenEXR file. Returns false if its parts are none, or if its pixels are of a kind that is
  * read for pictures alone. */
@@ -16,8 +19,13 @@ static bool parse_slices(struct cmd_args *args, const char *name, struct hatch_b
     hatch_arena_init(&arena, args->max_memory);
     enum hatch_status status = hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err);
     bool slices = status == HATCH_OK && hatch_solid_is_slices(parts, count);
-    if (slices)
+    if (slices) {
+        size_t replaced = 0;
+        for (uint32_t i = 0; i < count; i++)
+            replaced += cmd_replace_non_finite(&parts[i].levels[0], PAPER);
+        cmd_warn_replaced(name, replaced, PAPER);
         cmd_check(hatch_solid_of_slices(parts, count, &args->keep, solid, &err), name, &err);
+    }
     hatch_arena_free(&arena);
     return slices;
 }

@@ -7,7 +7,7 @@
 
 /* Parses a file as a solid texture (solid(5)), or as a flat texture in KTX2. Dies on failure.
  *   name   of the file, for messages
- *   solid  out, in args->keep
+ *   solid  out, in args->keep; numbers of slices that are not finite become 1, with a warning
  * Returns false if the file is neither KTX2 nor the slices of an OpenEXR file, so that it may be a picture. */
 bool cmd_parse_solid(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_solid *solid);
 

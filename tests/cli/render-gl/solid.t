@@ -98,6 +98,14 @@ cp waves.ktx2 'in a folder.ktx2'
 ok "a name with blanks" $draw --solid 'in a folder.ktx2,./waves.ktx2'
 ok "standard input" $draw --solid - <waves.ktx2
 rm -f picture.png
+{
+    printf 'Pf\n2 1\n-1.0\n'
+    printf '\0\0\300\177\0\0\0\0' # NaN and 0
+} >nan.pfm
+try $draw --solid nan.pfm
+is "numbers that are not finite" "$status $(cat .err)" \
+    "0 render-gl: nan.pfm: warning: 1 number is not finite: replaced by 1"
+rm -f picture.png
 
 # Options.
 ok "no texture: that of a style" $draw
@@ -240,6 +248,23 @@ for style in wood perlin; do
     $draw bare.obj --solid $style.exr -o slices.png
     ok "$style of an OpenEXR file" cmp usual.png slices.png
 done
+# Eight slices without compression, of halves 0.5 and, at the first texel, NaN.
+perl -e 'my $attribute = sub { pack "Z* Z* V/a*", @_ };
+    my @headers = map { join("", $attribute->("channels", "chlist", pack("Z* V C x3 V2 x", "Y", 1, 0, 1, 1)),
+        $attribute->("compression", "compression", "\0"), $attribute->("lineOrder", "lineOrder", "\0"),
+        (map { $attribute->($_, "box2i", pack "V4", 0, 0, 7, 7) } "dataWindow", "displayWindow"),
+        $attribute->("pixelAspectRatio", "float", pack "f<", 1), $attribute->("screenWindowWidth", "float", pack "f<", 1),
+        $attribute->("screenWindowCenter", "v2f", pack "f<2", 0, 0), $attribute->("chunkCount", "int", pack "V", 8),
+        $attribute->("name", "string", sprintf "slice.%03d", $_), $attribute->("type", "string", "scanlineimage")) . "\0"
+    } 0 .. 7;
+    my $begin = pack("V2", 20000630, 0x1002) . join("", @headers) . "\0";
+    my $at = length($begin) + 8 * 64;
+    binmode STDOUT;
+    print $begin, map { pack "Q<", $at + 28 * $_ } 0 .. 63;
+    print map { pack "V3 v8", int($_ / 8), $_ % 8, 16, $_ ? 0x3800 : 0x7e00, (0x3800) x 7 } 0 .. 63' >nan.exr
+try $draw --solid nan.exr -o picture.png
+is "slices with numbers that are not finite" "$status $(cat .err)" \
+    "0 render-gl: nan.exr: warning: 1 number is not finite: replaced by 1"
 tamvol -q --tones 8 map.exr -o volume.exr
 try $draw --solid volume.exr -o picture.png
 is "an OpenEXR file of tamvol" "$status $(cat .err)" "3 render-gl: volume.exr: 64x64x8 texels, want a cube or a square"
