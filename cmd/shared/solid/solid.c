@@ -9,15 +9,17 @@
 #define PAPER 1.0f /* takes the place of numbers that are not finite */
 
 /* Parses the slices of an OpenEXR file. Returns false if its parts are none, or if its pixels are of a kind that is
- * read for pictures alone. */
+ * read for pictures alone; dies if it cannot be read otherwise. */
 static bool parse_slices(struct cmd_args *args, const char *name, struct hatch_bytes file, struct hatch_solid *solid)
 {
     struct hatch_arena arena;
     struct hatch_mipmap *parts;
     struct hatch_err err;
-    uint32_t count;
+    uint32_t count, width, height;
     hatch_arena_init(&arena, args->max_memory);
     enum hatch_status status = hatch_exr_read(file, cmd_pool(args), &arena, &args->scratch, &parts, &count, &err);
+    if (status != HATCH_OK && !hatch_exr_is_other_kind(file, &width, &height))
+        cmd_check(status, name, &err);
     bool slices = status == HATCH_OK && hatch_solid_is_slices(parts, count);
     if (slices) {
         size_t replaced = 0;

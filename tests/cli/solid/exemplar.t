@@ -102,6 +102,10 @@ is "a texture of a style has no figures of a picture" \
 ok "hatchstat solid reads standard input" sh -c 'hatchstat solid <wood.ktx2 >wood.tsv'
 solidgen --style wood --size 16 -o wood.exr
 is "slices in OpenEXR are measured as KTX2" "$(hatchstat solid wood.exr)" "$(cat wood.tsv)"
+head -c 1000 wood.exr >cut.exr
+try hatchstat solid cut.exr
+is "hatchstat solid says how a file is damaged" "$status $(cat .err)" \
+    "3 hatchstat: cut.exr: the OpenEXR file is damaged: end of file attempting to read header"
 try hatchstat solid slices.png
 refused "hatchstat solid wants no picture" 3 1
 is "hatchstat solid says what it wants" "$(cat .err)" "hatchstat: slices.png: neither KTX2 nor slices in OpenEXR"
