@@ -97,8 +97,12 @@ static void fill_bytes(void *context, uint32_t piece)
 static enum hatch_status equalize(struct equalizing *e, struct hatch_pool *pool, struct hatch_arena *scratch,
                                   struct hatch_err *err)
 {
-    for (uint32_t piece = 0; piece < e->pieces; piece++)
-        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &e->counts[piece], (size_t)CUTS * DIGITS, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &e->counts[0], (size_t)CUTS * DIGITS, err));
+    for (uint32_t piece = 1; piece < e->pieces; piece++)
+        if (HATCH_ALLOC_UNSET(scratch, &e->counts[piece], (size_t)CUTS * DIGITS, err) != HATCH_OK)
+            e->pieces = piece; /* the memory is short: fewer and larger pieces, of the same result */
+    while (e->pieces & (e->pieces - 1))
+        e->pieces--;
     e->prefix_count = 1;
     for (e->shift = KEY_BITS; e->shift > 0;) {
         e->shift -= DIGIT_BITS;

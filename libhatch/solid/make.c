@@ -61,19 +61,25 @@ static void fill_slice(void *context, uint32_t slice)
     }
 }
 
-static enum hatch_status fill(struct making *m, const struct solid_job *job, uint8_t *ranks, struct hatch_err *err)
+static enum hatch_status fill(struct making *m, const struct solid_job *job, struct hatch_err *err)
 {
     const struct hatch_solid_options *options = m->options;
     uint32_t rows = options->size * options->size, batch = rows < BATCHES ? rows : rows / BATCHES;
+    uint32_t count = rows * options->size;
+    bool equalizes = hatch_solid_equalizes(options->style);
     HATCH_TRY(prepare(job, &m->field, err));
+    /* One array for values and ranks: the arena would make a second one as large as the first. */
+    HATCH_TRY(HATCH_ALLOC_UNSET(job->scratch, &m->values, equalizes ? count + count / sizeof(float) : count, err));
     for (m->first_row = 0; m->first_row < rows; m->first_row += batch) {
         double share = (double)m->first_row / rows;
         hatch_progress_report(options->progress, m->field.prepared + (1 - m->field.prepared) * share);
         hatch_parallel_for(options->pool, batch, fill_row, m);
     }
-    if (ranks)
-        HATCH_TRY(hatch_equalize(m->values, rows * options->size, options->pool, job->scratch, ranks, err));
-    m->ranks = ranks;
+    if (equalizes) {
+        uint8_t *ranks = (uint8_t *)(m->values + count);
+        HATCH_TRY(hatch_equalize(m->values, count, options->pool, job->scratch, ranks, err));
+        m->ranks = ranks;
+    }
     hatch_parallel_for(options->pool, options->size, fill_slice, m);
     return HATCH_OK;
 }
@@ -85,12 +91,7 @@ static enum hatch_status make(const struct hatch_solid_options *options, struct 
     struct hatch_solid_style style = *options->style;
     hatch_solid_style_fit(&style, options->size);
     struct solid_job job = {&style, options->size, options->seed, options->pool, options->progress, scratch, scratch};
-    size_t count = (size_t)options->size * options->size * options->size;
-    uint8_t *ranks = NULL;
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &m.values, count, err));
-    if (hatch_solid_equalizes(options->style))
-        HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &ranks, count, err));
-    return fill(&m, &job, ranks, err);
+    return fill(&m, &job, err);
 }
 
 uint64_t hatch_solid_style_bytes(const struct hatch_solid_style *style, uint32_t size)

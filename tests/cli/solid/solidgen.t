@@ -122,6 +122,12 @@ ok "is refused before any work ($ms ms)" test "$ms" -le 50
 # 128^3 values of 4 bytes and their ranks of one, a seventh more, and a megabyte.
 enough=$((5 * 2097152 + 5 * 2097152 / 7 + 1048576))
 ok "as much memory as a texture takes is enough" solidgen --style perlin --size 128 --max-memory $enough -o exact.ktx2
+ok "for any number of threads" solidgen --style perlin --size 128 --max-memory $enough --threads 8 -o eight.ktx2
+ok "which make the same texture" cmp exact.ktx2 eight.ktx2
+for side in 32 64; do
+    bytes=$((5 * side * side * side + 5 * side * side * side / 7 + 1048576))
+    ok "and of a texture of $side texels" solidgen --style perlin --size $side --max-memory $bytes --threads 8 -o small.ktx2
+done
 says "one byte less is not" 5 1 "solidgen: --size 128 needs 13 MB of memory, --max-memory allows 13 MB" \
     solidgen --style perlin --size 128 --max-memory $((enough - 1)) -o x
 many='width 0.005; length 0.01; density 16'
