@@ -1,5 +1,6 @@
 #include "exemplar.h"
 
+#include "filter/pyramid.h"
 #include "shared/picture.h"
 
 const char *const solidgen_methods[] = {"kopf", "pyramid", NULL};
@@ -7,8 +8,19 @@ const char *const solidgen_axes[] = {"xyz", "xy", "xz", "yz", NULL};
 
 static const uint32_t axis_bits[] = {7, 3, 5, 6};
 
+static void halve(struct cmd_args *args, struct hatch_image *image)
+{
+    struct hatch_err err;
+    struct hatch_image half;
+    uint32_t width = hatch_mip_size(image->width, 1), height = hatch_mip_size(image->height, 1);
+    cmd_check(hatch_image_make(&args->keep, width, height, image->channel_count == 1 ? "Y" : "RGB", &half, &err), NULL,
+              &err);
+    hatch_image_halve(image, &half);
+    *image = half;
+}
+
 void solidgen_read_exemplar(struct cmd_args *args, const struct solidgen_exemplar *options, uint32_t size,
-                            struct hatch_image *exemplar)
+                            uint32_t made, struct hatch_image *exemplar)
 {
     struct hatch_err err;
     struct hatch_image picture;
@@ -23,6 +35,8 @@ void solidgen_read_exemplar(struct cmd_args *args, const struct solidgen_exempla
                  size, used.halvings ? "the resolution is halved, " : "", used.cropped ? "the middle " : "", used.width,
                  used.height);
     hatch_arena_free(&arena);
+    for (; made < size; made *= 2)
+        halve(args, exemplar);
 }
 
 void solidgen_synthesize(struct cmd_args *args, const struct solidgen_exemplar *options, uint32_t size,

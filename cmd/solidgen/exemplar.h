@@ -21,10 +21,11 @@ extern const char *const solidgen_methods[];
 extern const char *const solidgen_axes[];
 
 /* Reads the picture. Warns of what is not used of it. Dies on failure.
- *   size      texels along a side of the solid
+ *   size      texels along a side of a solid in full resolution
+ *   made      texels along a side of the one that is made: a power of two, at most size. The picture is reduced as much
  *   exemplar  out: in args->keep */
 void solidgen_read_exemplar(struct cmd_args *args, const struct solidgen_exemplar *options, uint32_t size,
-                            struct hatch_image *exemplar);
+                            uint32_t made, struct hatch_image *exemplar);
 
 /* Makes the solid, in args->keep. Dies on failure. */
 void solidgen_synthesize(struct cmd_args *args, const struct solidgen_exemplar *options, uint32_t size,

@@ -77,6 +77,31 @@ struct job {
     const char *maker; /* style or method */
 };
 
+/* Makes the texture no larger than its period in the pictures asks for.
+ *   size_min  texels along a side at least */
+static void fit(struct cmd_args *args, uint32_t size_min)
+{
+    struct hatch_needs needs;
+    cmd_read_needs(args, needs_path, &needs);
+    uint32_t needed = hatch_needs_solid(&needs, (uint32_t)size, size_min);
+    if (needed < size)
+        cmd_note("%u texels along a side, not %d: a period covers %g pixels; %.3g %% of the texels are made", needed,
+                 (int)size, needs.solid_px, 100 * pow((double)needed / (double)size, 3));
+    size = needed;
+}
+
+/* Returns the texels along a side, at most size, that show all features of a style. */
+static uint32_t size_of_features(const struct hatch_solid_style *style)
+{
+    uint32_t least = HATCH_SOLID_SIZE_MIN;
+    struct hatch_solid_style fitted = *style;
+    while (least < size && hatch_solid_style_fit(&fitted, least)) {
+        fitted = *style;
+        least *= 2;
+    }
+    return least;
+}
+
 static void read_style(struct job *job)
 {
     struct hatch_err err;
@@ -86,6 +111,8 @@ static void read_style(struct job *job)
         hatch_solid_style_parse(cmd_split_settings(&job->args, &settings), &job->style, &err) != HATCH_OK)
         cmd_usage("--set: %s", err.text);
     cmd_name_style(path, job->style.name);
+    if (needs_path)
+        fit(&job->args, size_of_features(&job->style));
     struct hatch_solid_style fitted = job->style;
     const char *lowered = hatch_solid_style_fit(&fitted, (uint32_t)size);
     if (lowered)
@@ -134,7 +161,10 @@ static void make_from_style(struct job *job)
 static void make_from_exemplar(struct job *job)
 {
     struct hatch_image image;
-    solidgen_read_exemplar(&job->args, &exemplar, (uint32_t)size, &image);
+    const uint32_t whole = (uint32_t)size;
+    if (needs_path)
+        fit(&job->args, HATCH_SOLID_SIZE_MIN);
+    solidgen_read_exemplar(&job->args, &exemplar, whole, (uint32_t)size, &image);
     check_memory(job, image.channel_count, 0, 0); /* hatch_synthesis_make tries what it needs */
     solidgen_synthesize(&job->args, &exemplar, (uint32_t)size, &image, &job->solid);
     job->maker = solidgen_methods[exemplar.method];
@@ -158,18 +188,6 @@ static void encode(struct job *job, struct hatch_buffer *file)
     cmd_encode_texture(&job->args, &texture, job->args.output, file);
 }
 
-/* Makes the texture no larger than its period in the pictures asks for. */
-static void fit(struct cmd_args *args)
-{
-    struct hatch_needs needs;
-    cmd_read_needs(args, needs_path, &needs);
-    uint32_t needed = hatch_needs_solid(&needs, (uint32_t)size, HATCH_SOLID_SIZE_MIN);
-    if (needed < size)
-        cmd_note("%u texels along a side, not %d: a period covers %g pixels; %.3g %% of the texels are made", needed,
-                 (int)size, needs.solid_px, 100 * pow((double)needed / (double)size, 3));
-    size = needed;
-}
-
 int main(int argc, char **argv)
 {
     static struct job job;
@@ -180,8 +198,6 @@ int main(int argc, char **argv)
     if (slices_path)
         files[1].output = cmd_open_output(slices_path, "png", true);
 
-    if (needs_path)
-        fit(&job.args);
     if (exemplar.path)
         make_from_exemplar(&job);
     else

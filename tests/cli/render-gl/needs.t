@@ -317,6 +317,18 @@ is "a period that is asked for has a row" "$(row solid.needs solid-px 0)" 64
 is "which needs half of the texels along a side" "$(solidgen -v --needs solid.needs 2>&1 >solid.ktx2 |
     grep -c '32 texels along a side, not 64: a period covers 64 pixels; 12.5 % of')" 1
 ok "the same as --size" cmp solid.ktx2 "$(solidgen -q --size 32 -o half.ktx2 && echo half.ktx2)"
+# With fewer texels, features have the same size: paper has 24 cells, in two texels each; a picture is reduced.
+solidgen -q --needs solid.needs --style paper -o paper.ktx2
+ok "a style keeps its features" cmp paper.ktx2 "$(solidgen -q --style paper -o whole.ktx2 && echo whole.ktx2)"
+for side in 48 24; do
+    awk -v side=$side 'BEGIN {
+        printf "P2\n%d %d\n255\n", side, side
+        for (i = 0; i < side * side; i++)
+            print int((i % side) / side * 8) * 29 % 256 }' >ramps$side.pgm
+done
+solidgen -q --needs solid.needs --exemplar ramps48.pgm --method pyramid -o reduced.ktx2
+ok "a picture keeps its size" cmp reduced.ktx2 "$(solidgen -q --size 32 --exemplar ramps24.pgm --method pyramid -o small.ktx2 &&
+    echo small.ktx2)"
 is "without one, all are made" "$(solidgen -q --needs s.needs | wc -c)" "$(solidgen -q | wc -c)"
 
 # Usage
