@@ -62,6 +62,9 @@ struct look *look_read(struct cmd_args *args, enum look_kind kind, bool paints, 
         cmd_usage("--blend: --look binary draws thresholds; want linear or union");
     if (kind != LOOK_BINARY && look_options.blend == HATCH_ZOOM_UNION)
         cmd_usage("--blend union needs --look binary");
+    const uint32_t bands = (uint32_t)look_options.bands;
+    if (kind == LOOK_COLLAGE && look->files.count > bands)
+        cmd_warn(NULL, "--solid: %u textures, of which --bands %u uses %u", look->files.count, bands, bands);
     read_inks(&look->block);
     look->paints = paints;
     look_choose(look, kind);

@@ -33,6 +33,13 @@ for count in 31 127 4095; do
     ok "collage: a border between objects whose numbers differ by $((count + 1))" cmp balls0.png balls$count.png
 done
 
+# A texture for each tone.
+for bands in 2 3; do
+    $draw ball.glb --solid waves.ktx2,waves.ktx2,waves.ktx2 --look collage --bands $bands -o three.png
+done 2>said
+is "collage: textures beyond the tones are left out, with a warning" "$(cat said)" \
+    "render-gl: warning: --solid: 3 textures, of which --bands 2 uses 2"
+
 # A square of one tone, with all effects off: as dark as if so much of the ink covered the paper, of which the lightest
 # tone is a thin wash of a quarter. Of inks whose channels are all or nothing, the mean of the channels shows that, too.
 perl "$TOP/tests/support/solid/make.pl" 8 grey:128 >one.ktx2
