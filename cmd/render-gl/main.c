@@ -20,8 +20,12 @@ static void open_outputs(struct job *job)
     job->outputs = HATCH_NEW(&job->args.keep, struct cmd_output *, count, &err);
     cmd_check(job->outputs ? HATCH_OK : HATCH_LIMIT, NULL, &err);
     for (uint32_t frame = 0; frame < count; frame++) {
-        char name[4096];
-        parse_frame_name(job->args.output ? job->args.output : "-", frame, name, sizeof name);
+        const char *name = job->args.output ? job->args.output : "-";
+        char numbered[4096];
+        if (!report && options_is_given("frames")) {
+            parse_frame_name(name, frame, numbered, sizeof numbered);
+            name = numbered;
+        }
         job->outputs[frame] = options->needs
                                   ? cmd_open_output(name, job->args.json ? "json needs txt" : "tsv needs txt", false)
                               : report ? cmd_open_report(&job->args, name)

@@ -96,6 +96,9 @@ is "the manual names the techniques that support --pixel-light" "$(awk '/^\.It/ 
 refuses "a percent sign beside the number of a picture" 2 2 %03d $draw torus.glb -t gouraud --frames 2 -o 'a%b-%d.png'
 render-gl torus.glb -t gouraud --size 8x8 --frames 2 --turntable -o 'a%%b-%d%%.png'
 is "two of them stand for one" "$(ls a%*)" "$(printf 'a%%b-0%%.png\na%%b-1%%.png')"
+render-gl torus.glb -t gouraud --size 8x8 -o 'single%d.png'
+render-gl torus.glb -t gouraud --size 8x8 -o 'single%%.png'
+is "a single picture has the name that is given" "$(ls single*)" "$(printf 'single%%%%.png\nsingle%%d.png')"
 refuses "--frames without a number in the output's name" 2 2 %03d $draw torus.glb --tam map.exr --frames 2
 refuses "shadows with an edge of width 0" 2 2 "--shadows: '0'" $draw torus.glb --tam map.exr --shadows 0
 refuses "haloes that are too wide" 2 2 "--haloes: '33'" $draw torus.glb --tam map.exr --haloes 33
