@@ -4,7 +4,8 @@
 # of its standard error. A change that is to alter no output gives the same lines before and after (compare.sh).
 #
 # PATTERN, a regular expression, selects runs by name, the environment variable PARTS parts of the list ("maps meshes").
-# The environment variable KEEP, a folder that does not exist yet, keeps the files of each run in runs/NAME. Pictures depend on the driver, so compare builds on one machine.
+# The environment variable KEEP, a folder that does not exist yet, keeps the files of each run in runs/NAME. Pictures
+# depend on the driver, so compare builds on one machine.
 #
 # The first lines are the inputs, which the build's own commands and scenes.pl make. The folder of each run has links to
 # them. The name of a run starts with its subject.
@@ -13,9 +14,11 @@ LC_ALL=C
 export LC_ALL
 # shellcheck source-path=SCRIPTDIR
 . "$(dirname "$0")/list.sh"
+# shellcheck source-path=SCRIPTDIR
+. "$(dirname "$0")/list_draw.sh"
 . "$(dirname "$0")/../soon.sh"
 
-# Functions for the commands in list.sh.
+# Functions for the commands in list.sh and list_draw.sh.
 
 # draw SCENE [OPTION ...]: draws a picture
 draw() {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # figures.sh PART BUILD: executes the runs of a part of tests/bytes/list.sh (maps, meshes, techniques, pictures, seeds,
-# reports) with a build, and prints the figures of their files (figures.pl).
+# reports, solids) with a build, and prints the figures of their files (figures.pl).
 set -eu
 [ $# -eq 2 ] || { echo "usage: figures.sh PART BUILD" >&2; exit 2; }
 here=$(dirname "$0")

@@ -1,5 +1,5 @@
 # Every command writes the same bytes whichever compiler and optimisation built it. With LONG=1 alone: it builds all
-# commands again for each of them, and executes the list of runs, tests/bytes/list.sh.
+# commands again for each of them, and executes the list of runs, tests/bytes/list.sh and list_draw.sh.
 . "${TOP:-.}/tests/tap.sh"
 [ -n "${LONG:-}" ] || { skip "bytes of all commands" "only with LONG=1"; finish; }
 sh "$TOP/tests/bytes/runs.sh" "$BUILD" >runs.tsv
