@@ -36,7 +36,8 @@ struct hatch_lapped_input {
     const struct hatch_frames *frames;   /* frames of the surface; used by hatch_lapped_make */
     const double *direction;             /* 3 per point: unit tangents, as in struct hatch_field */
     const double *confidence;            /* per point, 0 .. 1; used by hatch_lapped_mesh */
-    const struct hatch_mesh *mesh;       /* the mesh that the surface was made from; used by hatch_lapped_mesh */
+    const struct hatch_mesh *mesh;       /* the mesh that the surface was made from, with the surface's orientation, as
+                                            hatch_surface_to_mesh makes it; used by hatch_lapped_mesh */
     const struct hatch_outline *outline; /* the outline that all patches share */
     double tile; /* side of a tile of hatching in the mesh's units, greater than 0; used by hatch_lapped_mesh */
 };

@@ -1,14 +1,12 @@
 #include <assert.h>
 
 #include "lapped/work.h"
-#include "math/vector.h"
 
-/* A corner of the patch. Corners that agree in the first three members share a vertex of its mesh. */
+/* A corner of the patch. Corners that agree in the first two members share a vertex of its mesh. */
 struct corner {
-    uint32_t vertex;  /* vertex of the patch */
-    uint32_t origin;  /* vertex of the source mesh */
-    uint32_t flipped; /* 1 if its normal must be flipped */
-    uint32_t index;   /* its index among the patch's corners */
+    uint32_t vertex; /* vertex of the patch */
+    uint32_t origin; /* vertex of the source mesh */
+    uint32_t index;  /* its index among the patch's corners */
 };
 
 /* The patch and what its mesh is made from. */
@@ -17,35 +15,18 @@ struct patch_source {
     const struct hatch_lapped *lapped;
     const struct hatch_lapped_patch *patch;
     float *hatch;           /* 2 per vertex: TEXCOORD_0 */
-    struct corner *corners; /* sorted by vertex, origin, flipped, index */
+    struct corner *corners; /* sorted by vertex, origin, index */
 };
 
 /* Returns whether corner a comes before corner b of the same vertex. */
 static bool before(const struct corner *a, const struct corner *b)
 {
-    if (a->origin != b->origin)
-        return a->origin < b->origin;
-    return a->flipped != b->flipped ? a->flipped < b->flipped : a->index < b->index;
+    return a->origin != b->origin ? a->origin < b->origin : a->index < b->index;
 }
 
 static bool same(const struct corner *a, const struct corner *b)
 {
-    return a->vertex == b->vertex && a->origin == b->origin && a->flipped == b->flipped;
-}
-
-/* Returns whether a corner's normal points to the wrong side because the face was reversed in the surface. */
-static bool needs_flip(const struct hatch_lapped_input *input, const float *normals, uint32_t face, uint32_t c)
-{
-    const struct hatch_surface *surface = input->surface;
-    const uint32_t *vertex = &surface->corner_vertex[3 * (size_t)face];
-    if (!normals || input->mesh->indices[3 * (size_t)surface->face_source[face] + 1] == vertex[1])
-        return false;
-    const uint32_t *corner = &surface->corners[3 * (size_t)face];
-    double own[3], normal[3];
-    hatch_vec_of(&normals[3 * (size_t)vertex[c]], own);
-    hatch_vec_triangle(&surface->points[3 * (size_t)corner[0]], &surface->points[3 * (size_t)corner[1]],
-                       &surface->points[3 * (size_t)corner[2]], normal);
-    return hatch_vec_dot(own, normal) < 0;
+    return a->vertex == b->vertex && a->origin == b->origin;
 }
 
 /* Sorts corners by vertex, then by before().
@@ -72,7 +53,6 @@ static void sort_corners(const struct corner *corners, uint32_t count, uint32_t 
 static enum hatch_status list_corners(struct patch_source *from, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_lapped_patch *patch = from->patch;
-    const float *normals = hatch_mesh_find(from->input->mesh, "NORMAL", 3);
     uint32_t count = 3 * patch->face_count;
     uint32_t *first;
     struct corner *list;
@@ -83,19 +63,10 @@ static enum hatch_status list_corners(struct patch_source *from, struct hatch_ar
         uint32_t face = from->lapped->faces[patch->first_face + i / 3];
         list[i].vertex = from->lapped->corners[3 * (size_t)patch->first_face + i];
         list[i].origin = from->input->surface->corner_vertex[3 * (size_t)face + i % 3];
-        list[i].flipped = needs_flip(from->input, normals, face, i % 3);
         list[i].index = i;
     }
     sort_corners(list, count, patch->vertex_count, first, from->corners);
     return HATCH_OK;
-}
-
-static void flip(float *normals, float *tangents, uint32_t vertex)
-{
-    for (size_t k = 0; k < 3; k++)
-        normals[3 * (size_t)vertex + k] = -normals[3 * (size_t)vertex + k];
-    if (tangents)
-        tangents[4 * (size_t)vertex + 3] = -tangents[4 * (size_t)vertex + 3];
 }
 
 static enum hatch_status find_or_add(struct hatch_arena *arena, struct hatch_mesh *mesh, const char *name,
@@ -107,7 +78,7 @@ static enum hatch_status find_or_add(struct hatch_arena *arena, struct hatch_mes
 
 /* The attributes of the patch's mesh that are not copied. */
 struct attributes {
-    float *hatch, *mask, *direction, *normals, *tangents;
+    float *hatch, *mask, *direction;
 };
 
 static void write_vertex(const struct patch_source *from, const struct corner *corner, const struct attributes *to,
@@ -121,8 +92,6 @@ static void write_vertex(const struct patch_source *from, const struct corner *c
     for (size_t i = 0; i < 3; i++)
         to->direction[4 * (size_t)vertex + i] = (float)from->input->direction[3 * (size_t)source->point + i];
     to->direction[4 * (size_t)vertex + 3] = (float)from->input->confidence[source->point];
-    if (corner->flipped)
-        flip(to->normals, to->tangents, vertex);
 }
 
 static enum hatch_status build(const struct patch_source *from, struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -141,8 +110,6 @@ static enum hatch_status build(const struct patch_source *from, struct hatch_are
     HATCH_TRY(find_or_add(arena, &made, "TEXCOORD_0", 2, &to.hatch, err));
     HATCH_TRY(find_or_add(arena, &made, "TEXCOORD_1", 2, &to.mask, err));
     HATCH_TRY(find_or_add(arena, &made, "_HATCH_DIR", 4, &to.direction, err));
-    to.normals = hatch_mesh_find(&made, "NORMAL", 3);
-    to.tangents = hatch_mesh_find(&made, "TANGENT", 4);
     uint32_t vertex = 0;
     for (uint32_t i = 0; i < corner_count; i++) {
         bool first = i == 0 || !same(&corners[i - 1], &corners[i]);
