@@ -191,7 +191,8 @@ bool find_range(const Reader &r, const tinygltf::Primitive &primitive, uint32_t 
 {
     auto position = primitive.attributes.find("POSITION");
     size_t accessor = position == primitive.attributes.end() ? SIZE_MAX : static_cast<size_t>(position->second);
-    if (!list || count == 0 || accessor >= r.users.size() || r.users[accessor] < 2 || !primitive.targets.empty())
+    if (!list || count == 0 || accessor >= r.model.accessors.size() || r.users[accessor] < 2 ||
+        !primitive.targets.empty())
         return false;
     uint32_t low = *std::min_element(list, list + count), high = *std::max_element(list, list + count);
     size_t elements = r.model.accessors[accessor].count;
@@ -238,16 +239,19 @@ bool has_faces(const tinygltf::Primitive &primitive)
     return primitive.mode >= TINYGLTF_MODE_TRIANGLES;
 }
 
-void count_users(Reader &r)
+enum hatch_status count_users(Reader &r)
 {
-    r.users.assign(r.model.accessors.size(), 0);
+    r.users = HATCH_NEW(r.scratch, uint32_t, r.model.accessors.size(), r.err);
+    if (!r.users)
+        return HATCH_LIMIT;
     for (const tinygltf::Mesh &mesh : r.model.meshes)
         for (const tinygltf::Primitive &primitive : mesh.primitives) {
             auto position = primitive.attributes.find("POSITION");
             if (position != primitive.attributes.end() && has_faces(primitive) &&
-                static_cast<size_t>(position->second) < r.users.size())
+                static_cast<size_t>(position->second) < r.model.accessors.size())
                 r.users[static_cast<size_t>(position->second)]++;
         }
+    return HATCH_OK;
 }
 
 /* Use of a glTF mesh: by nobody, by a coarser level of detail only, or by a node of the scene. */
@@ -294,7 +298,8 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
     const std::vector<use> uses = find_uses(r);
     for (size_t m = 0; m < count; m++)
         primitives += uses[m] == DRAWN ? r.model.meshes[m].primitives.size() : 0;
-    count_users(r);
+    HATCH_TRY(count_users(r));
+    HATCH_TRY(find_morphs(r));
     r.scene->meshes = HATCH_NEW(r.arena, struct hatch_scene_mesh, primitives, r.err);
     if (!r.scene->meshes)
         return HATCH_LIMIT;

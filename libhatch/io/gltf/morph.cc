@@ -17,24 +17,30 @@ double weight_of(const std::vector<double> &weights, size_t target)
     return target < weights.size() ? weights[target] : 0;
 }
 
-/* Returns whether a node or an animation gives the mesh other weights than those at rest. */
-bool has_other_weights(const Reader &r, size_t mesh, size_t targets)
+/* Returns the weights of a node that has a mesh: the node's own, else the mesh's. */
+const std::vector<double> &node_weights(const Reader &r, size_t node)
 {
-    const std::vector<double> &rest = rest_weights(r, mesh);
-    auto uses = [&](int node) {
-        return node >= 0 && static_cast<size_t>(node) < r.model.nodes.size() &&
-               r.model.nodes[static_cast<size_t>(node)].mesh == static_cast<int>(mesh);
-    };
-    for (const tinygltf::Animation &animation : r.model.animations)
-        for (const tinygltf::AnimationChannel &channel : animation.channels)
-            if (channel.target_path == "weights" && uses(channel.target_node))
-                return true;
-    for (size_t i = 0; i < r.model.nodes.size(); i++)
-        for (size_t t = 0; uses(static_cast<int>(i)) && t < targets; t++)
-            if (weight_of(node_weights(r, i), t) < weight_of(rest, t) ||
-                weight_of(node_weights(r, i), t) > weight_of(rest, t))
-                return true;
+    const tinygltf::Node &from = r.model.nodes[node];
+    return from.weights.empty() ? r.model.meshes[static_cast<size_t>(from.mesh)].weights : from.weights;
+}
+
+/* Returns whether a node gives one of its mesh's targets another weight than at rest. */
+bool has_other_weights(const Reader &r, size_t node, const Morph &morph)
+{
+    const std::vector<double> &own = node_weights(r, node), &rest = *morph.rest;
+    for (size_t t = 0; t < morph.targets; t++)
+        if (weight_of(own, t) < weight_of(rest, t) || weight_of(own, t) > weight_of(rest, t))
+            return true;
     return false;
+}
+
+/* Returns the targets of a node's mesh; NULL if it has no mesh. */
+Morph *morph_of(const Reader &r, int node)
+{
+    if (node < 0 || static_cast<size_t>(node) >= r.model.nodes.size())
+        return nullptr;
+    const int mesh = r.model.nodes[static_cast<size_t>(node)].mesh;
+    return mesh >= 0 && static_cast<size_t>(mesh) < r.model.meshes.size() ? &r.morphs[mesh] : nullptr;
 }
 
 /* Calls use with the displacements of each target that has the attribute name.
@@ -108,37 +114,48 @@ enum hatch_status keep_targets(Reader &r, const tinygltf::Primitive &primitive, 
 
 } // namespace
 
-const std::vector<double> &rest_weights(const Reader &r, size_t mesh)
+enum hatch_status find_morphs(Reader &r)
 {
-    for (const tinygltf::Node &node : r.model.nodes)
-        if (node.mesh >= 0 && static_cast<size_t>(node.mesh) == mesh && !node.weights.empty())
-            return node.weights;
-    return r.model.meshes[mesh].weights;
-}
-
-const std::vector<double> &node_weights(const Reader &r, size_t node)
-{
-    const tinygltf::Node &from = r.model.nodes[node];
-    return from.weights.empty() ? r.model.meshes[static_cast<size_t>(from.mesh)].weights : from.weights;
+    const size_t nodes = r.model.nodes.size();
+    r.morphs = HATCH_NEW(r.scratch, Morph, r.model.meshes.size(), r.err);
+    if (!r.morphs)
+        return HATCH_LIMIT;
+    for (size_t m = 0; m < r.model.meshes.size(); m++) {
+        r.morphs[m].rest = &r.model.meshes[m].weights;
+        for (const tinygltf::Primitive &primitive : r.model.meshes[m].primitives)
+            if (primitive.mode >= TINYGLTF_MODE_TRIANGLES)
+                r.morphs[m].targets = std::max(r.morphs[m].targets, primitive.targets.size());
+    }
+    for (size_t i = nodes; i-- > 0;) /* backwards: the first node counts */
+        if (Morph *morph = morph_of(r, static_cast<int>(i)))
+            morph->rest = r.model.nodes[i].weights.empty() ? morph->rest : &r.model.nodes[i].weights;
+    for (size_t i = 0; i < nodes; i++)
+        if (Morph *morph = morph_of(r, static_cast<int>(i)))
+            morph->varies = morph->varies || has_other_weights(r, i, *morph);
+    for (const tinygltf::Animation &animation : r.model.animations)
+        for (const tinygltf::AnimationChannel &channel : animation.channels)
+            if (Morph *morph = morph_of(r, channel.target_node))
+                morph->varies = morph->varies || channel.target_path == "weights";
+    return HATCH_OK;
 }
 
 enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, size_t index, const std::string &where,
                              struct hatch_mesh *mesh)
 {
-    size_t targets = primitive.targets.size(), most = 0;
-    for (const tinygltf::Primitive &other : r.model.meshes[index].primitives)
-        most = other.mode >= TINYGLTF_MODE_TRIANGLES && other.targets.size() > most ? other.targets.size() : most;
-    if (most == 0)
+    const Morph &morph = r.morphs[index];
+    const size_t targets = primitive.targets.size();
+    if (morph.targets == 0)
         return HATCH_OK;
-    HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "POSITION", where, mesh));
-    HATCH_TRY(apply_at_rest(r, primitive, rest_weights(r, index), "NORMAL", where, mesh));
-    if (!has_other_weights(r, index, most)) {
-        normalize_moved(rest_weights(r, index), mesh);
+    HATCH_TRY(apply_at_rest(r, primitive, *morph.rest, "POSITION", where, mesh));
+    HATCH_TRY(apply_at_rest(r, primitive, *morph.rest, "NORMAL", where, mesh));
+    if (!morph.varies) {
+        normalize_moved(*morph.rest, mesh);
         r.notes->morphs_ignored += targets > 0 && primitive.mode >= TINYGLTF_MODE_TRIANGLES;
         return HATCH_OK;
     }
-    if (targets != most)
-        return bad(r, where, std::to_string(targets) + " morph targets, another primitive has " + std::to_string(most));
+    if (targets != morph.targets)
+        return bad(r, where,
+                   std::to_string(targets) + " morph targets, another primitive has " + std::to_string(morph.targets));
     HATCH_TRY(keep_targets(r, primitive, "POSITION", HATCH_MORPH_POSITION, where, mesh));
     bool has_normals = false;
     for (const auto &target : primitive.targets)
@@ -154,7 +171,7 @@ enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
     if (targets == 0)
         return HATCH_OK;
     const std::vector<double> &own = node_weights(r, index);
-    const std::vector<double> &rest = rest_weights(r, static_cast<size_t>(r.model.nodes[index].mesh));
+    const std::vector<double> &rest = *morph_of(r, static_cast<int>(index))->rest;
     std::vector<double> relative;
     bool any = false;
     for (size_t t = 0; t < targets; t++) {
@@ -171,7 +188,7 @@ enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
 enum hatch_status shift_weights(Reader &r, size_t node, const std::string &where,
                                 struct hatch_animation_channel *channel)
 {
-    const std::vector<double> &rest = rest_weights(r, static_cast<size_t>(r.model.nodes[node].mesh));
+    const std::vector<double> &rest = *morph_of(r, static_cast<int>(node))->rest;
     size_t n = channel->targets, groups = channel->interpolation == HATCH_CUBIC ? 3 : 1;
     for (size_t k = 0; k < channel->key_count; k++)
         for (size_t t = 0; t < n; t++) {

@@ -24,6 +24,14 @@ extern "C" {
 namespace hatch
 {
 
+/* The morph targets of a glTF mesh, and their weights. */
+struct Morph {
+    const std::vector<double> *rest; /* those of the first node that uses the mesh and has some, else the mesh's */
+    size_t targets;                  /* most of a primitive with faces */
+    bool varies;                     /* a node or an animation gives them other weights than at rest */
+};
+
+/* All is in the model, or in an arena: a copy is cheap. */
 struct Reader {
     const tinygltf::Model &model;
     struct hatch_arena *arena, *scratch;
@@ -33,7 +41,8 @@ struct Reader {
     uint32_t *node_of = nullptr;  /* per glTF node: index of the scene's node; HATCH_NONE outside the default scene */
     bool *image_noted = nullptr;  /* per image: whether notes already count it as missing */
     uint32_t *replaced = nullptr; /* read_floats counts here what it replaces by 0; NULL: it fails */
-    std::vector<uint32_t> users = {}; /* per accessor: primitives with faces that have it as POSITION */
+    uint32_t *users = nullptr;    /* per accessor: primitives with faces that have it as POSITION */
+    Morph *morphs = nullptr;      /* per glTF mesh */
 };
 
 /* The vertices of a primitive, from `first` to before `end` of those that its attributes have. */
@@ -80,11 +89,8 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
 /* Normalises a node's rotation; fails when it is zero. */
 enum hatch_status normalize_rotation(Reader &r, struct hatch_node *node, const std::string &where);
 
-/* Returns the weights of a mesh's morph targets at rest: those of the first node that uses the mesh and has weights,
- * else the mesh's own. */
-const std::vector<double> &rest_weights(const Reader &r, size_t mesh);
-/* Returns the weights of a node that has a mesh: the node's own, else the mesh's. */
-const std::vector<double> &node_weights(const Reader &r, size_t node);
+/* Finds the morph targets of all meshes, in time that is linear in the file. */
+enum hatch_status find_morphs(Reader &r);
 
 /* Keeps the name and the extras of an object of the file.
  *   extras  JSON as tinygltf prints it, without spaces; empty: none

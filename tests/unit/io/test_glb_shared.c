@@ -1,6 +1,7 @@
 /* Primitives that share the accessors of their vertices, written and read. */
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include "fail_alloc.h"
 #include "io/glb/glb.h"
@@ -220,6 +221,50 @@ START_TEST(damaged_ranges_are_refused)
 }
 END_TEST
 
+/* Returns the processor's time, in seconds, of reading a file of primitives of one triangle.
+ *   each  primitives of a mesh, which has a node of its own
+ *   more  of a primitive; an empty text: nothing */
+static double seconds_of(uint32_t meshes, uint32_t each, const char *more)
+{
+    struct hatch_mesh_notes notes = {0};
+    struct hatch_buffer json = {.arena = &keep};
+    HATCH_TEST_OK(
+        hatch_buffer_print(&json, &err,
+                           "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,"
+                           "\"uri\":\"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAA"
+                           "AAAAgD8AAAAA\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"accessors\":["
+                           "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"nodes\":["),
+        &err);
+    for (uint32_t m = 0; m < meshes; m++)
+        HATCH_TEST_OK(hatch_buffer_print(&json, &err, "%s{\"mesh\":%u}", m ? "," : "", m), &err);
+    HATCH_TEST_OK(hatch_buffer_print(&json, &err, "],\"meshes\":["), &err);
+    for (uint32_t p = 0; p < meshes * each; p++)
+        HATCH_TEST_OK(hatch_buffer_print(&json, &err, "%s{\"attributes\":{\"POSITION\":0}%s}%s",
+                                         p == 0          ? "{\"primitives\":["
+                                         : p % each == 0 ? ",{\"primitives\":["
+                                                         : ",",
+                                         more, p % each == each - 1 ? "]}" : ""),
+                      &err);
+    HATCH_TEST_OK(hatch_buffer_print(&json, &err, "]}"), &err);
+    const clock_t begun = clock();
+    HATCH_TEST_OK(
+        hatch_gltf_read((struct hatch_bytes){json.data, json.size}, NULL, &keep, &scratch, &back, &notes, &err), &err);
+    ck_assert_uint_eq(back.mesh_count, meshes * each);
+    return (double)(clock() - begun) / CLOCKS_PER_SEC;
+}
+
+/* Neither the primitives of one mesh nor the nodes of morphed meshes are gone through again for each primitive. */
+START_TEST(many_primitives_take_linear_time)
+{
+    enum { COUNT = 32000 };
+    static const char morphed[] = ",\"targets\":[{\"POSITION\":0}]";
+    const double few = seconds_of(COUNT / 16, 16, "");
+    ck_assert_double_lt(seconds_of(1, COUNT, ""), 4 * few);
+    const double few_morphed = seconds_of(COUNT / 16, 16, morphed);
+    ck_assert_double_lt(seconds_of(COUNT, 1, morphed), 5 * few_morphed);
+}
+END_TEST
+
 static enum hatch_status write_parts(void *context, struct hatch_arena *kept, struct hatch_arena *temporary,
                                      struct hatch_err *error)
 {
@@ -244,6 +289,7 @@ static Suite *suite(void)
     tcase_add_test(tests, ranges_are_read);
     tcase_add_test(tests, sparse_values_of_ranges_are_read);
     tcase_add_test(tests, damaged_ranges_are_refused);
+    tcase_add_test(tests, many_primitives_take_linear_time);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
     suite_add_tcase(suite, tests);
     return suite;
