@@ -198,6 +198,7 @@ int main(int argc, char **argv)
 
     cmd_read_scene_to_write(&args, input, false, &scene);
     cmd_warn_up(cmd_input_name(input), &scene);
+    cmd_refuse_lapped(name, &scene);
     lapped_param_clear(&args, name, atlas, &scene);
     if (needs_path) {
         cmd_read_needs_and_regions(&args, needs_path, &needs);

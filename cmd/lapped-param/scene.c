@@ -95,9 +95,6 @@ void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, str
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct hatch_scene_mesh *mesh = &scene->meshes[i];
         const struct hatch_material *material = mesh->material == HATCH_NONE ? NULL : &scene->materials[mesh->material];
-        if (material && material->outline)
-            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: use the file that it was made from"), name,
-                      &err);
         if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
         mesh->curves = (struct hatch_curves){0};

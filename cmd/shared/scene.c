@@ -179,6 +179,17 @@ void cmd_warn_up(const char *name, const struct hatch_scene *scene)
         cmd_warn(name, "the mesh seems to stand along z, but y points up: to turn it, draw it with render-gl --up z");
 }
 
+void cmd_refuse_lapped(const char *name, const struct hatch_scene *scene)
+{
+    struct hatch_err err;
+    for (uint32_t i = 0; i < scene->mesh_count; i++) {
+        uint32_t material = scene->meshes[i].material;
+        if (material != HATCH_NONE && scene->materials[material].outline)
+            cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "is lapped already: use the file that it was made from"), name,
+                      &err);
+    }
+}
+
 static bool is_file(const char *path)
 {
     return path && strcmp(path, "-") != 0;

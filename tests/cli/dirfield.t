@@ -216,6 +216,12 @@ refused "a solver that the method does not have" 2 2
 try dirfield torus.glb --coarse 100 --radius 3
 refused "--radius with --coarse" 2 2
 
+lapped-param -q torus.glb -o patches.glb
+try dirfield patches.glb -o out.glb
+refused "a file that is lapped" 3 1
+is "the message names the file and what to do" "$(cat .err)" \
+    "dirfield: patches.glb: is lapped already: use the file that it was made from"
+
 # A Moebius strip of ten quads.
 awk 'BEGIN {
     for (i = 0; i < 10; i++) for (side = -1; side < 2; side += 2) {
