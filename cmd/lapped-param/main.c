@@ -8,7 +8,6 @@
 #include "lapped_param.h"
 #include "scene/extent.h"
 
-#define MASK_MIN_PX 64
 #define PX_PER_TEXEL 4      /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
@@ -32,8 +31,8 @@ static const struct cmd_option options[] = {
      NULL, NULL},
     {'f', "feather", CMD_REAL, 0.01, 0.3, "SHARE",
      "width of a patch's soft border, as a fraction of the mask's width (default 0.045)", &feather, NULL, NULL},
-    {'m', "mask-size", CMD_INT, 16, 4096, "PX", "width and height of the mask, the image of the outline (default 1024)",
-     &mask_size, NULL, &mask_given},
+    {'m', "mask-size", CMD_INT, HATCH_OUTLINE_PX_MIN, 4096, "PX",
+     "width and height of the mask, the image of the outline (default 1024)", &mask_size, NULL, &mask_given},
     {'N', "needs", CMD_TEXT, 0, 0, "FILE",
      "no finer meshes, no patches that views do not show, no larger mask (render-gl --needs)", &needs_path, NULL, NULL},
     {'A', "atlas", CMD_FLAG, 0, 0, NULL, "make one atlas of texture coordinates per mesh instead of patches", &atlas,
@@ -177,7 +176,7 @@ static void fit_mask(struct cmd_args *args, const char *name, const struct hatch
     cmd_mesh_px(args, name, needs, scene, px);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         most = fmax(most, px[i] * parts[i].outline_side);
-    while (settings->mask_px / 2 >= MASK_MIN_PX && PX_PER_TEXEL * settings->mask_px / 2 >= most)
+    while (settings->mask_px / 2 >= HATCH_OUTLINE_PX_MIN && PX_PER_TEXEL * settings->mask_px / 2 >= most)
         settings->mask_px /= 2;
     cmd_note("the mask is %u of %u pixels wide: the largest patch covers %.0f in the pictures", settings->mask_px,
              whole, most);

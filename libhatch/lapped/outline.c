@@ -156,7 +156,7 @@ static float texel(const struct hatch_outline *outline, double footprint, const 
 enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px, struct hatch_arena *arena,
                                        struct hatch_image *mask, struct hatch_err *err)
 {
-    assert(side_px >= 8);
+    assert(side_px >= HATCH_OUTLINE_PX_MIN);
     struct hatch_image made;
     HATCH_TRY(hatch_image_make(arena, side_px, side_px, "Y", &made, err));
     double footprint = FOOTPRINT_PX / side_px;

@@ -31,9 +31,12 @@ double hatch_outline_depth(const struct hatch_outline *outline, const double uv[
  * it is at most 0. */
 double hatch_outline_distance(const struct hatch_outline *outline, const double uv[2]);
 
+/* Least width of an image of an outline: in smaller ones, texels on the border touch the core. */
+#define HATCH_OUTLINE_PX_MIN 64
+
 /* Draws the outline as an image of one channel "Y", rows from the top (v = 0). A texel is 1 where its bilinear
  * footprint, on this or the next two mip levels, touches the core; texels on the image's border are 0.
- *   side_px  width and height, at least 8
+ *   side_px  width and height, at least HATCH_OUTLINE_PX_MIN
  *   mask     out: pixels in arena */
 enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px, struct hatch_arena *arena,
                                        struct hatch_image *mask, struct hatch_err *err) HATCH_MUST_USE;

@@ -132,6 +132,10 @@ is "a texture that is left out makes nothing visible" \
     "$(alpha covered 0.25 MASK ',"baseColorTexture":{"index":0}')" "MASK [1,1,1,0.25]"
 is "the holes of a texture that is left out close" \
     "$(alpha leaf 0.75 MASK ',"baseColorTexture":{"index":0}')" "[1,1,1,0.75]"
+try lapped-param --mask-size 63 torus.glb
+refused "a mask too small to be 0 around its middle" 2 2
+is "the smallest mask has no holes" "$(lapped-param -q --mask-size 64 --feather 0.01 torus.glb | hatchstat lapped |
+    awk 'NR == 1 {for (i = 1; i <= NF; i++) column[$i] = i} NR == 2 {print $column["covered"], $column["opacity"]}')" "1 1"
 try lapped-param --atlas --mask-size 64 torus.glb
 refused "--mask-size with --atlas" 2 2
 try lapped-param --atlas --tile 1 torus.glb

@@ -167,7 +167,7 @@ static enum hatch_status raster(void *context, struct hatch_arena *result, struc
     struct hatch_outline outline;
     (void)work;
     hatch_outline_make(4, 1, 0.05, &outline);
-    return hatch_outline_raster(&outline, 16, result, context, error);
+    return hatch_outline_raster(&outline, HATCH_OUTLINE_PX_MIN, result, context, error);
 }
 
 START_TEST(failed_allocations_are_reported)
