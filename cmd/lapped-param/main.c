@@ -9,6 +9,7 @@
 #include "scene/extent.h"
 
 #define PX_PER_TEXEL 4      /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
+#define FEATHER_PX 11       /* of the mask, so that three quarters of the soft border are left in it */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
@@ -164,7 +165,7 @@ static void print_notes(const struct lapped_param_part *parts, uint32_t count)
     cmd_note("texture coordinates were computed %.1f times per face", solved_faces / faces);
 }
 
-/* Makes the mask no larger than pictures of the largest patch need. */
+/* Makes the mask no larger than pictures of the largest patch, and its soft border, need. */
 static void fit_mask(struct cmd_args *args, const char *name, const struct hatch_needs *needs,
                      const struct lapped_param_part *parts, const struct hatch_scene *scene,
                      struct lapped_param_options *settings)
@@ -176,7 +177,8 @@ static void fit_mask(struct cmd_args *args, const char *name, const struct hatch
     cmd_mesh_px(args, name, needs, scene, px);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         most = fmax(most, px[i] * parts[i].outline_side);
-    while (settings->mask_px / 2 >= HATCH_OUTLINE_PX_MIN && PX_PER_TEXEL * settings->mask_px / 2 >= most)
+    double least = fmax(fmax(HATCH_OUTLINE_PX_MIN, most / PX_PER_TEXEL), FEATHER_PX / settings->feather);
+    while (settings->mask_px / 2 >= least)
         settings->mask_px /= 2;
     cmd_note("the mask is %u of %u pixels wide: the largest patch covers %.0f in the pictures", settings->mask_px,
              whole, most);

@@ -121,9 +121,10 @@ double hatch_outline_distance(const struct hatch_outline *outline, const double 
     return outside_ramp <= 0 ? outside_ramp : fmax(outside, outside_ramp / outline->steep);
 }
 
-/* Half the side, in texels of the finest level, of the footprint of a bilinear lookup two levels coarser, where a texel
- * is 4 wide. */
-#define FOOTPRINT_PX 6.5
+uint32_t hatch_outline_levels(uint32_t side_px)
+{
+    return side_px < 512 ? 1 : side_px < 1024 ? 2 : 3;
+}
 
 /* Returns whether the core may reach into the square of half side `footprint` around uv. It is tested at 25 points; no
  * point of the square is further than 0.36 of the half side from one of them. */
@@ -159,7 +160,8 @@ enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint
     assert(side_px >= HATCH_OUTLINE_PX_MIN);
     struct hatch_image made;
     HATCH_TRY(hatch_image_make(arena, side_px, side_px, "Y", &made, err));
-    double footprint = FOOTPRINT_PX / side_px;
+    /* Half the side of the footprint of a bilinear lookup on the coarsest level. */
+    double footprint = (0.5 + 1.5 * ldexp(1, (int)hatch_outline_levels(side_px) - 1)) / side_px;
     for (uint32_t y = 1; y + 1 < side_px; y++) {
         for (uint32_t x = 1; x + 1 < side_px; x++) {
             double uv[2] = {(x + 0.5) / side_px, (y + 0.5) / side_px};

@@ -34,8 +34,15 @@ double hatch_outline_distance(const struct hatch_outline *outline, const double 
 /* Least width of an image of an outline: in smaller ones, texels on the border touch the core. */
 #define HATCH_OUTLINE_PX_MIN 64
 
+/* Returns the number of mip levels of an image of an outline on which the core is opaque, 1 .. 3: those of at least 256
+ * pixels. Coarser ones are not for drawing.
+ *   side_px  width of the image; less than 256 counts as 256 */
+uint32_t hatch_outline_levels(uint32_t side_px);
+
 /* Draws the outline as an image of one channel "Y", rows from the top (v = 0). A texel is 1 where its bilinear
- * footprint, on this or the next two mip levels, touches the core; texels on the image's border are 0.
+ * footprint, on any of the levels that hatch_outline_levels tells, touches the core; texels on the image's border are
+ * 0. The ramp begins where that ends: it is up to 9.3 texels narrower than the feather with three levels, 5 with two,
+ * and 2.9 with one.
  *   side_px  width and height, at least HATCH_OUTLINE_PX_MIN
  *   mask     out: pixels in arena */
 enum hatch_status hatch_outline_raster(const struct hatch_outline *outline, uint32_t side_px, struct hatch_arena *arena,

@@ -7,6 +7,7 @@
 #include "filter/pyramid.h"
 #include "image/color.h"
 #include "io/foreign/foreign.h"
+#include "lapped/outline.h"
 #include "render-gl/gpu/texture.h"
 
 static GLuint upload(const struct hatch_image *image, const enum hatch_wrap wrap[2])
@@ -42,11 +43,11 @@ enum hatch_status material_outline(const struct hatch_image *image, struct hatch
         return HATCH_LIMIT;
     for (size_t i = 0; i < count; i++)
         alpha[i] = channels % 2 ? 1.0f : image->pixels[channels * i + channels - 1];
-    GLint last = (GLint)hatch_mip_chain_length(image->width, image->height) - 1;
-    *texture = gpu_texture_make(GL_TEXTURE_2D, last + 1, GL_R8, image->width, image->height, 1);
+    uint32_t side_px = image->width < image->height ? image->width : image->height;
+    GLsizei levels = (GLsizei)hatch_outline_levels(side_px);
+    *texture = gpu_texture_make(GL_TEXTURE_2D, levels, GL_R8, image->width, image->height, 1);
     glTextureSubImage2D(*texture, 0, 0, 0, (GLsizei)image->width, (GLsizei)image->height, GL_RED, GL_FLOAT, alpha);
     glGenerateTextureMipmap(*texture);
-    glTextureParameteri(*texture, GL_TEXTURE_MAX_LEVEL, last < 2 ? last : 2);
     glTextureParameteri(*texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTextureParameteri(*texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);

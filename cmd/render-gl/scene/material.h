@@ -34,8 +34,8 @@ GLuint material_normals(struct cmd_args *args, const char *file, const struct ha
                         const struct hatch_normal_map *normals, uint32_t size_max_px);
 
 /* Uploads the alpha of an image, as the outline of patches, to the red channel of a texture. It is 1 everywhere in an
- * image without alpha, and 0 outside the image. Shaders read the three finest levels only: in coarser ones the opaque
- * middle of the outline would shrink, and the paper below would show between patches.
+ * image without alpha, and 0 outside the image. It has the levels that hatch_outline_levels tells: in coarser
+ * ones the opaque middle of the outline would shrink, and the paper below would show between patches.
  *   texture  out: owned by the caller */
 enum hatch_status material_outline(const struct hatch_image *image, struct hatch_arena *scratch, GLuint *texture,
                                    struct hatch_err *err) HATCH_MUST_USE;

@@ -216,9 +216,11 @@ is "the picture is the same, but for the tolerance" "$(hatchstat diff egg.full.p
 lapped-param -q egg.full.glb -o egg.all.glb
 lapped-param -v --needs egg.needs egg.field.glb -o egg.patches.glb 2>said
 is "the mask is smaller" "$(grep -c 'the mask is [1-9][0-9]* of 1024 pixels wide' said)" 1
-# A texel may cover four pixels: small pictures need the smallest mask, which has 64.
+# A texel may cover four pixels: small pictures need the smallest mask, whose soft border has 11 pixels.
 render-gl egg.glb --from 0:0 --size 8x6 --needs -o tiny.needs
 lapped-param -v --needs tiny.needs egg.glb -o tiny.glb 2>said
+is "a mask for small pictures keeps the soft border" "$(grep -c 'the mask is 256 of 1024 pixels wide' said)" 1
+lapped-param -v --needs tiny.needs --feather 0.3 egg.glb -o tiny.glb 2>said
 is "no mask is smaller than 64 pixels" "$(grep -c 'the mask is 64 of 1024 pixels wide' said)" 1
 ok "patches, too, have a quarter of the bytes" test "$(wc -c <egg.patches.glb)" -lt $(($(wc -c <egg.all.glb) / 4))
 strokegen -q --needs egg.needs egg.field.glb -o egg.strokes.glb

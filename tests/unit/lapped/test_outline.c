@@ -89,18 +89,23 @@ START_TEST(bounds_are_those_of_the_radius)
 }
 END_TEST
 
-/* Of a circle: 1 where the square of 13 texels around a texel reaches into it, and a ramp to 0 at its reach where a
- * square 1.4 times as large does not. */
+/* Of a circle: 1 where the square of 4, 7 or 13 texels around a texel reaches into it, and a ramp to 0 at its reach
+ * where a square 1.4 times as large does not. */
 START_TEST(the_raster_of_a_circle_is_a_ramp)
 {
-    enum { SIDE = 200 };
+    static const struct {
+        uint32_t side;
+        double half;
+    } sizes[] = {{200, 2}, {600, 3.5}, {1024, 6.5}};
+    const uint32_t side = sizes[_i].side;
     struct hatch_outline outline;
     struct hatch_image mask;
     uint32_t opaque = 0, ramp = 0;
     hatch_outline_make(1, 0, 0.15, &outline);
-    HATCH_TEST_OK(hatch_outline_raster(&outline, SIDE, &keep, &mask, &err), &err);
-    for (uint32_t i = 0; i < SIDE * SIDE; i++) {
-        double x = fabs((i % SIDE + 0.5) / SIDE - 0.5), y = fabs((i / SIDE + 0.5) / SIDE - 0.5), half = 6.5 / SIDE;
+    HATCH_TEST_OK(hatch_outline_raster(&outline, side, &keep, &mask, &err), &err);
+    for (uint32_t i = 0; i < side * side; i++) {
+        double x = fabs((i % side + 0.5) / side - 0.5), y = fabs((i / side + 0.5) / side - 0.5),
+               half = sizes[_i].half / side;
         double start = outline.core_min + 1.42 * half, end = outline.reach_max;
         if (hypot(fmax(0, x - half), fmax(0, y - half)) < outline.core_min) {
             ck_assert_float_eq(mask.pixels[i], 1);
@@ -128,15 +133,35 @@ START_TEST(seeds_make_different_outlines)
 }
 END_TEST
 
-/* The raster is opaque wherever the core is, when read bilinearly on any of three levels. */
+/* Masks of fewer texels keep the soft border: they are opaque on fewer levels. */
+START_TEST(small_rasters_keep_the_ramp)
+{
+    static const double widths[][2] = {{1024, 0.034}, {512, 0.033}, {256, 0.031}, {128, 0.019}};
+    struct hatch_outline outline;
+    hatch_outline_make(1, 0.3, 0.045, &outline);
+    for (size_t i = 0; i < 4; i++) {
+        const uint32_t side = (uint32_t)widths[i][0];
+        struct hatch_image mask;
+        HATCH_TEST_OK(hatch_outline_raster(&outline, side, &keep, &mask, &err), &err);
+        double grey = 0;
+        for (uint32_t t = 0; t < side * side; t++)
+            grey += mask.pixels[t] > 0 && mask.pixels[t] < 1;
+        ck_assert_double_gt(grey / side / side, 2 * PI * outline.core_min * widths[i][1]);
+    }
+}
+END_TEST
+
+/* The raster is opaque wherever the core is, when read bilinearly on any of its levels. */
 START_TEST(the_raster_is_opaque_where_the_core_is)
 {
+    static const uint32_t sizes[] = {64, 128, 256, 512, 1024};
     struct hatch_outline outline;
     struct hatch_image mask;
-    const uint32_t whole = _i % 2 ? 128 : 256;
-    hatch_outline_make((uint64_t)_i, 1, 0.05, &outline);
+    const uint32_t whole = sizes[_i % 5], levels = hatch_outline_levels(whole);
+    ck_assert_uint_eq(levels, whole == 1024 ? 3 : whole == 512 ? 2 : 1);
+    hatch_outline_make((uint64_t)_i, 1, _i < 5 ? 0.01 : 0.05, &outline);
     HATCH_TEST_OK(hatch_outline_raster(&outline, whole, &keep, &mask, &err), &err);
-    for (uint32_t level = 0; level < 3; level++) {
+    for (uint32_t level = 0; level < levels; level++) {
         uint32_t side = whole >> level, met = 0;
         for (uint64_t i = 0; i < 4000; i++) {
             double uv[2] = {random_in(5, i, 0.05, 0.95), random_in(6, i, 0.05, 0.95)};
@@ -148,7 +173,7 @@ START_TEST(the_raster_is_opaque_where_the_core_is)
             met++;
         }
         ck_assert_uint_gt(met, 1500); /* the core's circle alone: some 1700 of 4000 */
-        for (uint32_t i = 0; i < side && (level == 0 || whole == 256); i++)
+        for (uint32_t i = 0; i < side; i++)
             ck_assert(mask.pixels[i] == 0 && mask.pixels[(size_t)i * side] == 0 &&
                       mask.pixels[(size_t)(side - 1) * side + i] == 0);
         /* the next level: means of four */
@@ -185,9 +210,10 @@ static Suite *suite(void)
     tcase_add_test(tests, a_circle_is_a_circle);
     tcase_add_test(tests, depth_and_distance_are_bounds);
     tcase_add_test(tests, bounds_are_those_of_the_radius);
-    tcase_add_test(tests, the_raster_of_a_circle_is_a_ramp);
+    tcase_add_loop_test(tests, the_raster_of_a_circle_is_a_ramp, 0, 3);
+    tcase_add_test(tests, small_rasters_keep_the_ramp);
     tcase_add_test(tests, seeds_make_different_outlines);
-    tcase_add_loop_test(tests, the_raster_is_opaque_where_the_core_is, 0, 12);
+    tcase_add_loop_test(tests, the_raster_is_opaque_where_the_core_is, 0, 15);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
