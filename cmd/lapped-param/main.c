@@ -10,6 +10,7 @@
 
 #define PX_PER_TEXEL 4      /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
 #define FEATHER_PX 11       /* of the mask, so that three quarters of the soft border are left in it */
+#define UNEVENNESS_MAX 1.1  /* of the scales of a mesh, before a warning */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
@@ -96,6 +97,20 @@ static void set_sizes(const struct lapped_param_options *settings, const struct 
     part->size = settings->lapped.size > 0 ? fmin(settings->lapped.size * whole / (diagonal * scale), 1) : 0;
 }
 
+/* Warns of nodes that stretch the patches. */
+static void warn_uneven(const char *name, const struct hatch_scene_extent *extent, uint32_t count)
+{
+    double most = 1;
+    for (uint32_t i = 0; i < count; i++)
+        most = fmax(most, extent->unevenness[i]);
+    if (most > UNEVENNESS_MAX)
+        cmd_warn(
+            name,
+            "nodes scale a mesh by up to %.3g times more along one direction than along another, and stretch strokes "
+            "by as much: apply the scale to the mesh first",
+            most);
+}
+
 /* The progress of all meshes. */
 struct shares {
     double done, part; /* shares of all faces: in finished meshes, in the present one */
@@ -117,6 +132,7 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     struct lapped_param_part *parts;
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
     cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
+    warn_uneven(cmd_input_name(input), &extent, scene->mesh_count);
     double faces = 0;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         faces += scene->meshes[i].mesh.face_count;

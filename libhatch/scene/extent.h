@@ -9,6 +9,8 @@ struct hatch_scene_extent {
                         around all meshes */
     double *scale; /* per mesh: scene units per unit of the mesh, as its first node places it; 1 for meshes that no node
                       draws, or only with scale 0 */
+    double *unevenness; /* per mesh: ratio, 1 .., of its largest to its smallest scale in a direction, as the node that
+                           scales it most unevenly places it; nodes that flatten it do not count */
 };
 
 /* Measures a scene.

@@ -66,6 +66,13 @@ try lapped-param -v torus.glb -o /dev/null
 is "-v counts patches" "$(grep -cE \
     '^lapped-param: [0-9]+ patches, overlap [0-9.]+; [0-9]+ end at face edges instead of at their outline, [0-9]+ enlarged' .err)" 1
 
+unpack torus.glb uneven
+is "a node that scales unevenly is named" "$(sed 's/"nodes":\[{/&"scale":[1,3,1],/' uneven.gltf >uneven3.gltf
+    lapped-param uneven3.gltf 2>&1 >/dev/null)" "lapped-param: uneven3.gltf: warning: nodes scale a mesh by up to 3 times \
+more along one direction than along another, and stretch strokes by as much: apply the scale to the mesh first"
+is "an even scale is not" "$(sed 's/"nodes":\[{/&"scale":[3,3,3],/' uneven.gltf >even.gltf
+    lapped-param even.gltf 2>&1 >/dev/null)" ""
+
 # A texture whose image is the start of the mesh's buffer: images that are not drawn are not decoded.
 unpack torus.glb textured
 sed 's/"primitives":\[{/&"material":0,/

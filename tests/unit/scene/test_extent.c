@@ -82,6 +82,35 @@ START_TEST(the_first_node_that_has_a_size_counts)
 }
 END_TEST
 
+static void check_unevenness(double first, double second)
+{
+    HATCH_TEST_OK(hatch_scene_find_extent(&scene, &keep, &scratch, &extent, &err), &err);
+    ck_assert_double_eq_tol(extent.unevenness[0], first, 1e-5 * first);
+    ck_assert_double_eq_tol(extent.unevenness[1], second, 1e-5 * second);
+}
+
+/* A scale by 1 and 3, an eighth of a turn, and a scale by 2 and 1 have singular values whose squares are
+ * 12.5 +- sqrt(481) / 2. */
+START_TEST(unevenness_is_the_ratio_of_singular_values)
+{
+    check_unevenness(1, 1);
+    place(0, 0, 1, -3, 1);
+    place(1, 1, 5, 5, 5);
+    check_unevenness(3, 1);
+    place(2, 0, 2, 2, 0.5f);
+    check_unevenness(4, 1);
+    place(2, 0, 1, 0, 1); /* flat: does not count */
+    check_unevenness(3, 1);
+    place(0, 0, 2, 1, 2);
+    nodes[0].mesh_count = 0;
+    place(2, 0, 1, -3, 1);
+    nodes[2].parent = 0;
+    nodes[2].rotation[2] = (float)sin(0.39269908169872414);
+    nodes[2].rotation[3] = (float)cos(0.39269908169872414);
+    check_unevenness(sqrt((12.5 + sqrt(481) / 2) / (12.5 - sqrt(481) / 2)), 1);
+}
+END_TEST
+
 /* The box is then that of all meshes as they are. */
 START_TEST(meshes_without_nodes_have_their_own_size)
 {
@@ -127,6 +156,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_scale_is_the_cube_root_of_the_volume);
     tcase_add_test(tests, scales_of_parents_multiply);
     tcase_add_test(tests, the_first_node_that_has_a_size_counts);
+    tcase_add_test(tests, unevenness_is_the_ratio_of_singular_values);
     tcase_add_test(tests, meshes_without_nodes_have_their_own_size);
     tcase_add_test(tests, a_skin_is_placed_by_its_joint);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
