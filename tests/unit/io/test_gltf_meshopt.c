@@ -248,15 +248,28 @@ START_TEST(a_view_that_does_not_fit_is_refused)
 }
 END_TEST
 
-/* No file asks for much more memory than it has bytes. */
+/* Reads the grid with another count of positions, which is more than were compressed. */
+static void read_count(size_t count, const char *says)
+{
+    char bytes[64], vertices[64];
+    make("NONE", "INDICES");
+    snprintf(bytes, sizeof bytes, "\"byteLength\":%zu", 12 * count);
+    snprintf(vertices, sizeof vertices, "\"count\":%zu", count);
+    replace("\"byteLength\":3600", bytes);
+    replace("\"count\":300", vertices);
+    ck_assert_int_eq(read_made(), HATCH_BAD_INPUT);
+    ck_assert_msg(strstr(err.text, "buffer view 0, EXT_meshopt_compression: ") && strstr(err.text, says), "%zu: %s",
+                  count, err.text);
+}
+
+/* No file asks for much more memory than it has bytes: a byte stands for 64 at most. */
 START_TEST(a_view_that_is_too_short_is_refused)
 {
     make("NONE", "INDICES");
-    replace("\"byteLength\":3600", "\"byteLength\":12000000");
-    replace("\"count\":300", "\"count\":1000000");
-    ck_assert_int_eq(read_made(), HATCH_BAD_INPUT);
-    ck_assert_msg(strstr(err.text, "buffer view 0, EXT_meshopt_compression: it is too short for its count"), "%s",
-                  err.text);
+    size_t most = 64 * made.length[0] / 12;
+    read_count(1000000, "it is too short for its count");
+    read_count(most + 1, "it is too short for its count");
+    read_count(most, "its data are damaged");
 }
 END_TEST
 
