@@ -159,6 +159,13 @@ done
 draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
 near "the torus from inside" "$(ink)" .4 .05
 
+# Strokes whose next points lie just before the eye stay on their surface.
+before_eye="--size 160x120 --camera 0,0.05,0.55:0,0,-3 --fov 60 --tone-range .5:.5"
+draw torus.glb $before_eye
+traced=$(ink)
+draw torus.glb $before_eye -t gouraud
+near "a torus around the eye" "$traced" "$(ink)" .006
+
 # Strokes follow skins and nodes: the moved surfaces keep their tone.
 perl "$TOP/tests/bytes/scenes.pl"
 for scene in skinned nodes; do
