@@ -158,6 +158,15 @@ done
 # Inside of the torus, faces meet in hollows: strokes do not pass under them.
 draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
 near "the torus from inside" "$(ink)" .4 .05
+# Nor do they sink into slanted back sides.
+draw torus.glb --size 160x120 --camera 1,0,0:1,0,-1 --fov 60 --tone-range .5:.5
+near "the torus from inside, along it" "$(ink)" .5 .02
+meshgen wave --faces 2000 | strokegen -q --levels 5 -o wave.glb
+for technique in traced gouraud; do
+    draw wave.glb --size 320x240 --from 180:50 --tone-range .3:.3 -t $technique
+    ink >$technique.ink
+done
+near "a wave from behind" "$(cat traced.ink)" "$(cat gouraud.ink)" .006
 
 # Strokes whose next points lie just before the eye stay on their surface.
 before_eye="--size 160x120 --camera 0,0.05,0.55:0,0,-3 --fov 60 --tone-range .5:.5"

@@ -155,14 +155,13 @@ void main()
                    pen.w * point.rest.z * turned * tanh(0.5 * (ends.x - ends.y) / turned);
     float rise = dot(gradient, across), steep = length(gradient) / flat_rise;
     scatter /= 1.0 + steep * steep / 25.0; // and dots, which are farther away, less so
-    float reach = behind ? 0.0 : min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
-    if (behind)
-        width *= clamp(2.0 - 0.3 * steep, 0.0, 1.0); // next to silhouettes, the front is too near to tell them apart
+    if (behind) // next to silhouettes, the front is too near to tell them apart
+        width *= clamp(2.0 - 0.25 * steep, 0.0, 1.0);
+    float reach = min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
     wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
-    if (!behind) // beside its own place, a stroke is over faces with other slopes
-        reach += ASIDE * abs(wobble) * flat_rise * (1.0 + steep);
+    reach += ASIDE * abs(wobble) * flat_rise * (1.0 + steep); // beside its own place, it is over faces of other slopes
     place.xy += wobble * across;
-    float slant = behind ? 1.0 : length(vec2(1.0, min(steep, STEEPEST))); // lines pass under the surface along its normal
+    float slant = length(vec2(1.0, min(steep, STEEPEST))); // lines pass under the surface along its normal
     place.z += wobble * rise + reach + lift.z * toward_eye * slant;
     float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
     float pressure = matter.x * (1.0 - hand.y * lightening) * look_profile(1, along);
