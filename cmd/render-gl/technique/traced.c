@@ -92,14 +92,9 @@ static enum hatch_status upload(struct technique_context *context, struct traced
     state->item_count = scene->unit.item_count;
     glCreateVertexArrays(1, &state->array);
     for (uint32_t i = 0; i < from->mesh_count; i++)
-        for (uint32_t s = 0; s < from->meshes[i].curves.set_count; s++)
-            if (from->meshes[i].curves.sets[s].family >= state->families)
-                state->families = from->meshes[i].curves.sets[s].family + 1;
-    for (uint32_t i = 0; i < from->mesh_count; i++)
         if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0) {
             const struct traced_source source = {.mesh = &from->meshes[i].mesh, .curves = &from->meshes[i].curves};
             HATCH_TRY(traced_upload(&source, keep, &context->args->scratch, &state->strokes[i], err));
-            state->narrow = state->narrow || state->strokes[i].narrow;
         }
     for (uint32_t i = 0; i < scene->unit.item_count; i++) {
         uint32_t mesh = scene->unit.items[i].mesh;
@@ -153,14 +148,22 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
         .ink = {pen_px > 0 ? 1 : state->style.ink, pen->grain, pen_px > 0 || dots ? 0 : (float)HATCH_STROKE_GRAZING},
         .marks = {state->pen.mark_px, state->pen.gap_px, pen->scatter, dots ? 1 : 0}};
     traced_set_look(&pen->look, (double)state->pen.width_px, pen_px > 0, &block);
-    for (uint32_t f = 0; f < state->families; f++)
-        hatch_stroke_tones(pen, state->families, f, block.tones[f]);
-    struct hatch_stroke_pen alone = *pen;
-    alone.join = fmaxf(pen->join, NARROW_JOIN);
-    for (uint32_t f = 0; f < state->families; f++)
-        hatch_stroke_tones(&alone, state->families, f, block.narrow[f]);
     state->block = block;
-    gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &block, sizeof block);
+    state->families = 0;
+}
+
+void traced_set_families(uint32_t families, struct traced_state *state)
+{
+    struct hatch_stroke_pen alone = state->pen;
+    if (families == state->families)
+        return;
+    alone.join = fmaxf(alone.join, NARROW_JOIN);
+    for (uint32_t f = 0; f < families; f++) {
+        hatch_stroke_tones(&state->pen, families, f, state->block.tones[f]);
+        hatch_stroke_tones(&alone, families, f, state->block.narrow[f]);
+    }
+    state->families = families;
+    gpu_block_update(&state->block_buffer, BLOCK_TECHNIQUE, &state->block, sizeof state->block);
 }
 
 double traced_scale(const struct scene *scene, const struct hatch_item *item)
@@ -233,7 +236,7 @@ void traced_place_vertices(const struct frame *frame, const struct traced_state 
              GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t index, int ink)
+uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t index, int ink)
 {
     const struct scene *scene = frame->scene;
     const struct hatch_item *item = &scene->unit.items[index];
@@ -243,6 +246,7 @@ uint32_t traced_place(const struct frame *frame, const struct traced_state *stat
         return 0;
     bool based = frame->style.base_tone && scene->items[index].base_texture;
     GLuint program = state->points[based]->name;
+    traced_set_families(state->strokes[item->mesh].families, state);
     if (ink == 0)
         traced_place_vertices(frame, state, index);
     gpu_storage_bind(STORAGE_VERTICES, item->deformed ? scene->items[index].posed : scene->meshes[item->mesh].vertices);

@@ -120,6 +120,15 @@ for shape in ball torus; do
     draw $shape.glb --size 320x240 --tone-range .5:.5 -t gouraud
     near "a $shape" "$traced" "$(ink)" .015
 done
+# Meshes with one family of strokes and with four keep their tone beside each other.
+for angles in 0 0,45,90,135; do
+    meshgen sphere --faces 2000 | strokegen -q --levels 5 -a $angles -o ball$angles.glb
+done
+for technique in traced gouraud; do
+    draw ball0.glb ball0,45,90,135.glb --size 320x160 --tone-range .8:.8 -t $technique
+    ink >$technique.ink
+done
+near "balls of one and of four families" "$(cat traced.ink)" "$(cat gouraud.ink)" .01
 # Near views add finer levels, so that the tone stays; without them, the few strokes of the file are all.
 for zoom in 8 512; do
     draw torus.glb --size 160x120 --zoom $zoom --tone-range .4:.4

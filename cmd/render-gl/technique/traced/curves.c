@@ -206,7 +206,7 @@ static enum hatch_status add_stroke(struct gathering *gathering, const struct ha
 /* Adds the strokes of an item in an ink.
  *   first_face  number of its first face among those of all items */
 static enum hatch_status add_item(struct gathering *gathering, struct technique_context *context,
-                                  const struct traced_state *state, uint32_t index, uint32_t first_face,
+                                  struct traced_state *state, uint32_t index, uint32_t first_face,
                                   struct hatch_err *err)
 {
     const struct hatch_unit_scene *unit = &context->frame->scene->unit;

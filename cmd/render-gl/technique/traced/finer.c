@@ -11,15 +11,19 @@
 #define MARGIN_PX 16.0                /* around the picture */
 #define NEAREST 1e-9                  /* distance to an item's box, in radii of the scene, that counts as none */
 
-/* Computes how many strokes per pixel the pen draws, those that fade included.
- *   most  out: per family, at ink 0, 1/32 .. 1
+/* Computes how many strokes per pixel the pen draws on a mesh, those that fade included.
+ *   strokes  of the mesh's file
+ *   most     out: per family, at ink 0, 1/32 .. 1
  * Returns the largest number. */
-static double find_most(const struct traced_state *state, float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES])
+static double find_most(struct traced_state *state, const struct traced_strokes *strokes,
+                        float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES])
 {
     double largest = 0;
-    for (uint32_t f = 0; f < state->families; f++)
+    traced_set_families(strokes->families, state);
+    memset(most, 0, sizeof *most * HATCH_CURVE_FAMILIES_MAX);
+    for (uint32_t f = 0; f < strokes->families; f++)
         for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++) {
-            float own = state->block.tones[f][i], across = state->narrow ? state->block.narrow[0][i] : 0;
+            float own = state->block.tones[f][i], across = strokes->narrow ? state->block.narrow[0][i] : 0;
             double tone = hatch_mark_stroke_tone(&state->pen, (double)fmaxf(own, across));
             double whole_px = hatch_stroke_whole_px(&state->pen, tone);
             most[f][i] = (float)(HATCH_STROKE_FADE * tone / (HATCH_STROKE_GAIN * whole_px));
@@ -184,13 +188,12 @@ void traced_forget(struct traced_item *item)
 enum hatch_status traced_refine(struct technique_context *context, struct traced_state *state, struct hatch_err *err)
 {
     const struct frame *frame = context->frame;
-    double largest = find_most(state, state->most);
     for (uint32_t i = 0; i < state->item_count; i++) {
         const struct hatch_item *item = &frame->scene->unit.items[i];
         const struct traced_strokes *strokes = &state->strokes[item->mesh];
         struct hatch_finer_view view;
         if (state->finer_levels == 0 || strokes->count == 0 || item->deformed ||
-            !is_near(frame, item, strokes, largest)) {
+            !is_near(frame, item, strokes, find_most(state, strokes, state->most))) {
             traced_forget(&state->items[i]);
             continue;
         }

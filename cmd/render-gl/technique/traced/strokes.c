@@ -220,8 +220,11 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;
-    for (uint32_t s = 0; s < curves->set_count; s++)
+    for (uint32_t s = 0; s < curves->set_count; s++) {
         strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
+        strokes->families =
+            curves->sets[s].family >= strokes->families ? curves->sets[s].family + 1 : strokes->families;
+    }
     for (uint32_t i = 0; i < first; i++)
         strokes->narrow = strokes->narrow || points[i].crossing > 0;
     strokes->points = gpu_buffer_make(points, sizeof *points * first);

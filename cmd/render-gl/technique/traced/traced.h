@@ -59,6 +59,7 @@ struct traced_strokes {
     const uint32_t *end;                          /* number of points up to the end of each stroke */
     float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest */
     float raised;                                 /* of hatch_stroke_width_px */
+    uint32_t families;                            /* of the mesh */
     bool narrow;                                  /* whether some lie on narrow faces */
 };
 
@@ -106,11 +107,11 @@ struct traced_state {
     struct traced_item *items;      /* per item */
     struct hatch_style style;
     struct hatch_stroke_pen pen; /* of the frame: its lengths are those of the pen in use */
-    uint32_t mesh_count, item_count, families;
+    uint32_t mesh_count, item_count;
+    uint32_t families;     /* whose tones the block has; 0: none */
     uint32_t finer_levels; /* at most so many more than the file has; 0: none */
     struct traced_block block;
     float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES]; /* as in struct hatch_finer_view */
-    bool narrow;                                              /* whether strokes lie on narrow faces */
     GLuint array, block_buffer;
     const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };
@@ -127,14 +128,17 @@ double traced_scale(const struct scene *scene, const struct hatch_item *item);
 
 /* Computes the points of an item's ribbons. Returns the number of strokes that have some.
  *   ink  0: of the dark ink; 1: of the light one */
-uint32_t traced_place(const struct frame *frame, const struct traced_state *state, uint32_t item, int ink);
+uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t item, int ink);
 
 /* Places and lights the vertices of an item. */
 void traced_place_vertices(const struct frame *frame, const struct traced_state *state, uint32_t item);
 
-/* Writes the block of the style.
+/* Fills in the block of the style, but for the tones.
  *   pen_px  width of a pen that draws all strokes alike; 0: strokes as the options say */
 void traced_set_style(const struct frame *frame, double pen_px, struct traced_state *state);
+
+/* Fills in the tones of a mesh with so many families, and writes the block, unless it is that already. */
+void traced_set_families(uint32_t families, struct traced_state *state);
 
 /* Finds the strokes of a frame as curves: the function `curves` of the technique. */
 enum hatch_status traced_curves(struct technique_context *context, struct technique_instance *instance, double pen_px,
