@@ -63,6 +63,31 @@ static void warn_without_lights(const struct job *job)
         cmd_warn(job->name, "the scene has no lights: --exposure changes nothing");
 }
 
+/* Returns whether a mesh has no strokes though it is shown. */
+static bool is_bare(const struct hatch_scene_mesh *mesh)
+{
+    return mesh->mesh.face_count > 0 && mesh->curves.count == 0 && !(mesh->unseen_tolerance > 0);
+}
+
+/* Warns of meshes that the technique leaves blank, once for each file. */
+static void warn_without_strokes(const struct job *job)
+{
+    const struct hatch_scene *scene = &job->values;
+    uint32_t count = scene->mesh_count - (job->options->ground > 0), first = 0; /* the ground is the last mesh */
+    if (!(job->options->technique->features & TECHNIQUE_TRACED))
+        return;
+    for (uint32_t file = 0; first < count; file++) {
+        uint32_t end = job->mesh_end ? job->mesh_end[file] : count, bare = 0;
+        for (uint32_t i = first; i < end; i++)
+            bare += is_bare(&scene->meshes[i]);
+        if (bare > 0)
+            cmd_warn(job->mesh_end ? cmd_input_name(job->args.operands[file]) : job->name,
+                     "%u %s blank: make them with strokegen", bare,
+                     cmd_plural(bare, "mesh has no strokes and stays", "meshes have no strokes and stay"));
+        first = end;
+    }
+}
+
 /* Warns of strokes that do not nest, and of columns and colours that the technique does not draw. */
 static void warn_of_map(struct cmd_args *args, const struct options *options, const struct hatch_tam *map)
 {
@@ -174,6 +199,7 @@ void job_read(struct job *job)
     cmd_warn_mesh(job->name, &notes);
     warn_if_still(job);
     warn_without_lights(job);
+    warn_without_strokes(job);
 }
 
 static double time_of(const struct job *job, uint32_t frame)

@@ -22,7 +22,8 @@ enum technique_feature {
     TECHNIQUE_REFERENCE = 8,    /* draws the tone without strokes: --time compares with it */
     TECHNIQUE_ALL_COLUMNS = 16, /* blends all columns of a map, coloured ones too */
     TECHNIQUE_LINES = 32,       /* feature lines are drawn by default, though its strokes need no texture coordinates */
-    TECHNIQUE_LOOKS = 64        /* draws every look itself; --look watercolor paints the pictures of others */
+    TECHNIQUE_LOOKS = 64,       /* draws every look itself; --look watercolor paints the pictures of others */
+    TECHNIQUE_TRACED = 128      /* draws strokes that are in the scene; meshes without them stay blank */
 };
 
 /* An option that --animate and the window's keys can change. */

@@ -345,7 +345,7 @@ const struct technique technique_traced = {
     .options = options,
     .params = params,
     .pen_option = "stroke-width",
-    .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT,
+    .features = TECHNIQUE_LINES | TECHNIQUE_PIXEL_LIGHT | TECHNIQUE_TRACED,
     .state_size = sizeof(struct traced_state),
     .shading = {.stages = {.vertex = "traced/paper.vert", .fragment = "traced/paper.frag"},
                 .patches = FRAME_PATCHES_UNSEEN,

@@ -32,6 +32,12 @@ try draw bare.glb
 refused "a scene without strokes" 3 1
 is "the message names the command to use" "$(cat .err)" \
     "render-gl: bare.glb: there are no strokes on the meshes: make them with strokegen"
+# Meshes that stay blank among others are told.
+try render-gl -t traced --size 64x48 -o $file ball.glb bare.glb
+is "meshes without strokes are told" "$(cat .err)" "render-gl: bare.glb: warning: 1 mesh has no strokes and stays \
+blank: make them with strokegen"
+try render-gl -t traced --size 64x48 -o $file ball.glb plane.glb
+is "no word if all have strokes" "$(cat .err)" ""
 try draw plane.glb --stroke-style nothing
 refused "a pen that does not exist" 2 2
 
