@@ -69,11 +69,12 @@ static bool is_bare(const struct hatch_scene_mesh *mesh)
     return mesh->mesh.face_count > 0 && mesh->curves.count == 0 && !(mesh->unseen_tolerance > 0);
 }
 
-/* Warns of meshes that the technique leaves blank, once for each file. */
+/* Warns of meshes that the technique leaves blank, once for each file, and of the ground. */
 static void warn_without_strokes(const struct job *job)
 {
     const struct hatch_scene *scene = &job->values;
-    uint32_t count = scene->mesh_count - (job->options->ground > 0), first = 0; /* the ground is the last mesh */
+    const bool ground = job->options->ground > 0; /* the last mesh */
+    uint32_t count = scene->mesh_count - ground, first = 0;
     if (!(job->options->technique->features & TECHNIQUE_TRACED))
         return;
     for (uint32_t file = 0; first < count; file++) {
@@ -86,6 +87,9 @@ static void warn_without_strokes(const struct job *job)
                      cmd_plural(bare, "mesh has no strokes and stays", "meshes have no strokes and stay"));
         first = end;
     }
+    if (ground)
+        cmd_warn(job->name, "the plane of --ground has no strokes: --technique %s draws no shadows on it",
+                 job->options->technique->name);
 }
 
 /* Warns of strokes that do not nest, and of columns and colours that the technique does not draw. */

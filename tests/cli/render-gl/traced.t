@@ -32,10 +32,11 @@ try draw bare.glb
 refused "a scene without strokes" 3 1
 is "the message names the command to use" "$(cat .err)" \
     "render-gl: bare.glb: there are no strokes on the meshes: make them with strokegen"
-# Meshes that stay blank among others are told.
-try render-gl -t traced --size 64x48 -o $file ball.glb bare.glb
+# Meshes that stay blank among others are told, and the ground, which has no strokes.
+try render-gl -t traced --size 64x48 -o $file ball.glb bare.glb --ground 2
 is "meshes without strokes are told" "$(cat .err)" "render-gl: bare.glb: warning: 1 mesh has no strokes and stays \
-blank: make them with strokegen"
+blank: make them with strokegen
+render-gl: ball.glb and 1 more: warning: the plane of --ground has no strokes: --technique traced draws no shadows on it"
 try render-gl -t traced --size 64x48 -o $file ball.glb plane.glb
 is "no word if all have strokes" "$(cat .err)" ""
 try draw plane.glb --stroke-style nothing
