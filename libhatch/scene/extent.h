@@ -5,10 +5,12 @@
 #include "scene/scene.h"
 
 struct hatch_scene_extent {
-    double diagonal; /* diagonal of the box around everything that nodes draw, in scene units; where they draw nothing,
-                        around all meshes */
-    double *scale; /* per mesh: scene units per unit of the mesh, as its first node places it; 1 for meshes that no node
-                      draws, or only with scale 0 */
+    double diagonal; /* diagonal of the box around everything that nodes draw, in scene units: if that has no size, at
+                        the times at which animations set scales; where nodes draw nothing, around all meshes */
+    double *scale;   /* per mesh: scene units per unit of the mesh: the root of the factor by which its node makes the
+                        areas of its faces larger, in the root mean square; the largest of its nodes. If that is 0, the
+                        largest that animations set; if there is none, the scale at which the mesh is as large as the
+                        scene. 1 if the scene has no size, and where nodes draw nothing. Always over 0 */
     double *unevenness; /* per mesh: ratio, 1 .., of its largest to its smallest scale in a direction, as the node that
                            scales it most unevenly places it; nodes that flatten it do not count */
 };

@@ -83,6 +83,11 @@ is "two nodes, of which one is twice as large" "$(sets pair.glb | cut -d' ' -f4 
 sed 's/\[2,2,2\]/[0,0,0]/' large.gltf >flat.gltf
 try strokegen flat.gltf
 refused "a scene without size" 3 1
+# A scale of 0 is not one of 1, with which a mesh in small units would take hours.
+sed 's/\[2,2,2\]/[0,0,0]/; s/\[{"mesh":1}/[{"mesh":1,"scale":[0.5,0.5,0.5]}/' pair.gltf >hidden.gltf
+strokegen --gap 0.1 --levels 1 --angles 0 hidden.gltf -o hidden.glb 2>.err
+is "a node of scale 0: its mesh is as large as the scene" "$(sets hidden.glb | cut -d' ' -f4 | uniq -c | xargs)" \
+    "2 0.403321087"
 echo '{"asset":{"version":"2.0"}}' >empty.gltf
 try strokegen empty.gltf
 refused "a scene without faces" 3 1

@@ -47,14 +47,38 @@ static void check_extent(double diagonal, double first, double second)
     ck_assert_double_eq_tol(extent.scale[1], second, 1e-6 * second);
 }
 
-START_TEST(a_scale_is_the_cube_root_of_the_volume)
+/* The scale at which a cube from 0 to 4, which nodes do not draw, is as large as a scene. */
+static double scale_to(double diagonal)
 {
+    return diagonal / (4 * sqrt(3));
+}
+
+/* The faces of the cube get 12, 8 and 6 times as large. */
+START_TEST(a_scale_is_the_root_of_what_faces_gain)
+{
+    double diagonal = 2 * sqrt(4 + 9 + 16), scale = sqrt(sqrt((144 + 64 + 36) / 3.0));
     place(0, 0, 2, -3, 4);
     nodes[0].translation[1] = 1e3f;
-    check_extent(2 * sqrt(4 + 9 + 16), cbrt(24), 1);
+    check_extent(diagonal, scale, scale_to(diagonal));
     place(2, 1, 0.5f, 0.5f, 0.5f);
     nodes[2].translation[1] = 997; /* from 997 to 999 */
-    check_extent(sqrt(4 * 4 + 6 * 6 + 8 * 8), cbrt(24), 0.5);
+    check_extent(sqrt(4 * 4 + 6 * 6 + 8 * 8), scale, 0.5);
+}
+END_TEST
+
+/* A plane keeps its size when its node makes it thinner. */
+START_TEST(only_directions_that_a_mesh_has_count)
+{
+    static const float positions[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    static const uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
+    meshes[0].mesh = mesh_of(positions, 4, indices, 2);
+    place(0, 0, 3, 3, 1e-6f);
+    check_extent(3 * sqrt(2), 3, scale_to(3 * sqrt(2)));
+    meshes[0].mesh.face_count = 0;
+    place(0, 1, 2, 2, 2);
+    place(1, 0, 5, 5, 5);
+    HATCH_TEST_OK(hatch_scene_find_extent(&scene, &keep, &scratch, &extent, &err), &err);
+    ck_assert_double_eq_tol(extent.scale[0], 5, 1e-6);
 }
 END_TEST
 
@@ -66,19 +90,55 @@ START_TEST(scales_of_parents_multiply)
     for (int k = 0; k < 3; k++)
         nodes[0].scale[k] = nodes[1].scale[k] = 0.5f;
     nodes[2].rotation[2] = nodes[2].rotation[3] = (float)sqrt(0.5); /* a right angle: the box stays as large */
-    check_extent(1.5 * sqrt(3), 0.75, 1);
+    check_extent(1.5 * sqrt(3), 0.75, scale_to(1.5 * sqrt(3)));
 }
 END_TEST
 
-START_TEST(the_first_node_that_has_a_size_counts)
+START_TEST(the_largest_of_its_nodes_counts)
 {
     place(0, 0, 0, 0, 0);
-    place(1, 0, 5, 5, 5);
-    place(2, 0, 2, 2, 2);
-    check_extent(10 * sqrt(3), 5, 1);
+    place(1, 0, 2, 2, 2);
+    place(2, 0, 5, 5, 5);
+    check_extent(10 * sqrt(3), 5, scale_to(10 * sqrt(3)));
     place(1, 0, 1, 0, 1);
     place(2, 0, 1, 0, 1);
-    check_extent(sqrt(8), 1, 1);
+    check_extent(sqrt(8), sqrt(sqrt(1 / 3.0)), scale_to(sqrt(8)));
+}
+END_TEST
+
+/* Where no animation gives it a size, it is as large as the scene. */
+START_TEST(a_mesh_of_scale_zero_gets_the_size_of_the_scene)
+{
+    place(0, 0, 0.01f, 0.01f, 0.01f);
+    place(1, 1, 0, 0, 0);
+    check_extent(0.02 * sqrt(3), 0.01, 0.005);
+}
+END_TEST
+
+static float times_s[3] = {0, 1, 2};
+static float scales[9] = {0, 0, 0, 0.25f, 0.25f, 0.25f, 0.125f, 0.125f, 0.125f};
+static struct hatch_animation_channel grows = {.node = 1,
+                                               .path = HATCH_PATH_SCALE,
+                                               .interpolation = HATCH_LINEAR,
+                                               .key_count = 3,
+                                               .times_s = times_s,
+                                               .values = scales};
+static struct hatch_animation animation = {.channel_count = 1, .channels = &grows, .duration_s = 2};
+
+START_TEST(a_mesh_of_scale_zero_gets_the_largest_that_an_animation_sets)
+{
+    scene.animations = &animation;
+    scene.animation_count = 1;
+    place(0, 0, 1, 1, 1);
+    place(1, 1, 0, 0, 0);
+    check_extent(2 * sqrt(3), 1, 0.25);
+    place(0, 0, 0, 0, 0); /* the scene has no size at rest */
+    check_extent(sqrt(3), 0.5, 0.25);
+    animation.channels->path = HATCH_PATH_TRANSLATION;
+    HATCH_TEST_OK(hatch_scene_find_extent(&scene, &keep, &scratch, &extent, &err), &err);
+    ck_assert_double_eq(extent.diagonal, 0);
+    ck_assert_double_eq(extent.scale[1], 1);
+    animation.channels->path = HATCH_PATH_SCALE;
 }
 END_TEST
 
@@ -130,7 +190,7 @@ START_TEST(a_skin_is_placed_by_its_joint)
     nodes[0].skin = 0;
     for (int k = 0; k < 3; k++)
         nodes[1].scale[k] = 1.5f;
-    check_extent(6 * sqrt(3), 3, 1);
+    check_extent(6 * sqrt(3), 3, scale_to(6 * sqrt(3)));
 }
 END_TEST
 
@@ -153,9 +213,12 @@ static Suite *suite(void)
     Suite *suite = suite_create("scene extent");
     TCase *tests = tcase_create("extent");
     tcase_add_checked_fixture(tests, begin_scene, end);
-    tcase_add_test(tests, a_scale_is_the_cube_root_of_the_volume);
+    tcase_add_test(tests, a_scale_is_the_root_of_what_faces_gain);
+    tcase_add_test(tests, only_directions_that_a_mesh_has_count);
     tcase_add_test(tests, scales_of_parents_multiply);
-    tcase_add_test(tests, the_first_node_that_has_a_size_counts);
+    tcase_add_test(tests, the_largest_of_its_nodes_counts);
+    tcase_add_test(tests, a_mesh_of_scale_zero_gets_the_size_of_the_scene);
+    tcase_add_test(tests, a_mesh_of_scale_zero_gets_the_largest_that_an_animation_sets);
     tcase_add_test(tests, unevenness_is_the_ratio_of_singular_values);
     tcase_add_test(tests, meshes_without_nodes_have_their_own_size);
     tcase_add_test(tests, a_skin_is_placed_by_its_joint);
