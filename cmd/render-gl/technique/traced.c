@@ -168,15 +168,18 @@ void traced_set_families(uint32_t families, struct traced_state *state)
 
 double traced_scale(const struct scene *scene, const struct hatch_item *item)
 {
-    const float *m = item->to_unit;
-    double x[3], y[3], z[3], cross[3];
+    double columns[3][3], largest = 0;
     if (item->deformed)
         return 1 / scene->unit.bounds.radius;
-    hatch_vec_of(m, x);
-    hatch_vec_of(m + 4, y);
-    hatch_vec_of(m + 8, z);
-    hatch_vec_cross(x, y, cross);
-    return cbrt(fabs(hatch_vec_dot(cross, z)));
+    for (int c = 0; c < 3; c++)
+        hatch_vec_of(item->to_unit + 4 * c, columns[c]);
+    for (int c = 0; c < 3; c++) { /* no eigenvalue is greater than the largest sum of a row */
+        double sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum += fabs(hatch_vec_dot(columns[c], columns[k]));
+        largest = fmax(largest, sum);
+    }
+    return sqrt(largest);
 }
 
 /* Returns a limit of the thresholds of all strokes that may be visible on an item, with the pen of the last

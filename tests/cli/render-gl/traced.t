@@ -55,6 +55,13 @@ near "with shadows, too" "$(ink)" "$by_vertex" .001
 for camera in 0,0,3.7320508:0,0,0 0,0,2:0,0,0 1.2,0,1.6:0.2,0,0; do
     near "a plane seen from $camera" "$(mean_ink --size 200x200 --camera $camera --fov 25 --tone-range .4:.4)" .4 .02
 done
+# A node that would make it thinner leaves it as it is.
+unpack plane.glb thin
+sed 's/"nodes":\[{/&"scale":[1,1,0.001],/' thin.gltf >t.gltf && mv t.gltf thin.gltf
+draw plane.glb --size 200x200 --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4
+whole=$(ink)
+draw thin.gltf --size 200x200 --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4
+near "a plane whose node is flat" "$(ink)" "$whole" .0005
 # Marks and their overlaps grow with the width.
 near "sketched marks three times as wide" "$(mean_ink --stroke-style sketch --stroke-width 6 --size 200x200 \
     --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4)" .4 .02
