@@ -13,6 +13,7 @@
 #define HATCH_CURVE_FAMILIES_MAX 8u
 #define HATCH_CURVE_LEVELS_MAX 16u
 #define HATCH_CURVE_ID_MAX 0x3fffffffu
+#define HATCH_CURVE_LENGTH_MAX 1000.0 /* gaps */
 
 struct hatch_curve_point {
     uint32_t face;   /* of the mesh */
@@ -34,8 +35,8 @@ struct hatch_curve_set {
     float angle_rad;       /* from the direction field to the strokes, counter-clockwise seen from outside */
     float gap;             /* mean gap between strokes where this level is complete, in mesh units */
     uint32_t first, count; /* its curves */
-    float length;          /* greatest length of a stroke, in gaps of its level; 0: unknown */
-    float hard_rad;        /* strokes end at edges with a larger angle; 0: unknown */
+    float length;   /* greatest length of a stroke, in gaps of its level, <= HATCH_CURVE_LENGTH_MAX; 0: unknown */
+    float hard_rad; /* strokes end at edges with a larger angle, 0 .. pi; under 0: unknown */
 };
 
 /* The strokes of a mesh. Zeroed: none. */

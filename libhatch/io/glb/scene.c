@@ -178,8 +178,10 @@ static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
         HATCH_TRY(hatch_glb_integer(glb, "level", lines->part.level));
         HATCH_TRY(hatch_glb_number(glb, "angle", lines->part.angle_rad));
         HATCH_TRY(hatch_glb_number(glb, "gap", lines->part.gap));
-        HATCH_TRY(hatch_glb_number(glb, "length", lines->part.length));
-        HATCH_TRY(hatch_glb_number(glb, "hard", lines->part.hard_rad));
+        if (lines->part.length > 0)
+            HATCH_TRY(hatch_glb_number(glb, "length", lines->part.length));
+        if (lines->part.hard_rad >= 0)
+            HATCH_TRY(hatch_glb_number(glb, "hard", lines->part.hard_rad));
         HATCH_TRY(hatch_glb_put(glb, "}}}"));
     }
     return HATCH_OK;

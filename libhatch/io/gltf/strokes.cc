@@ -57,8 +57,8 @@ enum hatch_status read_set(Reader &r, const tinygltf::Primitive &primitive, cons
     set->level = static_cast<uint32_t>(level);
     set->angle_rad = static_cast<float>(angle);
     set->gap = static_cast<float>(gap);
-    set->length = length > 1 && length < 1e6 ? static_cast<float>(length) : 0;
-    set->hard_rad = hard > 0 && hard < 4 ? static_cast<float>(hard) : 0;
+    set->length = length > 1 && length <= HATCH_CURVE_LENGTH_MAX ? static_cast<float>(length) : 0;
+    set->hard_rad = hard >= 0 && hard < 4 ? static_cast<float>(hard) : -1;
     return HATCH_OK;
 }
 

@@ -11,6 +11,7 @@
 #define STREAM_FINER 12
 #define OCTAVE_LOW 0.35     /* threshold, times the finest gap, at which the last complete octave begins */
 #define LENGTH_DEFAULT 40.0 /* where the strokes do not say what they were traced with */
+#define LENGTH_MAX 60.0     /* of longer strokes, far too much surface would matter to a tile */
 #define JOINED 1.6          /* times the densest strokes of the mesh: from here on, thresholds are not raised */
 #define THINNING 2.0        /* exponent of what is wanted: strokes are as thin as others at 2.24 times JOINED */
 #define HARD_DEFAULT 0.69813170079773183
@@ -86,13 +87,13 @@ static void list_families(struct hatch_finer *finer)
         if (finer->store_count == 0 || finer->stores[finer->store_count - 1].family != set->family) {
             struct hatch_store *added = &finer->stores[finer->store_count++];
             *added = (struct hatch_store){.family = set->family, .angle_rad = set->angle_rad};
-            added->options =
-                (struct hatch_trace_options){.family_count = HATCH_CURVE_FAMILIES_MAX,
-                                             .angle_rad = finer->angles_rad,
-                                             .gap = ldexp((double)set->gap, (int)set->level),
-                                             .length = set->length > 1 ? (double)set->length : LENGTH_DEFAULT,
-                                             .hard_rad = set->hard_rad > 0 ? (double)set->hard_rad : HARD_DEFAULT,
-                                             .seed = hatch_random_u64(0, STREAM_FINER, set->family)};
+            added->options = (struct hatch_trace_options){
+                .family_count = HATCH_CURVE_FAMILIES_MAX,
+                .angle_rad = finer->angles_rad,
+                .gap = ldexp((double)set->gap, (int)set->level),
+                .length = fmin(set->length > 1 ? (double)set->length : LENGTH_DEFAULT, LENGTH_MAX),
+                .hard_rad = set->hard_rad >= 0 ? (double)set->hard_rad : HARD_DEFAULT,
+                .seed = hatch_random_u64(0, STREAM_FINER, set->family)};
         }
         finer->stores[finer->store_count - 1].level_count = set->level + 1;
     }

@@ -272,6 +272,41 @@ START_TEST(damaged_descriptions_are_refused)
 }
 END_TEST
 
+/* What strokes were traced with may be missing; an angle of 0 is none that is missing, and no length is endless. */
+START_TEST(what_finer_levels_need_may_be_missing)
+{
+    static const struct {
+        const char *to;
+        float length, hard_rad;
+    } cases[] = {{"\"length\":40,\"hard\":0.0", 40, 0},
+                 {"\"length\":40,\"herd\":0.7", 40, -1},
+                 {"\"langth\":40,\"hard\":0.7", 0, 0.7f},
+                 {"\"length\":9e9,\"hard\":1 ", 0, 1},
+                 {"\"length\":1e3,\"hard\":1 ", 1e3f, 1}};
+    for (uint32_t m = 0; m < 2; m++)
+        for (uint32_t s = 0; s < 4; s++)
+            sets[m][s].hard_rad = 0.5f;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct hatch_mesh_notes notes;
+        struct hatch_buffer file = patched("\"length\":40,\"hard\":0.5", cases[i].to, strlen(cases[i].to), 0);
+        HATCH_TEST_OK(read_file(&file, &notes), &err);
+        const struct hatch_curve_set *set = &back.meshes[0].curves.sets[0];
+        ck_assert_float_eq(set->length, cases[i].length);
+        ck_assert_float_eq(set->hard_rad, cases[i].hard_rad);
+        full = back; /* and stays missing */
+        struct hatch_buffer again = written(&full);
+        HATCH_TEST_OK(read_file(&again, &notes), &err);
+        ck_assert_float_eq(back.meshes[0].curves.sets[0].length, cases[i].length);
+        ck_assert_float_eq(back.meshes[0].curves.sets[0].hard_rad, cases[i].hard_rad);
+        end();
+        begin_scene();
+        for (uint32_t m = 0; m < 2; m++)
+            for (uint32_t s = 0; s < 4; s++)
+                sets[m][s].hard_rad = 0.5f;
+    }
+}
+END_TEST
+
 /* Numbers of the second set's first stroke replaced by others. */
 START_TEST(damaged_numbers_are_refused)
 {
@@ -357,6 +392,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_belong_to_the_surface_before_them);
     tcase_add_test(tests, no_strokes_are_no_primitives);
     tcase_add_test(tests, damaged_descriptions_are_refused);
+    tcase_add_test(tests, what_finer_levels_need_may_be_missing);
     tcase_add_test(tests, damaged_numbers_are_refused);
     tcase_add_test(tests, lines_that_jump_are_refused);
     tcase_add_test(tests, other_lines_are_left_out);

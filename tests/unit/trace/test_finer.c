@@ -222,6 +222,53 @@ START_TEST(as_many_strokes_are_drawn_as_are_wanted)
 }
 END_TEST
 
+/* Strokes of a level are no longer than 60 of its gaps, however long those of the mesh are: else every tile would need
+ * everything around it. */
+START_TEST(long_strokes_do_not_need_the_whole_mesh)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer_view view = view_of(0, 0, 0.02, 0.006);
+    struct hatch_finer_found found[2];
+    for (int i = 0; i < 2; i++) {
+        for (uint32_t s = 0; s < plane.curves.set_count; s++)
+            plane.curves.sets[s].length = i ? 1000 : 60;
+        struct hatch_finer *finer = open_finer(&plane);
+        found[i] = find(finer, &view);
+        ck_assert_uint_gt(found[i].traced, 0);
+        hatch_finer_free(finer);
+    }
+    check_equal(&found[0], &found[1]);
+}
+END_TEST
+
+/* A stroke that ends at all edges stays on its face. */
+START_TEST(an_angle_of_zero_is_no_missing_one)
+{
+    struct finer_case shape;
+    struct hatch_trace_options options = with_gap(0.1, 3);
+    struct field_case field = case_of(shape_of(HATCH_SHAPE_SPHERE, 500));
+    uint32_t most_faces = 0;
+    follow_truth(&field, HATCH_SHAPE_SPHERE, 0, 1);
+    options.hard_rad = 0;
+    make_case(&shape, field, &options);
+    struct hatch_finer *finer = open_finer(&shape);
+    struct hatch_finer_view view = view_of(0, 0, 0.5, 0.01);
+    struct hatch_finer_found found = find(finer, &view);
+    ck_assert_uint_gt(found.traced, 20);
+    for (uint32_t i = 0; i < found.curves.count; i++) {
+        const struct hatch_curve *curve = &found.curves.curves[i];
+        const struct hatch_curve_point *point = &found.curves.points[curve->first];
+        uint32_t faces = 1;
+        for (uint32_t p = 1; p < curve->count; p++)
+            faces += point[p].face != point[p - 1].face;
+        most_faces = faces > most_faces ? faces : most_faces;
+    }
+    ck_assert_uint_le(most_faces, 2); /* an end on an edge is on either face */
+    hatch_finer_free(finer);
+}
+END_TEST
+
 START_TEST(a_view_that_comes_back_has_the_same_strokes)
 {
     struct finer_case plane;
@@ -324,6 +371,8 @@ static Suite *suite(void)
     tcase_add_test(tests, finer_strokes_join_gradually);
     tcase_add_test(tests, strokes_of_a_plane_are_straight_and_whole);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
+    tcase_add_test(tests, long_strokes_do_not_need_the_whole_mesh);
+    tcase_add_test(tests, an_angle_of_zero_is_no_missing_one);
     tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);
     tcase_add_test(tests, the_way_to_a_view_does_not_matter);
     tcase_add_test(tests, the_number_of_threads_does_not_matter);
