@@ -18,6 +18,7 @@
 /* Strokes side by side, of all levels, over a gap of the finest. There are more, but render-gl judges by the nearest
  * corner of the box around a mesh, and wider strokes make lighter tones. */
 #define STROKES_PER_GAP 0.7
+#define HALVINGS_MAX 40u /* of the gap on a mesh that is smaller than it */
 
 static double gap = 0.08, length = 40, hard_deg = 40;
 static int64_t levels = 6;
@@ -131,6 +132,35 @@ static void report_share(void *context, double share)
     cmd_progress("strokes", share);
 }
 
+/* Returns whether each family has strokes. */
+static bool has_all(const struct hatch_curves *curves, uint32_t families)
+{
+    uint32_t found = 0;
+    for (uint32_t s = 0; s < curves->set_count; s++)
+        found |= (curves->sets[s].count > 0 ? 1u : 0u) << curves->sets[s].family;
+    return found == (1u << families) - 1;
+}
+
+/* Traces strokes. A mesh that is too small for those of a family gets one level, with the widest gap at which it has
+ * some: render-gl traces finer ones only of families that a file has.
+ *   how  its gap is in mesh units */
+static void trace_some(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
+                       const struct hatch_frames *frames, const double *direction,
+                       const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
+{
+    struct hatch_trace_options local = *how;
+    struct hatch_err err;
+    for (uint32_t i = 0; i <= HALVINGS_MAX; i++) {
+        cmd_check(hatch_trace_make(surface, &mesh->mesh, frames, direction, &local, cmd_pool(args), &args->keep,
+                                   &args->scratch, &mesh->curves, &err),
+                  name, &err);
+        if (has_all(&mesh->curves, how->family_count) || needs_path)
+            break;
+        local.gap = ldexp(local.gap, -(int)local.levels);
+        local.levels = 1;
+    }
+}
+
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
  *   surface  of the mesh; NULL: not made yet
  *   scale    scene units per unit of the mesh
@@ -158,9 +188,17 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);
     hatch_field_of_mesh(&cut, &frames, &mesh->mesh, direction, confidence);
-    cmd_check(hatch_trace_make(&cut, &mesh->mesh, &frames, direction, &local, cmd_pool(args), &args->keep,
-                               &args->scratch, &mesh->curves, &err),
-              name, &err);
+    trace_some(args, name, &cut, &frames, direction, &local, mesh);
+}
+
+/* Warns of meshes that have no strokes though views may need them. */
+static void warn_bare(const char *name, const struct hatch_scene *scene)
+{
+    uint32_t bare = 0;
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        bare += scene->meshes[i].curves.count == 0 && scene->meshes[i].mesh.face_count > 0;
+    if (bare > 0 && !needs_path)
+        cmd_warn(name, "%u %s no strokes: too narrow for any", bare, cmd_plural(bare, "mesh has", "meshes have"));
 }
 
 int main(int argc, char **argv)
@@ -206,6 +244,7 @@ int main(int argc, char **argv)
         strokes += scene.meshes[i].curves.count;
         points += scene.meshes[i].curves.point_count;
     }
+    warn_bare(name, &scene);
     cmd_note("%u %s, %u points", strokes, cmd_plural(strokes, "stroke", "strokes"), points);
 
     char comment[256];

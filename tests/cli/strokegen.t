@@ -88,6 +88,13 @@ sed 's/\[2,2,2\]/[0,0,0]/; s/\[{"mesh":1}/[{"mesh":1,"scale":[0.5,0.5,0.5]}/' pa
 strokegen --gap 0.1 --levels 1 --angles 0 hidden.gltf -o hidden.glb 2>.err
 is "a node of scale 0: its mesh is as large as the scene" "$(sets hidden.glb | cut -d' ' -f4 | uniq -c | xargs)" \
     "2 0.403321087"
+# A mesh that is much smaller than the gaps has one level, so that near views can add finer ones, of every family.
+sed 's/\[{"mesh":1}/[{"mesh":1,"scale":[0.001,0.001,0.001]}/' pair.gltf >small.gltf
+try strokegen $coarse small.gltf -o small.glb
+is "a small mesh: sets that have strokes" "$(sets small.glb | cut -d' ' -f1,2 | xargs)" "0 0 0 1 1 0 1 1 0 0 1 0"
+is "nothing is said of it" "$(cat .err)" ""
+try strokegen --gap 1 --levels 1 torus.glb -o wide.glb
+is "gaps that are too wide for the scene" "$status $(sets wide.glb | cut -d' ' -f1,2 | xargs)" "0 0 0 1 0"
 echo '{"asset":{"version":"2.0"}}' >empty.gltf
 try strokegen empty.gltf
 refused "a scene without faces" 3 1
