@@ -6,6 +6,7 @@
 
 #define LEGS_MAX 4096u /* from a point to the next */
 #define DETOUR 2.0     /* longest way to the next point, in distances */
+#define DRIFT_MAX 0.1  /* greatest mean: drawn thresholds differ more where strokes are missing, as on small parts */
 
 struct placing {
     struct hatch_store *store;
@@ -129,7 +130,8 @@ static enum hatch_status add_curve(const struct placing *placing, const struct h
     return HATCH_OK;
 }
 
-/* Measures the mean logarithm of drawn to measured thresholds, in the finest octave that is complete. */
+/* Measures the mean logarithm of drawn to measured thresholds, in the finest octave that is complete. Finer levels do
+ * not take over that the given ones lack strokes shorter than their gaps. */
 static void find_drift(struct hatch_store *store, const struct hatch_finer_source *source)
 {
     const struct hatch_curves *curves = source->curves;
@@ -153,8 +155,9 @@ static void find_drift(struct hatch_store *store, const struct hatch_finer_sourc
         sum += store->drift[i];
         all += count[i];
     }
+    double mean = all > 0 ? sum / all : 0, missing = mean - fmin(fmax(mean, -DRIFT_MAX), DRIFT_MAX);
     for (uint32_t i = 0; i < HATCH_STORE_DRIFTS; i++)
-        store->drift[i] = count[i] > 0 ? store->drift[i] / count[i] : all > 0 ? sum / all : 0;
+        store->drift[i] = (count[i] > 0 ? store->drift[i] / count[i] : mean) - missing;
 }
 
 enum hatch_status hatch_store_take_curves(struct hatch_store *store, const struct hatch_finer_source *source,

@@ -62,6 +62,18 @@ draw plane.glb --size 200x200 --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4
 whole=$(ink)
 draw thin.gltf --size 200x200 --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4
 near "a plane whose node is flat" "$(ink)" "$whole" .0005
+# A mesh that is much smaller than the gaps of the scene has few strokes; finer ones do not take over that some lack.
+meshgen torus -o torus.glb
+unpack torus.glb small
+node='"scale":[0.001,0.001,0.001],"translation":[0,1,0]'
+sed 's/"scenes":\[{"nodes":\[0\]}\],"nodes":\[{/"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{'"$node"',/
+    s/"mesh":0}\],"meshes"/"mesh":1}],"meshes"/
+    s/"meshes":\[\({.*}\]}\),*\],"accessors"/"meshes":[\1,\1],"accessors"/' small.gltf >t.gltf && mv t.gltf small.gltf
+strokegen -q small.gltf -o small.glb
+draw small.glb --size 160x120 --camera 0,1.003,.002:0,1,0 --tone-range .5:.5
+small=$(ink)
+render-gl -q small.glb -t gouraud --lines none -o $file --size 160x120 --camera 0,1.003,.002:0,1,0 --tone-range .5:.5
+near "a small mesh from near by" "$small" "$(ink)" .05
 # Marks and their overlaps grow with the width.
 near "sketched marks three times as wide" "$(mean_ink --stroke-style sketch --stroke-width 6 --size 200x200 \
     --camera 0,0,2:0,0,0 --fov 25 --tone-range .4:.4)" .4 .02
