@@ -8,7 +8,8 @@
 /* Makes the surface of each mesh of a scene, in args->keep. Repairs are reported in one warning, except those that
  * dirfield has reported already. Dies on failure, and when no mesh is left.
  *   path   of the scene, for messages
- *   scene  from cmd_read_scene with CMD_SCENE_AS_IS; meshes without area are removed, the others stay unchanged
+ *   scene  from cmd_read_scene with CMD_SCENE_AS_IS; meshes without area are removed, the others stay unchanged, except
+ *          that those with faces given once for each side, which have one in the surface, become double-sided
  * Entry i of the result is the surface of scene->meshes[i].mesh. */
 struct hatch_surface *cmd_make_surfaces(struct cmd_args *args, const char *path, struct hatch_scene *scene);
 

@@ -18,8 +18,10 @@ uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_
     return count;
 }
 
-static void sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
+/* Returns whether sorting reverses the face. */
+static bool sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
 {
+    bool reversed = false;
     memcpy(out, &point[(size_t)face * 3], 3 * sizeof *out);
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k + 1 < 3; k++)
@@ -27,11 +29,14 @@ static void sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
                 uint32_t swap = out[k];
                 out[k] = out[k + 1];
                 out[k + 1] = swap;
+                reversed = !reversed;
             }
+    return reversed;
 }
 
 enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
-                                             struct hatch_arena *scratch, uint32_t *count, struct hatch_err *err)
+                                             struct hatch_arena *scratch, struct hatch_mesh_duplicates *found,
+                                             struct hatch_err *err)
 {
     size_t capacity = 16;
     while (capacity < (size_t)face_count * 2)
@@ -39,27 +44,27 @@ enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t fac
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *slots;
     HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* hash table: face + 1; 0: empty */
-    uint32_t found = 0;
+    *found = (struct hatch_mesh_duplicates){0};
     for (uint32_t f = 0; f < face_count; f++) {
         if (dropped[f])
             continue;
         uint32_t own[3], other[3];
-        sorted_points(point, f, own);
+        bool turned = sorted_points(point, f, own), other_turned = false;
         uint64_t hash = hatch_random_mix((uint64_t)own[0] << 32 | own[1]);
         size_t slot = hatch_random_mix(hash ^ own[2]) & (capacity - 1);
         for (; slots[slot]; slot = (slot + 1) & (capacity - 1)) {
-            sorted_points(point, slots[slot] - 1, other);
+            other_turned = sorted_points(point, slots[slot] - 1, other);
             if (memcmp(own, other, sizeof own) == 0)
                 break;
         }
         if (slots[slot]) {
             dropped[f] = 1;
-            found++;
+            found->count++;
+            found->reversed += turned != other_turned;
         } else {
             slots[slot] = f + 1;
         }
     }
-    *count = found;
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

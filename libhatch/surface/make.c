@@ -15,7 +15,10 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
     HATCH_TRY(hatch_mesh_weld(mesh, w->scratch, vertex_to_point, &w->position_count, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
-    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch, &notes->duplicate, err));
+    struct hatch_mesh_duplicates duplicates;
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch, &duplicates, err));
+    notes->duplicate = duplicates.count;
+    notes->reversed = duplicates.reversed;
     if (notes->degenerate + notes->duplicate == mesh->face_count)
         return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
     return HATCH_OK;

@@ -59,6 +59,7 @@ struct hatch_surface_notes {
     uint32_t welded;       /* vertices merged with another at their position */
     uint32_t degenerate;   /* faces without area, left out */
     uint32_t duplicate;    /* repeated faces, left out */
+    uint32_t reversed;     /* those of them that face the other way than the one that is kept */
     uint32_t unreferenced; /* vertices without faces, left out */
     uint32_t flipped;      /* faces reversed to agree with their neighbours */
     uint32_t edges_cut;    /* edges with more than two faces */

@@ -110,6 +110,32 @@ dirfield -q posed.gltf --constraints own.tsv -o own.glb
 is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
 
+# The first square twice, the second time for its back; of two squares with one material, only this one has a back.
+sides=$({
+    floats -1 -1 0 1 -1 0 1 1 0 -1 1 0
+    printf '\000\000\001\000\002\000\000\000\002\000\003\000\002\000\001\000\000\000\003\000\002\000\000\000'
+} | base64 | tr -d '\n')
+cat >sides.gltf <<EOF
+{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0},
+{"attributes":{"POSITION":0},"indices":2,"material":0}]}],"materials":[{"name":"leaf"}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
+{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],
+"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,$sides"}]}
+EOF
+for command in dirfield lapped-param strokegen; do
+    $command sides.gltf -o sides.glb 2>.err
+    unpack sides.glb sides.made
+    is "faces given for both sides stay visible from both, $command" "$(grep -o '"material":[0-9]' sides.made.gltf |
+        paste -sd' ') $(grep -o '"materials":.*' sides.made.gltf | grep -o doubleSided | wc -l) $(grep -c \
+            '2 faces given twice left out, 1 mesh whose faces are given for both sides made double-sided' .err)" \
+        '"material":0 "material":1 1 1'
+done
+dirfield -q sides.gltf | dirfield -o again.glb 2>.err
+is "a mesh that is double-sided already is not changed" "$(grep -c 'double-sided' .err)" 0
+
 # bad_row SENTENCE HEADER ROW ...: checks that these constraints are refused with this message
 bad_row() {
     sentence=$1

@@ -279,6 +279,7 @@ START_TEST(duplicate_faces_are_left_out)
     ck_assert_uint_gt(read_naively(&dirty).non_manifold, 50);
     struct hatch_surface want = surface_of(&mesh), s = surface_of(&dirty);
     ck_assert_uint_eq(notes.duplicate, 50);
+    ck_assert_uint_eq(notes.reversed, 25);
     notes.duplicate = 0;
     ck_assert_uint_eq(other_notes(), 0);
     ck_assert_mem_eq(s.corners, want.corners, want.face_count * 12);
