@@ -50,7 +50,9 @@ struct hatch_field_options {
 struct hatch_field {
     double *direction;      /* 3 per point: unit tangent; sign arbitrary */
     double *confidence;     /* per point, 0 .. 1: how far the data around agrees, as the solution weighs it; 0 on
-                               unconstrained components */
+                               unconstrained components. Linear: |z| over that for data equal to the field, which is
+                               its 90th percentile over the area of the component; hz: length of the weighted mean of
+                               data and neighbours */
     uint32_t iterations;    /* of all solves */
     double residual;        /* of the last solve, on the component where it is largest: multigrid: relative to that of
                                z = data weighted by its share in each point; hz: root mean square angle in radians

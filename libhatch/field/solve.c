@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 #include "field/system.h"
+#include "math/percentile.h"
 
 /* The smoothest field of unconstrained components: the smallest eigenvector of A with areas as the mass matrix, by
  * inverse iteration (Knöppel et al. 2013, §4, algorithm 1). */
@@ -11,6 +12,10 @@
 #define POWER_CHANGE 1e-3 /* relative change of the eigenvalues at which to stop */
 #define POWER_TOLERANCE 1e-3
 #define POWER_SHIFT 0.1 /* divided by the component's area; keeps A regular where a parallel field exists */
+
+/* Confidence 1 is that of data that agree, at the point where they count more than on so large a share of the area. */
+static const double agreed_share = 0.9;
+#define AGREED_TOLERANCE 1e-3
 
 struct work {
     const struct hatch_field_problem *problem;
@@ -39,15 +44,39 @@ static void make_unit(double *z, uint32_t count)
     }
 }
 
-static enum hatch_status solve_linear(struct work *w, const struct hatch_field_system *system, double *z,
-                                      struct hatch_err *err)
+/* Solves Az = rhs.
+ *   levels  of the system; NULL for Cholesky */
+static enum hatch_status solve_rhs(const struct work *w, const struct hatch_field_system *system,
+                                   const struct hatch_field_levels *levels, double tolerance, double *z,
+                                   struct hatch_field_convergence *convergence, struct hatch_err *err)
 {
-    struct hatch_field_levels *levels;
-    if (w->options->solver == HATCH_FIELD_CHOLESKY)
+    if (!levels)
         return hatch_field_solve_cholesky(system, w->scratch->limit_bytes, w->scratch, z, err);
-    HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
-    return hatch_field_solve_multigrid(levels, w->options->tolerance, w->options->iterations_max, w->scratch, z,
-                                       &w->convergence, err);
+    return hatch_field_solve_multigrid(levels, tolerance, w->options->iterations_max, w->scratch, z, convergence, err);
+}
+
+/* Solves for z, and with the same weights for data that agree with it everywhere.
+ *   agreed  out: 2 per node */
+static enum hatch_status solve_linear(struct work *w, const struct hatch_field_system *system, double *z,
+                                      double *agreed, struct hatch_err *err)
+{
+    struct hatch_field_levels *levels = NULL;
+    struct hatch_field_convergence ignored = {0};
+    size_t bytes = (size_t)system->count * 2 * sizeof *z;
+    double *rhs;
+    if (w->options->solver == HATCH_FIELD_MULTIGRID)
+        HATCH_TRY(hatch_field_coarsen(system, w->scratch, &levels, err));
+    HATCH_TRY(solve_rhs(w, system, levels, w->options->tolerance, z, &w->convergence, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(w->scratch, &rhs, (size_t)system->count * 2, err));
+    memcpy(rhs, system->rhs, bytes);
+    memcpy(agreed, z, bytes);
+    make_unit(agreed, system->count);
+    for (size_t i = 0; i < 2 * (size_t)system->count; i++)
+        system->rhs[i] = system->data_weight[i / 2] * agreed[i];
+    memcpy(agreed, z, bytes);
+    HATCH_TRY(solve_rhs(w, system, levels, fmax(w->options->tolerance, AGREED_TOLERANCE), agreed, &ignored, err));
+    memcpy(system->rhs, rhs, bytes);
+    return HATCH_OK;
 }
 
 /* Uses all directions of the problem, also those without weight. */
@@ -145,7 +174,8 @@ static enum hatch_status solve_smoothest(struct work *w, struct hatch_field_syst
     return HATCH_OK;
 }
 
-/* Returns the confidence at a node: |z|, or for unit z the length of the weighted mean of data and neighbours. */
+/* Returns the confidence at a node: |z|, which scale_confidence divides, or for unit z the length of the weighted mean
+ * of data and neighbours. */
 static double agreement(const struct work *w, const struct hatch_field_system *system, const double *z,
                         const double *applied, uint32_t n)
 {
@@ -171,6 +201,29 @@ static void write_field(const struct work *w, const struct hatch_field_system *s
     }
 }
 
+/* Divides |z| by that of data that agree, where these count most: smoothing over a whole surface leaves little of
+ * either, because no direction goes on over all of it. agreed  from solve_linear */
+static enum hatch_status scale_confidence(const struct work *w, const struct hatch_field_system *system,
+                                          const double *agreed, struct hatch_field *field, struct hatch_err *err)
+{
+    struct hatch_weighted *lengths;
+    HATCH_TRY(HATCH_ALLOC_UNSET(w->scratch, &lengths, w->problem->surface->point_count, err));
+    for (uint32_t c = 0; c < w->problem->surface->component_count; c++) {
+        const struct hatch_component *component = &w->problem->surface->components[c];
+        uint32_t first = component->first_point, end = first + component->point_count;
+        double largest;
+        if (system->node[first] == HATCH_NO_SIDE)
+            continue;
+        for (uint32_t p = first; p < end; p++)
+            lengths[p] =
+                (struct hatch_weighted){length_of(&agreed[2 * (size_t)system->node[p]]), w->problem->frames->area[p]};
+        hatch_percentiles(&lengths[first], component->point_count, &agreed_share, 1, &largest);
+        for (uint32_t p = first; p < end && largest > 0; p++)
+            field->confidence[p] = fmin(field->confidence[p] / largest, 1);
+    }
+    return HATCH_OK;
+}
+
 /* Solves for the components with data, or for those without. */
 static enum hatch_status solve_components(struct work *w, bool constrained, struct hatch_field *field,
                                           struct hatch_err *err)
@@ -189,7 +242,7 @@ static enum hatch_status solve_components(struct work *w, bool constrained, stru
     if (!constrained)
         HATCH_TRY(solve_smoothest(w, &system, z, err));
     else if (w->options->method == HATCH_FIELD_LINEAR)
-        HATCH_TRY(solve_linear(w, &system, z, err));
+        HATCH_TRY(solve_linear(w, &system, z, applied, err));
     if (w->options->method == HATCH_FIELD_HZ) {
         if (constrained)
             start_from_data(w, &system, z);
@@ -199,6 +252,8 @@ static enum hatch_status solve_components(struct work *w, bool constrained, stru
         hatch_field_apply(&system, z, applied);
     }
     write_field(w, &system, z, applied, constrained, field);
+    if (constrained && w->options->method == HATCH_FIELD_LINEAR)
+        HATCH_TRY(scale_confidence(w, &system, applied, field, err));
     hatch_field_system_energy(w->problem->surface, &system, z, energy);
     field->solution_energy += constrained ? energy[0] + energy[1] : 0;
     make_unit(z, system.count);

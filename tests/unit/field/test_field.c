@@ -98,6 +98,33 @@ START_TEST(smoothest_fields_have_the_fewest_singularities)
 }
 END_TEST
 
+/* Returns the mean confidence of a field. */
+static double mean_confidence(const struct field_case *of, double smooth)
+{
+    struct hatch_field field = solve_case(of, HATCH_FIELD_LINEAR, HATCH_FIELD_MULTIGRID, smooth);
+    double sum = 0;
+    for (uint32_t p = 0; p < of->surface.point_count; p++) {
+        ck_assert(field.confidence[p] >= 0 && field.confidence[p] <= 1);
+        sum += field.confidence[p];
+    }
+    return sum / of->surface.point_count;
+}
+
+/* All directions of a torus agree with the smoothest field, and random ones with none, from much smoothing to all. */
+START_TEST(confidence_tells_how_far_data_agree)
+{
+    struct field_case torus = case_of_shape(HATCH_SHAPE_TORUS, 1000, 1);
+    for (double smooth = 0.75; smooth <= 1; smooth += 0.125) {
+        follow_truth(&torus, HATCH_SHAPE_TORUS, 0, 0.5);
+        double agreeing = mean_confidence(&torus, smooth);
+        follow_truth(&torus, HATCH_SHAPE_TORUS, 1000, 0.5);
+        double random = mean_confidence(&torus, smooth);
+        ck_assert_msg(agreeing > 0.8, "smooth %g: %g", smooth, agreeing);
+        ck_assert_msg(random < 0.3, "smooth %g: %g of random data", smooth, random);
+    }
+}
+END_TEST
+
 static const enum hatch_shape analytic[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_ELLIPSOID, HATCH_SHAPE_CYLINDER};
 
 /* Normally distributed errors of 20 degrees. Four singularities of index 1/2 on the ellipsoid, none elsewhere. */
@@ -406,6 +433,7 @@ static Suite *suite(void)
     tcase_add_test(tests, one_constraint_determines_the_field_of_a_plane);
     tcase_add_test(tests, indices_sum_to_the_euler_characteristic);
     tcase_add_test(tests, smoothest_fields_have_the_fewest_singularities);
+    tcase_add_test(tests, confidence_tells_how_far_data_agree);
     tcase_add_test(tests, noise_is_smoothed_without_extra_singularities);
     tcase_add_test(tests, multigrid_and_cholesky_agree);
     tcase_add_test(tests, the_linear_method_has_no_more_energy_than_hz);
