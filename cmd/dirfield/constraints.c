@@ -1,3 +1,4 @@
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -67,9 +68,15 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     if (!(values[WEIGHT] > 0 && values[WEIGHT] <= WEIGHT_MAX))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: weight %g, want over 0 and at most %g", row, values[WEIGHT],
                           WEIGHT_MAX);
-    double length = hatch_vec_length(&values[DX]);
-    if (!(length > 0 && isfinite(length)))
+    for (int k = X; k <= Z; k++)
+        if (!(fabs(values[k]) <= FLT_MAX))
+            return hatch_fail(err, HATCH_BAD_INPUT, "line %u: %s %g, want at most %g, the largest coordinate of a mesh",
+                              row, key_names[k], values[k], FLT_MAX);
+    double largest = fmax(fmax(fabs(values[DX]), fabs(values[DY])), fabs(values[DZ]));
+    if (!(largest > 0))
         return hatch_fail(err, HATCH_BAD_INPUT, "line %u: the direction dx dy dz must not be zero", row);
+    for (int k = DX; k <= DZ; k++)
+        values[k] /= largest; /* squares of lengths neither overflow nor vanish */
     return HATCH_OK;
 }
 

@@ -155,6 +155,12 @@ bad_row "line 2: weight 1e+06, want over 0 and at most 1e+06" "$head" '1\t1\t0\t
 given "$head" '7\t1\t1\t0\t1000000'
 is "a weight of a million" "$status $(angle hand.glb towards.glb)" "0 0"
 bad_row "line 2: the direction dx dy dz must not be zero" "$head" '1\t0\t0\t0\t1'
+bad_row "line 2: y -1e+300, want at most 3.40282e+38, the largest coordinate of a mesh" \
+    'x\ty\tz\tdx\tdy\tdz\tweight' '0\t-1e300\t0\t1\t0\t0\t1'
+for length in 1e200 1e-200 4e-320; do
+    given "$head" "7\t$length\t$length\t0\t1"
+    is "a direction of length $length" "$status $(angle hand.glb towards.glb)" "0 0"
+done
 bad_row "line 2: the direction is perpendicular to the surface" "$head" '1\t0\t0\t5\t1'
 bad_row "header: 'wait' is not a column; want vertex, or x y z, and dx dy dz weight" 'vertex\twait' '1\t1'
 bad_row "header: 'dx' appears twice" 'vertex\tdx\tdx' '1\t1'
