@@ -23,7 +23,7 @@ struct header {
 struct targets {
     struct dirfield_job *jobs;
     uint32_t job_count;
-    uint32_t **vertex_points;            /* per job, the point of each vertex; NULL when rows name positions */
+    struct hatch_surface_groups *groups; /* per job: the points of each vertex, or of each position */
     struct hatch_surface_points *points; /* per job that the scene shows; NULL when rows name vertices */
     bool renumbered;                     /* vertices have other numbers than in the file */
 };
@@ -80,22 +80,25 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     return HATCH_OK;
 }
 
-static enum hatch_status find_vertex(const struct targets *targets, double vertex, uint32_t row,
-                                     struct dirfield_job **job, uint32_t *point, struct hatch_err *err)
+/* Finds the points of a vertex.
+ *   job      out: number of the job
+ *   vertex   in: in the file; out: in the mesh of the job */
+static enum hatch_status find_vertex(const struct targets *targets, double number, uint32_t row, uint32_t *job,
+                                     uint32_t *vertex, struct hatch_err *err)
 {
     double first = 0;
-    for (uint32_t i = 0; i < targets->job_count; i++) {
-        *job = &targets->jobs[i];
-        double count = (*job)->mesh->file_vertices;
-        if (vertex >= first && vertex < first + count && vertex == floor(vertex)) {
-            *point = targets->vertex_points[i][(size_t)(vertex - first)];
-            if (*point == HATCH_NO_SIDE)
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no face uses vertex %.0f", row, vertex);
+    for (*job = 0; *job < targets->job_count; ++*job) {
+        double count = targets->jobs[*job].mesh->file_vertices;
+        if (number >= first && number < first + count && number == floor(number)) {
+            const uint32_t *points = targets->groups[*job].first;
+            *vertex = (uint32_t)(number - first);
+            if (points[*vertex] == points[*vertex + 1])
+                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no face uses vertex %.0f", row, number);
             return HATCH_OK;
         }
         first += count;
     }
-    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.10g, want a whole number from 0 to %.0f", row, vertex,
+    return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.10g, want a whole number from 0 to %.0f", row, number,
                       first - 1);
 }
 
@@ -116,7 +119,7 @@ static double distance(const struct hatch_surface_points *points, const struct d
 }
 
 /* Finds the nearest point of all posed meshes. Returns false when there is none. */
-static bool find_nearest(const struct targets *targets, const double position[3], struct dirfield_job **job,
+static bool find_nearest(const struct targets *targets, const double position[3], uint32_t *job,
                          const struct dirfield_pose **pose, uint32_t *point)
 {
     double least = INFINITY;
@@ -127,7 +130,7 @@ static bool find_nearest(const struct targets *targets, const double position[3]
             if (!(length < least))
                 continue;
             least = length;
-            *job = &targets->jobs[i];
+            *job = i;
             *pose = &targets->jobs[i].poses[k];
             *point = candidate;
         }
@@ -154,41 +157,49 @@ static enum hatch_status add(struct cmd_args *args, struct dirfield_job *job, st
 static enum hatch_status add_row(struct cmd_args *args, const struct targets *targets, const double values[KEYS],
                                  uint32_t row, struct hatch_err *err)
 {
-    struct dirfield_job *job = NULL;
+    uint32_t job = 0, at = 0;
     const struct dirfield_pose *pose = NULL;
     struct dirfield_constraint made = {.line = row, .weight = values[WEIGHT]};
     hatch_vec_copy(&values[DX], made.direction);
-    if (targets->vertex_points) {
-        HATCH_TRY(find_vertex(targets, values[VERTEX], row, &job, &made.point, err));
+    if (!targets->points) {
+        HATCH_TRY(find_vertex(targets, values[VERTEX], row, &job, &at, err));
     } else {
-        if (!find_nearest(targets, &values[X], &job, &pose, &made.point))
+        if (!find_nearest(targets, &values[X], &job, &pose, &at))
             return hatch_fail(err, HATCH_BAD_INPUT,
                               "line %u: no node of the scene has a mesh; use the column vertex instead of x y z", row);
         dirfield_to_mesh(pose, &values[DX], made.direction);
+        at = targets->groups[job].group[at];
     }
-    return add(args, job, made, err);
+    made.points = &targets->groups[job].points[targets->groups[job].first[at]];
+    made.point_count = targets->groups[job].first[at + 1] - targets->groups[job].first[at];
+    return add(args, &targets->jobs[job], made, err);
 }
 
 static enum hatch_status map_vertices(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
 {
-    HATCH_TRY(HATCH_ALLOC(&args->keep, &targets->vertex_points, targets->job_count, err));
-    for (uint32_t i = 0; i < targets->job_count; i++) {
-        struct dirfield_job *job = &targets->jobs[i];
-        uint32_t vertices = job->mesh->mesh.vertex_count;
-        uint32_t *points;
-        HATCH_TRY(HATCH_ALLOC(&args->keep, &points, vertices, err));
-        hatch_surface_vertex_points(job->surface, vertices, points);
-        targets->vertex_points[i] = points;
-    }
+    HATCH_TRY(HATCH_ALLOC(&args->scratch, &targets->groups, targets->job_count, err));
+    for (uint32_t i = 0; i < targets->job_count; i++)
+        HATCH_TRY(hatch_surface_group_points(targets->jobs[i].surface, NULL, targets->jobs[i].mesh->mesh.vertex_count,
+                                             &args->keep, &targets->groups[i], err));
     return HATCH_OK;
 }
 
 static enum hatch_status index_points(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
 {
     HATCH_TRY(HATCH_ALLOC(&args->scratch, &targets->points, targets->job_count, err));
-    for (uint32_t i = 0; i < targets->job_count; i++)
-        if (targets->jobs[i].pose_count > 0)
-            HATCH_TRY(hatch_surface_points_make(targets->jobs[i].surface, &args->scratch, &targets->points[i], err));
+    HATCH_TRY(HATCH_ALLOC(&args->scratch, &targets->groups, targets->job_count, err));
+    for (uint32_t i = 0; i < targets->job_count; i++) {
+        const struct dirfield_job *job = &targets->jobs[i];
+        const struct hatch_mesh *mesh = &job->mesh->mesh;
+        uint32_t *position_of, positions;
+        if (job->pose_count == 0)
+            continue;
+        HATCH_TRY(hatch_surface_points_make(job->surface, &args->scratch, &targets->points[i], err));
+        HATCH_TRY(HATCH_ALLOC_UNSET(&args->scratch, &position_of, mesh->vertex_count, err));
+        HATCH_TRY(hatch_mesh_weld(mesh, &args->scratch, position_of, &positions, err));
+        HATCH_TRY(
+            hatch_surface_group_points(job->surface, position_of, positions, &args->keep, &targets->groups[i], err));
+    }
     return HATCH_OK;
 }
 

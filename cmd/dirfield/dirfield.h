@@ -35,7 +35,8 @@ struct dirfield_pose {
 
 /* A direction given by hand. */
 struct dirfield_constraint {
-    uint32_t point;
+    const uint32_t *points; /* the points there: several where the surface is cut; some may be repeated */
+    uint32_t point_count;
     uint32_t line;       /* of the table */
     double direction[3]; /* in mesh coordinates */
     double weight;       /* over 0 */

@@ -4,7 +4,9 @@
 #include "io/openmesh/openmesh.h"
 #include "math/vector.h"
 
-#define TANGENT_MIN 1e-3 /* length of the tangent component of a constraint, as a share of its length */
+#define TANGENT_MIN 1e-3  /* length of the tangent component of a constraint, as a share of its length */
+#define TANGENT_SHARE 0.9 /* of the longest tangent component: other sides of a crease with shorter ones are left out  \
+                           */
 
 static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, double begun_ms)
 {
@@ -70,15 +72,16 @@ static uint32_t plane_of(const struct hatch_surface *surface, uint32_t point)
     return plane;
 }
 
-/* Frees planes with directions given by hand from the direction that planes have. */
-static void free_planes(struct dirfield_job *job, double *confidence)
+/* Frees planes with directions given by hand from the direction that planes have.
+ *   weight  per point, over 0 where a direction is given */
+static void free_planes(struct dirfield_job *job, const double *weight, double *confidence)
 {
     struct hatch_err err;
     const struct hatch_surface *surface = job->surface;
     bool *given;
     cmd_check(HATCH_ALLOC(&job->work, &given, surface->plane_count, &err), NULL, &err);
-    for (uint32_t i = 0; i < job->constraint_count; i++) {
-        uint32_t plane = plane_of(surface, job->constraints[i].point);
+    for (uint32_t p = 0; p < surface->point_count; p++) {
+        uint32_t plane = weight[p] > 0 ? plane_of(surface, p) : HATCH_NO_SIDE;
         if (plane != HATCH_NO_SIDE)
             given[plane] = true;
     }
@@ -87,7 +90,20 @@ static void free_planes(struct dirfield_job *job, double *confidence)
             confidence[surface->corners[i]] = 0;
 }
 
-/* Replaces directions by those given by hand.
+/* Computes the unit tangent component of a direction given by hand, at a point. Returns its length before, as a share
+ * of the direction's. */
+static double find_tangent(const struct dirfield_job *job, const struct dirfield_constraint *given, uint32_t point,
+                           double tangent[3])
+{
+    const double *normal = &job->frames.normal[3 * (size_t)point];
+    double unit[3];
+    hatch_vec_copy(given->direction, unit);
+    hatch_vec_normalize(unit);
+    hatch_vec_add_scaled(unit, -hatch_vec_dot(unit, normal), normal, tangent);
+    return hatch_vec_normalize(tangent);
+}
+
+/* Replaces directions by those given by hand. Where the surface is cut, one counts on the sides that it runs along.
  *   weight  out: per point, as constraint_weight of hatch_field_problem; NULL without constraints */
 static void constrain(const char *file, struct dirfield_job *job, double *direction, double *confidence,
                       double **weight)
@@ -99,18 +115,22 @@ static void constrain(const char *file, struct dirfield_job *job, double *direct
     cmd_check(HATCH_ALLOC(&job->work, weight, job->surface->point_count, &err), NULL, &err);
     for (uint32_t i = 0; i < job->constraint_count; i++) {
         const struct dirfield_constraint *given = &job->constraints[i];
-        const double *normal = &job->frames.normal[3 * (size_t)given->point];
-        double *d = &direction[3 * (size_t)given->point], unit[3];
-        hatch_vec_copy(given->direction, unit);
-        hatch_vec_normalize(unit);
-        hatch_vec_add_scaled(unit, -hatch_vec_dot(unit, normal), normal, d);
-        if (!(hatch_vec_normalize(d) > TANGENT_MIN)) {
+        double tangent[3], most = 0;
+        for (uint32_t k = 0; k < given->point_count; k++)
+            most = fmax(most, find_tangent(job, given, given->points[k], tangent));
+        if (!(most > TANGENT_MIN)) {
             hatch_fail(&err, HATCH_BAD_INPUT, "line %u: the direction is perpendicular to the surface", given->line);
             cmd_die(file, &err);
         }
-        (*weight)[given->point] = given->weight;
+        for (uint32_t k = 0; k < given->point_count; k++) {
+            uint32_t point = given->points[k];
+            if (find_tangent(job, given, point, tangent) < TANGENT_SHARE * most)
+                continue;
+            hatch_vec_copy(tangent, &direction[3 * (size_t)point]);
+            (*weight)[point] = given->weight;
+        }
     }
-    free_planes(job, confidence);
+    free_planes(job, *weight, confidence);
 }
 
 void dirfield_solve(struct cmd_args *args, const struct dirfield_options *options, struct dirfield_job *job)

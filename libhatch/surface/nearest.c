@@ -49,3 +49,28 @@ void hatch_surface_vertex_points(const struct hatch_surface *surface, uint32_t v
             points[v] = surface->corners[i];
     }
 }
+
+enum hatch_status hatch_surface_group_points(const struct hatch_surface *surface, const uint32_t *group_of,
+                                             uint32_t group_count, struct hatch_arena *arena,
+                                             struct hatch_surface_groups *groups, struct hatch_err *err)
+{
+    size_t corners = 3 * (size_t)surface->face_count;
+    struct hatch_surface_groups made;
+    HATCH_TRY(HATCH_ALLOC(arena, &made.first, (size_t)group_count + 2, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &made.points, corners, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.group, surface->point_count, err));
+    for (size_t i = 0; i < corners; i++) {
+        uint32_t vertex = surface->corner_vertex[i], g = group_of ? group_of[vertex] : vertex;
+        assert(g < group_count);
+        made.group[surface->corners[i]] = g;
+        made.first[g + 2]++;
+    }
+    for (uint32_t g = 0; g < group_count; g++)
+        made.first[g + 2] += made.first[g + 1];
+    for (size_t i = 0; i < corners; i++) {
+        uint32_t vertex = surface->corner_vertex[i], g = group_of ? group_of[vertex] : vertex;
+        made.points[made.first[g + 1]++] = surface->corners[i];
+    }
+    *groups = made;
+    return HATCH_OK;
+}

@@ -110,6 +110,28 @@ dirfield -q posed.gltf --constraints own.tsv -o own.glb
 is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
 
+# A cube: its surface is cut at all edges, and three sides meet at vertex 0. The direction is given to those sides that it
+# runs along, and the others keep their confidence of 0.
+printf 'OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n%s' \
+    '4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 2 3 7 6
+4 0 4 7 3
+4 1 2 6 5
+' >cube.off
+for row in '0 0 1 2' '0 1 0 2' '1 0 0 2' '0 1 1 1' '1 1 1 3'; do
+    given=$(echo "${row% *}" | tr ' ' '\t')
+    printf 'vertex\tdx\tdy\tdz\tweight\n0\t%s\t9\n' "$given" >hand.tsv
+    printf 'x\ty\tz\tdx\tdy\tdz\tweight\n-1.1\t-1.1\t-1.1\t%s\t9\n' "$given" >near.tsv
+    try dirfield -q cube.off --constraints hand.tsv --report report.tsv -o hand.glb
+    is "sides that a direction at their corner runs along, direction ${row% *}" "$status $(awk -F'\t' '
+        NR == 1 {for (i = 1; i <= NF; i++) if ($i == "confidence_p50") c = i}
+        $1 == "component" {n += $c > 0.99} END {print n}' report.tsv)" "0 ${row##* }"
+    dirfield -q cube.off --constraints near.tsv -o near.glb
+    ok "the same at the vertex as at its position" cmp hand.glb near.glb
+done
+
 # The first square twice, the second time for its back; of two squares with one material, only this one has a back.
 sides=$({
     floats -1 -1 0 1 -1 0 1 1 0 -1 1 0

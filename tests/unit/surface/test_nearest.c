@@ -116,6 +116,32 @@ START_TEST(every_used_vertex_has_a_point)
 }
 END_TEST
 
+/* Vertices in two groups, by their parity: each group has the points of the corners with its vertices, and no others.
+ */
+START_TEST(groups_have_the_points_of_their_vertices)
+{
+    struct hatch_mesh mesh = two_triangles();
+    struct hatch_surface surface = surface_of(&mesh);
+    struct hatch_surface_groups groups;
+    const uint32_t parity[7] = {0, 1, 0, 1, 0, 1, 0};
+    for (int own = 0; own < 2; own++) {
+        uint32_t count = own ? 7 : 2;
+        HATCH_TEST_OK(hatch_surface_group_points(&surface, own ? NULL : parity, count, &keep, &groups, &err), &err);
+        ck_assert_uint_eq(groups.first[0], 0);
+        ck_assert_uint_eq(groups.first[count], 3 * surface.face_count);
+        for (uint32_t i = 0; i < 3 * surface.face_count; i++) {
+            uint32_t group = own ? surface.corner_vertex[i] : parity[surface.corner_vertex[i]];
+            uint32_t at = groups.first[group];
+            while (at < groups.first[group + 1] && groups.points[at] != surface.corners[i])
+                at++;
+            ck_assert_uint_lt(at, groups.first[group + 1]);
+        }
+        for (uint32_t p = 0; p < surface.point_count; p++)
+            ck_assert_uint_lt(groups.group[p], count);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("nearest");
@@ -125,6 +151,7 @@ static Suite *suite(void)
     tcase_add_test(tests, every_point_is_nearest_to_itself);
     tcase_add_test(tests, distances_are_measured_in_mesh_units);
     tcase_add_test(tests, every_used_vertex_has_a_point);
+    tcase_add_test(tests, groups_have_the_points_of_their_vertices);
     suite_add_tcase(made, tests);
     return made;
 }
