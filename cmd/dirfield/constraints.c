@@ -102,20 +102,43 @@ static enum hatch_status find_vertex(const struct targets *targets, double numbe
                       first - 1);
 }
 
+/* A search for the point of a posed mesh that is nearest in the scene. */
+struct search {
+    const struct hatch_surface *surface;
+    const struct dirfield_pose *pose;
+    const double *position; /* in the scene */
+    double least_scale;
+};
+
+static double distance_in_scene(const struct search *search, uint32_t point)
+{
+    double at[3], in_scene[3];
+    hatch_surface_position(search->surface, point, at);
+    dirfield_to_scene(search->pose, at, in_scene);
+    return hatch_vec_distance(in_scene, search->position);
+}
+
+/* In mesh units where the pose stretches least: the tree has the positions of the mesh. */
+static double distance_in_tree(const void *context, uint32_t point)
+{
+    const struct search *search = context;
+    return distance_in_scene(search, point) / search->least_scale;
+}
+
 /* Returns the distance in the scene from a position to the nearest point of a posed mesh; INFINITY when the pose is
  * singular.
  *   point  out: the point of the surface */
 static double distance(const struct hatch_surface_points *points, const struct dirfield_pose *pose,
                        const double position[3], uint32_t *point)
 {
-    double offset[3], local[3], at[3], in_scene[3];
+    const struct search search = {points->surface, pose, position, dirfield_least_scale(pose)};
+    double offset[3], local[3];
     hatch_vec_sub(position, pose->offset, offset);
-    if (!dirfield_to_mesh(pose, offset, local))
+    if (!(search.least_scale > 0) || !dirfield_to_mesh(pose, offset, local))
         return INFINITY;
-    *point = hatch_surface_nearest(points, local);
-    hatch_surface_position(points->surface, *point, at);
-    dirfield_to_scene(pose, at, in_scene);
-    return hatch_vec_distance(in_scene, position);
+    *point = dirfield_is_similarity(pose) ? hatch_surface_nearest(points, local)
+                                          : hatch_point_tree_nearest(&points->tree, local, distance_in_tree, &search);
+    return *point == HATCH_POINT_NONE ? INFINITY : distance_in_scene(&search, *point);
 }
 
 /* Finds the nearest point of all posed meshes. Returns false when there is none. */
@@ -167,7 +190,7 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
         if (!find_nearest(targets, &values[X], &job, &pose, &at))
             return hatch_fail(err, HATCH_BAD_INPUT,
                               "line %u: no node of the scene has a mesh; use the column vertex instead of x y z", row);
-        dirfield_to_mesh(pose, &values[DX], made.direction);
+        made.pose = pose;
         at = targets->groups[job].group[at];
     }
     made.points = &targets->groups[job].points[targets->groups[job].first[at]];

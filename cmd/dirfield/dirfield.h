@@ -37,9 +37,10 @@ struct dirfield_pose {
 struct dirfield_constraint {
     const uint32_t *points; /* the points there: several where the surface is cut; some may be repeated */
     uint32_t point_count;
-    uint32_t line;       /* of the table */
-    double direction[3]; /* in mesh coordinates */
-    double weight;       /* over 0 */
+    uint32_t line;                    /* of the table */
+    double direction[3];              /* not 0 */
+    const struct dirfield_pose *pose; /* that the direction is given in; NULL: it is in mesh coordinates */
+    double weight;                    /* over 0 */
 };
 
 /* The work on one mesh of the scene. */
@@ -69,6 +70,20 @@ void dirfield_to_scene(const struct dirfield_pose *pose, const double mesh[3], d
 /* Transforms a vector (a direction, or a point less the pose's offset) from scene to mesh coordinates. Returns false
  * when the matrix is singular. */
 bool dirfield_to_mesh(const struct dirfield_pose *pose, const double vector[3], double mesh[3]);
+
+/* Returns whether a pose scales all lengths by the same factor, apart from the rounding of floats. */
+bool dirfield_is_similarity(const struct dirfield_pose *pose);
+
+/* Returns how much farther from each other two points are in the scene than in the mesh, at least; 0 when the matrix is
+ * singular. */
+double dirfield_least_scale(const struct dirfield_pose *pose);
+
+/* Computes the component of a direction in the scene that is tangent to a posed surface, there.
+ *   normal   of the surface, in mesh coordinates
+ *   tangent  out: in mesh coordinates, unit
+ * Returns its length in the scene, as a share of the direction's. */
+double dirfield_to_tangent(const struct dirfield_pose *pose, const double direction[3], const double normal[3],
+                           double tangent[3]);
 
 /* Reads a table of constraints and adds each to its job. Dies on failure.
  *   renumbered  vertices have other numbers than in the file: rows that name some are refused */

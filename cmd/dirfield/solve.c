@@ -4,9 +4,10 @@
 #include "io/openmesh/openmesh.h"
 #include "math/vector.h"
 
-#define TANGENT_MIN 1e-3  /* length of the tangent component of a constraint, as a share of its length */
-#define TANGENT_SHARE 0.9 /* of the longest tangent component: other sides of a crease with shorter ones are left out  \
-                           */
+#define TANGENT_MIN 1e-3 /* length of the tangent component of a constraint, as a share of its length */
+#define TANGENT_SHARE                                                                                                  \
+    0.9 /* of the longest tangent component: other sides of a crease with shorter ones are left out                    \
+         */
 
 static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, double begun_ms)
 {
@@ -97,6 +98,8 @@ static double find_tangent(const struct dirfield_job *job, const struct dirfield
 {
     const double *normal = &job->frames.normal[3 * (size_t)point];
     double unit[3];
+    if (given->pose)
+        return dirfield_to_tangent(given->pose, given->direction, normal, tangent);
     hatch_vec_copy(given->direction, unit);
     hatch_vec_normalize(unit);
     hatch_vec_add_scaled(unit, -hatch_vec_dot(unit, normal), normal, tangent);

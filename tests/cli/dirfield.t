@@ -110,6 +110,29 @@ dirfield -q posed.gltf --constraints own.tsv -o own.glb
 is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
 
+# Two small squares, at (6, 0.5) and (3, 1.5) in a plane, which a node turns by a half right angle about x and then
+# stretches tenfold along y: (i, j) is at (i, 7.07 j, 0.707 j) in the scene. A position at (3, 0.5) in the plane is nearer
+# to the second in the plane, and to the first in the scene. The direction is (1, 0, 0) and the normal in the scene.
+printf 'OFF\n8 4 0\n5.9 .4 0\n6.1 .4 0\n6.1 .6 0\n5.9 .6 0\n2.9 1.4 0\n3.1 1.4 0\n3.1 1.6 0\n2.9 1.6 0\n%s' \
+    '3 0 1 2
+3 0 2 3
+3 4 5 6
+3 4 6 7
+' >squares.off
+dirfield -q squares.off -o squares.glb
+unpack squares.glb squares
+sed 's/"nodes":\[{[^]]*"mesh":0[^]]*}\]/"nodes":[{"scale":[1,10,1],"children":[1]},{"mesh":0,"rotation":[0.3826834,0,0,0.9238795]}]/' \
+    squares.gltf >stretched.gltf
+printf 'x\ty\tz\tdx\tdy\tdz\tweight\n3\t3.54\t0.354\t1\t-0.1\t1\t9\n' >hand.tsv
+printf 'vertex\tdx\tdy\tdz\tweight\n0\t1\t0\t0\t9\n' >own.tsv
+try dirfield -q stretched.gltf --constraints hand.tsv --report report.tsv -o hand.glb
+dirfield -q stretched.gltf --constraints own.tsv -o own.glb
+is "the nearest point of a stretched node, and the direction that is tangent there" \
+    "$status $(awk -F'\t' '
+        NR == 1 {for (i = 1; i <= NF; i++) if ($i == "confidence_p50") c = i}
+        $1 == "component" {printf "%.1f ", $c}' report.tsv)$(hatchstat field hand.glb --reference own.glb |
+        column deg_max | awk '{print ($1 < 0.01)}')" "0 1.0 0.0 1"
+
 # A cube: its surface is cut at all edges, and three sides meet at vertex 0. The direction is given to those sides that it
 # runs along, and the others keep their confidence of 0.
 printf 'OFF\n8 6 0\n-1 -1 -1\n1 -1 -1\n1 1 -1\n-1 1 -1\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n%s' \
