@@ -17,6 +17,8 @@
 #define AREA_MIN 8.0          /* and an area of so many mean faces: slivers around a pole look flat */
 #define CREASE_MIN 0.5        /* share of its border that is open or a crease; */
 #define WIDTH_MIN 8.0         /* or else its area over its radius, in square roots of the mean area of faces */
+#define SURE_FACES 3u         /* between hard edges all round are a plane, */
+#define SURE_AREA 8.0         /* and so are fewer with an area of so many mean faces; others are facets */
 #define FLAT_MIN 0.3          /* share of the area of a component that is flat, or it has no facets */
 #define BINS 180u             /* of directions of its border */
 #define STRAIGHT_MIN 0.1      /* share of the border that runs along the direction of a plane with straight edges */
@@ -173,8 +175,8 @@ static double length_of(const struct finder *f, uint32_t side)
 }
 
 /* Returns what the region is: a plane where it is large, has a point inside, and is bounded by creases or is wide:
- * where a curved surface changes the sense of its curvature, strips look flat. A facet where it is not that but hard
- * edges bound it all round. */
+ * where a curved surface changes the sense of its curvature, strips look flat. Where hard edges bound it all round it
+ * is a plane, too, or a facet if it is no larger than what noise makes. */
 static enum kind kind_of(struct finder *f, uint32_t region)
 {
     uint32_t borders = 0, points = 0;
@@ -198,7 +200,9 @@ static enum kind kind_of(struct finder *f, uint32_t region)
     bool bounded = crease >= CREASE_MIN * border || area >= WIDTH_MIN * sqrt(f->mean_area) * f->radius;
     if (f->end - f->first >= FACES_MIN && points > borders && area >= AREA_MIN * f->mean_area && bounded)
         return PLANE;
-    return is_hard(f) ? FACET : NO_PLANE;
+    if (!is_hard(f))
+        return NO_PLANE;
+    return f->end - f->first >= SURE_FACES || area >= SURE_AREA * f->mean_area ? PLANE : FACET;
 }
 
 /* Drops the facets of components that do not mostly consist of planes and facets: noise makes hard edges, too. */

@@ -79,7 +79,8 @@ enum hatch_status hatch_surface_make(const struct hatch_mesh *mesh, struct hatch
                                      struct hatch_surface_notes *notes, struct hatch_err *err) HATCH_MUST_USE;
 
 /* The same, with planes: the flat faces of a body. They consist of connected triangles in one plane and either are
- * bounded by edges of over 75 degrees; or have at least 30 triangles with a point inside, and half of their border open
+ * bounded by edges of over 75 degrees, where one or two triangles count if they are large or 30 % of the component is
+ * flat; or have at least 30 triangles with a point inside, and half of their border open
  * or creased, or a width of several triangles. Edges of over 20 degrees around them are cut, so that both sides have
  * points, and directions, of their own. The direction of a plane is the one in which most of its border runs; or where
  * no tenth of it is straight, as around a disc, the coordinate axis that lies nearest to the plane. */

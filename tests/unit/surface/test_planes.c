@@ -73,6 +73,45 @@ START_TEST(curved_shapes_have_no_planes)
 }
 END_TEST
 
+/* A rod of radius 1 with a corner at each end of its sides and two fans of triangles around corner 0 of its ends. */
+static struct hatch_mesh rod(uint32_t sides, float height)
+{
+    enum { SIDES_MAX = 24 };
+    static float positions[6 * SIDES_MAX];
+    static uint32_t indices[12 * SIDES_MAX];
+    uint32_t faces = 0;
+    for (uint32_t v = 0; v < 2 * sides; v++) {
+        positions[3 * v] = (float)cos(2 * 3.14159265358979 * (v / 2) / sides);
+        positions[3 * v + 1] = (float)sin(2 * 3.14159265358979 * (v / 2) / sides);
+        positions[3 * v + 2] = v % 2 ? height : 0;
+    }
+    for (uint32_t i = 0; i < sides; i++) {
+        uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        const uint32_t around[6] = {a, b, b + 1, a, b + 1, a + 1}, ends[6] = {0, b, a, 1, a + 1, b + 1};
+        memcpy(&indices[3 * faces], around, sizeof around);
+        faces += 2;
+        if (a == 0 || b == 0)
+            continue;
+        memcpy(&indices[3 * faces], ends, sizeof ends);
+        faces += 2;
+    }
+    return mesh_of(positions, 2 * sides, indices, faces);
+}
+
+/* Of 8 sides, each face around them is larger than an end; of 24 and a height of 9, the ends are a tenth of the
+ * surface. */
+START_TEST(ends_of_rods_are_planes_however_long)
+{
+    for (uint32_t sides = 8; sides <= 24; sides += 16)
+        for (float height = 1; height < 2000; height *= 3) {
+            struct hatch_mesh mesh = rod(sides, height);
+            struct hatch_surface s = cut(&mesh);
+            ck_assert_msg(s.plane_count == 2 && s.component_count == 3, "%u sides, height %g: %u planes", sides,
+                          (double)height, s.plane_count);
+        }
+}
+END_TEST
+
 /* A sheet of 2 x 8 by 8 squares, folded in the middle. */
 static struct hatch_surface fold(double degrees)
 {
@@ -241,6 +280,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("planes");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_box_has_six_planes_along_their_longer_edges);
+    tcase_add_test(tests, ends_of_rods_are_planes_however_long);
     tcase_add_test(tests, without_planes_a_box_is_one_component);
     tcase_add_test(tests, curved_shapes_have_no_planes);
     tcase_add_test(tests, creases_around_planes_are_cut);
