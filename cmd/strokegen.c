@@ -218,6 +218,7 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene_to_write(&args, input, true, &scene);
+    cmd_refuse_lapped(name, &scene);
     if (needs_path) {
         cmd_read_needs_and_regions(&args, needs_path, &needs);
         cmd_fit_meshes(&args, input, needs_path, &needs, &scene);

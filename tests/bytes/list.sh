@@ -183,7 +183,6 @@ strokegen-skinned strokegen skinned.gltf --levels 3
 strokegen-morphs strokegen morphs.gltf --levels 3
 strokegen-nodes strokegen nodes.gltf --levels 3
 strokegen-textured strokegen textured.gltf --levels 3
-strokegen-lapped strokegen lapped.glb --levels 3
 END
 }
 

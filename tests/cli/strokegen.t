@@ -63,6 +63,10 @@ ok "dirfield leaves strokes out" cmp strokes.field.glb field.glb
 strokegen $coarse torus.glb | lapped-param -o strokes.lapped.glb
 lapped-param field.glb -o lapped.glb
 ok "lapped-param leaves strokes out" cmp strokes.lapped.glb lapped.glb
+try strokegen $coarse lapped.glb
+refused "patches, which overlap, get no strokes" 3 1
+is "the message tells the remedy" "$(cat .err)" \
+    "strokegen: lapped.glb: is lapped already: use the file that it was made from"
 try hatchstat mesh alone.glb
 is "other readers do not mind strokes" "$status $(cat .err)" "0 "
 hatchstat mesh torus.glb >figures
