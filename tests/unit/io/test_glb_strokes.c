@@ -272,7 +272,7 @@ START_TEST(damaged_descriptions_are_refused)
 }
 END_TEST
 
-/* What strokes were traced with may be missing; an angle of 0 is none that is missing, and no length is endless. */
+/* A file may leave out how its strokes were traced; an angle of 0 is one that it gives, and no length is endless. */
 START_TEST(what_finer_levels_need_may_be_missing)
 {
     static const struct {
