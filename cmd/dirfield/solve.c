@@ -4,10 +4,8 @@
 #include "io/openmesh/openmesh.h"
 #include "math/vector.h"
 
-#define TANGENT_MIN 1e-3 /* length of the tangent component of a constraint, as a share of its length */
-#define TANGENT_SHARE                                                                                                  \
-    0.9 /* of the longest tangent component: other sides of a crease with shorter ones are left out                    \
-         */
+#define TANGENT_MIN 1e-3  /* length of the tangent component of a constraint, as a share of its length */
+#define TANGENT_SHARE 0.9 /* of the longest tangent component: sides of a crease with shorter ones do not count */
 
 static void end_phase(struct dirfield_job *job, enum dirfield_phase phase, double begun_ms)
 {

@@ -37,8 +37,8 @@ static bool is_double_sided(const struct hatch_scene *scene, uint32_t mesh)
 }
 
 /* Makes the materials of meshes double-sided, whose faces are given once for each side and are kept once. Materials
- * that other meshes have, too, are copied. Returns the number of meshes that were changed. both  per mesh: whether such
- * faces were left out; changed */
+ * that other meshes have, too, are copied. Returns the number of meshes that were changed.
+ *   both  per mesh: whether such faces were left out; changed */
 static uint32_t show_backs(struct cmd_args *args, const char *name, bool *both, struct hatch_scene *scene)
 {
     struct hatch_err err;

@@ -30,9 +30,7 @@ static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const
     }
 }
 
-/* Adds up areas of a mesh by their directions: the sum of A n n', of faces with area A and unit normal n.
- *   areas  out: symmetric; the unit matrix if no face has an area */
-static void sum_areas(const struct hatch_mesh *mesh, double areas[3][3])
+void hatch_mesh_sum_areas(const struct hatch_mesh *mesh, double areas[3][3])
 {
     memset(areas, 0, sizeof(double[3][3]));
     for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -40,10 +38,16 @@ static void sum_areas(const struct hatch_mesh *mesh, double areas[3][3])
         if (!hatch_mesh_corners(mesh, f, corners))
             continue;
         hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
-        double area = hatch_vec_normalize(normal);
+        double area = hatch_vec_normalize(normal) / 2;
         for (int row = 0; row < 3; row++)
             hatch_vec_add_scaled(areas[row], area * normal[row], normal, areas[row]);
     }
+}
+
+/* Sums areas of a mesh; the result is the unit matrix if no face has an area. */
+static void sum_areas(const struct hatch_mesh *mesh, double areas[3][3])
+{
+    hatch_mesh_sum_areas(mesh, areas);
     bool any = areas[0][0] + areas[1][1] + areas[2][2] > 0;
     for (int k = 0; k < 3 && !any; k++)
         areas[k][k] = 1;

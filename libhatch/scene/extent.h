@@ -15,6 +15,11 @@ struct hatch_scene_extent {
                            scales it most unevenly places it; nodes that flatten it do not count */
 };
 
+/* Sums areas of a mesh by their directions: A n n' over its faces, with area A, in the mesh's units squared, and unit
+ * normal n. The trace is the area of the mesh.
+ *   areas  out: symmetric */
+void hatch_mesh_sum_areas(const struct hatch_mesh *mesh, double areas[3][3]);
+
 /* Measures a scene.
  *   extent  out: its array is in arena */
 enum hatch_status hatch_scene_find_extent(const struct hatch_scene *scene, struct hatch_arena *arena,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "math/vector.h"
+#include "scene/extent.h"
 
 static void set_box(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
 {
@@ -12,21 +13,6 @@ static void set_box(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
     for (int k = 0; k < 3; k++) {
         unit->origin[k] = any ? 0.5 * (double)low[k] + 0.5 * (double)high[k] : 0.0;
         unit->half[k] = any ? 0.5 * (double)high[k] - 0.5 * (double)low[k] : 0.0;
-    }
-}
-
-static void set_facing(const struct hatch_mesh *mesh, struct hatch_unit_mesh *unit)
-{
-    double corners[3][3], normal[3];
-    for (int i = 0; i < 9; i++)
-        unit->facing[i] = 0;
-    for (uint32_t face = 0; face < mesh->face_count; face++) {
-        if (!hatch_mesh_corners(mesh, face, corners))
-            continue;
-        hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
-        double length = hatch_vec_length(normal);
-        for (int i = 0; i < 9 && length > 0; i++)
-            unit->facing[i] += normal[i / 3] * (normal[i % 3] / length);
     }
 }
 
@@ -66,7 +52,7 @@ enum hatch_status hatch_unit_scene_make(const struct hatch_scene *scene, const s
         mesh->patches = patches && patches[i].patch_count ? &patches[i] : NULL;
         mesh->surface = mesh->patches ? &patches[i].surface : mesh->mesh;
         set_box(mesh->mesh, mesh);
-        set_facing(mesh->surface, mesh);
+        hatch_mesh_sum_areas(mesh->surface, mesh->areas);
     }
     for (uint32_t node = 0; node < scene->node_count; node++)
         for (uint32_t i = 0; i < scene->nodes[node].mesh_count; i++)
@@ -157,7 +143,7 @@ static double length_factor(const struct hatch_unit_scene *unit, const struct ha
     double matrices[2][16], normal[9], facing[9] = {0};
     for (uint32_t mesh = 0; mesh < node->mesh_count; mesh++)
         for (int i = 0; i < 9; i++)
-            facing[i] += unit->meshes[node->first_mesh + mesh].facing[i];
+            facing[i] += unit->meshes[node->first_mesh + mesh].areas[i / 3][i % 3];
     double before = facing[0] + facing[4] + facing[8];
     for (int i = 0, count = matrices_of(unit, item, matrices); i < count; i++) {
         hatch_pose_normal_matrix(matrices[i], normal);

@@ -13,10 +13,10 @@ struct hatch_unit_mesh {
     const struct hatch_mesh *mesh;    /* all faces; of a lapped texture, the faces of all patches, which overlap */
     const struct hatch_mesh *surface; /* each face of the surface once; equals mesh for an ordinary mesh */
     const struct hatch_patch_mesh *patches; /* NULL: an ordinary mesh */
-    double origin[3]; /* centre of the mesh's bounding box; subtracted from positions before to_unit
-                         converts them, except for deformed items */
-    double half[3];   /* half the sides of that box */
-    double facing[9]; /* sum over its faces of n n^T / |n|, n being a normal as long as twice the area */
+    double origin[3];   /* centre of the mesh's bounding box; subtracted from positions before to_unit
+                           converts them, except for deformed items */
+    double half[3];     /* half the sides of that box */
+    double areas[3][3]; /* from hatch_mesh_sum_areas */
 };
 
 struct hatch_item {
