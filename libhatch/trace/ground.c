@@ -8,7 +8,7 @@
 #include "trace/ground.h"
 
 #define ROUNDING_RAD 1e-6 /* angle between faces that counts as none */
-#define CALM_MIN 0.15     /* length of the mean of the corners' directions below which there is none */
+#define CALM_MIN 0.15     /* length of the mean of the corners' directions below which there is none on a small face */
 
 static void corner_position(const struct hatch_surface *surface, uint32_t face, uint32_t c, double at[3])
 {
@@ -187,6 +187,16 @@ void hatch_trace_shares(const struct hatch_trace_face *face, double x, double y,
     share[0] = 1 - share[1] - share[2];
 }
 
+/* Returns how fast the mean of the corners' directions changes, per surface unit, as a root of a sum of squares. */
+static double rate_of_change(const struct hatch_trace_pose *pose)
+{
+    double sum = 0;
+    for (int i = 1; i < 3; i++)
+        for (int k = 0; k < 2; k++)
+            sum += (double)pose->z[i][k] * (double)pose->z[i][k];
+    return sqrt(sum);
+}
+
 bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place,
                            double direction[2])
 {
@@ -195,7 +205,7 @@ bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct
     for (int k = 0; k < 2; k++)
         z[k] = (double)pose->z[0][k] + place->x * (double)pose->z[1][k] + place->y * (double)pose->z[2][k];
     double length = sqrt(z[0] * z[0] + z[1] * z[1]);
-    if (!(length >= CALM_MIN))
+    if (!(length >= CALM_MIN || length > ground->calm * rate_of_change(pose)))
         return false;
     double x = z[0] / length, y = z[1] / length;
     double larger = sqrt((1 + fabs(x)) / 2), smaller = fabs(y) / (2 * larger);

@@ -39,6 +39,8 @@ struct hatch_trace_ground {
     struct hatch_trace_face *faces;
     struct hatch_trace_pose *poses;
     struct hatch_trace_end *ends; /* per point of the surface */
+    double calm; /* how near to a singularity there is no direction, at least, in surface units; 0 when the faces are
+                    laid out */
 };
 
 /* A place on the ground, and a heading of length 1 in the plane of its face. */
@@ -66,7 +68,7 @@ enum hatch_status hatch_trace_find_ends(const struct hatch_trace_ground *ground,
 struct hatch_trace_end hatch_trace_end_near(const struct hatch_trace_ground *ground, uint32_t face);
 
 /* Computes the direction of strokes at a place, with the sign nearest to the heading. Returns false where there is
- * none, as at a singularity. */
+ * none: nearer to a singularity than `calm`, and than a share of a small face. */
 bool hatch_trace_direction(const struct hatch_trace_ground *ground, const struct hatch_trace_place *place,
                            double direction[2]);
 

@@ -10,12 +10,14 @@
 #include "trace/work.h"
 
 #define STREAM_FAMILY 11
+#define CALM 0.5 /* of the gap: strokes end that near to a singularity */
 
 enum hatch_status hatch_trace_add_level(struct hatch_tracer *tracer, uint32_t level, struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
     tracer->level = level;
     tracer->gap = ldexp(tracer->options->gap, -(int)level) / tracer->component->scale;
+    tracer->ground.calm = CALM * tracer->gap;
     tracer->stop_count = 0;
     HATCH_TRY(hatch_trace_sort(tracer, err));
     HATCH_TRY(hatch_trace_gather(tracer, err));

@@ -216,6 +216,7 @@ START_TEST(a_singularity_has_no_direction)
     struct hatch_trace_place place = middle_of(&ground, 0, 0);
     struct hatch_trace_leg leg;
     double direction[2];
+    ground.calm = 1;
     ck_assert(!hatch_trace_direction(&ground, &place, direction));
     ck_assert(!hatch_trace_walk(&ground, &place, 1, HATCH_TRACE_ALONG, &leg));
     ck_assert_double_eq(leg.length, 0);
@@ -223,6 +224,48 @@ START_TEST(a_singularity_has_no_direction)
     ck_assert(hatch_trace_direction(&ground, &place, direction));
     ck_assert(hatch_trace_walk(&ground, &place, 0.01, HATCH_TRACE_ALONG, &leg));
     ck_assert_double_eq(leg.length, 0.01);
+}
+END_TEST
+
+/* Returns whether there is a direction so far above the middle of the first face. */
+static bool has_direction(const struct hatch_trace_ground *ground, double above)
+{
+    struct hatch_trace_place place = middle_of(ground, 0, 0);
+    double direction[2];
+    place.y += above;
+    return hatch_trace_direction(ground, &place, direction);
+}
+
+/* On the triangle of the test before, whose sides have a length of 1 in surface units, directions change alike in all
+ * directions; on the other two, they turn by nearly a right angle on the way up, and do not differ aside. */
+START_TEST(large_faces_have_directions_next_to_singularities)
+{
+    static const float corners[9] = {0, 1, 0, -0.866f, -0.5f, 0, 0.866f, -0.5f, 0};
+    static const float square[12] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    static const uint32_t indices[3] = {0, 1, 2}, two[6] = {0, 1, 2, 0, 2, 3};
+    struct field_case field = case_of(mesh_of(corners, 3, indices, 1)), turned = case_of(mesh_of(square, 4, two, 2));
+    for (uint32_t p = 0; p < 3; p++)
+        for (int k = 0; k < 2; k++)
+            field.direction[3 * p + (size_t)k] = (k ? sin : cos)(p * PI / 3);
+    struct hatch_trace_ground ground = lay_out(&field, 0, PI);
+    const double limits[3][2] = {{0.01, 0.01414}, {0.05, 0.0707}, {1, 0.0866}}; /* calm, and how far it reaches */
+    for (int i = 0; i < 3; i++) {
+        ground.calm = limits[i][0];
+        ck_assert(!has_direction(&ground, 0.98 * limits[i][1]));
+        ck_assert(has_direction(&ground, 1.02 * limits[i][1]));
+    }
+    for (uint32_t p = 0; p < 4; p++) {
+        double *to = &turned.direction[3 * (size_t)p], angle = p < 2 ? 0.01 : PI / 2;
+        to[0] = cos(angle);
+        to[1] = sin(angle);
+    }
+    ground = lay_out(&turned, 0, PI);
+    ground.calm = 0.01;
+    double turn = (double)ground.faces[0].y2 / 6; /* half-way up: the middle of a face is a third up */
+    for (int i = 0; i < 64; i++) {
+        double above = (i + 0.5) / 64 * turn * 4 - turn;
+        ck_assert_msg(has_direction(&ground, above) == (fabs(above - turn) > 0.01), "%g of %g", above, turn);
+    }
 }
 END_TEST
 
@@ -405,6 +448,7 @@ static Suite *suite(void)
     tcase_add_test(tests, only_larger_angles_are_hard);
     tcase_add_test(tests, the_direction_is_the_field_turned);
     tcase_add_test(tests, a_singularity_has_no_direction);
+    tcase_add_test(tests, large_faces_have_directions_next_to_singularities);
     tcase_add_test(tests, a_walk_over_a_plane_is_straight);
     tcase_add_test(tests, a_walk_around_a_cube_closes);
     tcase_add_test(tests, headings_keep_their_angle_to_edges);
