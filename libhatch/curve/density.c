@@ -5,40 +5,87 @@
 #include <string.h>
 
 #include "math/vector.h"
+#include "mesh/fans.h"
 
 /* A point, and the length of stroke that belongs to it: half of the lines at both sides. */
 struct part {
     double length;
     float threshold;
-    uint32_t point;
+    uint32_t point, group;
 };
 
 static int compare(const void *a, const void *b)
 {
     const struct part *x = a, *y = b;
+    if (x->group != y->group)
+        return x->group < y->group ? -1 : 1;
     if (x->threshold < y->threshold || x->threshold > y->threshold)
         return x->threshold < y->threshold ? -1 : 1;
     return (x->point > y->point) - (x->point < y->point);
 }
 
-static double area_of(const struct hatch_mesh *mesh)
+static double area_of(const struct hatch_mesh *mesh, uint32_t face)
 {
-    const float *data = mesh->attributes[0].data;
-    double sum = 0;
-    for (size_t f = 0; f < mesh->face_count; f++) {
-        double corner[3][3], normal[3];
-        for (int c = 0; c < 3; c++)
-            hatch_vec_of(&data[3 * (size_t)mesh->indices[3 * f + (size_t)c]], corner[c]);
-        hatch_vec_triangle(corner[0], corner[1], corner[2], normal);
-        sum += hatch_vec_length(normal) / 2;
+    double corners[3][3], normal[3];
+    hatch_mesh_corners(mesh, face, corners);
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    return hatch_vec_length(normal) / 2;
+}
+
+/* Names the connected components.
+ *   component  out: per face: a point of it, below point_count */
+static enum hatch_status find_components(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
+                                         uint32_t *component, uint32_t *point_count, struct hatch_err *err)
+{
+    uint32_t *point, *set;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &point, mesh->vertex_count, err));
+    HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &set, *point_count, err));
+    hatch_sets_init(set, *point_count);
+    for (size_t f = 0; f < mesh->face_count; f++)
+        for (size_t c = 1; c < 3; c++)
+            hatch_sets_join(set, point[mesh->indices[3 * f]], point[mesh->indices[3 * f + c]]);
+    for (size_t f = 0; f < mesh->face_count; f++)
+        component[f] = hatch_sets_find(set, point[mesh->indices[3 * f]]);
+    return HATCH_OK;
+}
+
+enum hatch_status hatch_curves_group(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
+                                     struct hatch_arena *arena, struct hatch_arena *scratch,
+                                     struct hatch_curve_groups *groups, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    uint32_t *component, *strokes, *group, point_count;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &groups->of_face, mesh->face_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &component, mesh->face_count, err));
+    HATCH_TRY(find_components(mesh, scratch, component, &point_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &strokes, point_count, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &group, point_count, err));
+    for (uint32_t c = 0; c < curves->count; c++)
+        strokes[component[curves->points[curves->curves[c].first].face]]++;
+    groups->count = 1;
+    for (uint32_t c = 0; c < point_count; c++)
+        group[c] = strokes[c] < HATCH_DENSITY_FEW ? 0 : groups->count++;
+    HATCH_TRY(HATCH_ALLOC(arena, &groups->area, groups->count, err));
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        groups->of_face[f] = group[component[f]];
+        groups->area[groups->of_face[f]] += area_of(mesh, f);
     }
-    return sum;
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+uint32_t hatch_curves_group_of(const struct hatch_curve_groups *groups, const struct hatch_curve_point *point)
+{
+    return groups->of_face ? groups->of_face[point->face] : 0;
 }
 
 /* Appends the points of a curve to a list; returns its new end. */
 static struct part *add_curve(const struct hatch_curves *curves, const struct hatch_curve *curve,
-                              const struct hatch_mesh *mesh, const float *thresholds, struct part *parts)
+                              const struct hatch_mesh *mesh, const struct hatch_curve_groups *groups,
+                              const float *thresholds, struct part *parts)
 {
+    uint32_t group = hatch_curves_group_of(groups, &curves->points[curve->first]);
     double before[3] = {0, 0, 0};
     for (uint32_t i = curve->first; i < curve->first + curve->count; i++, parts++) {
         float position[3];
@@ -46,7 +93,7 @@ static struct part *add_curve(const struct hatch_curves *curves, const struct ha
         hatch_curve_position(mesh, &curves->points[i], position);
         hatch_vec_of(position, at);
         double half = i > curve->first ? hatch_vec_distance(at, before) / 2 : 0;
-        *parts = (struct part){half, thresholds[i], i};
+        *parts = (struct part){half, thresholds[i], i, group};
         if (i > curve->first)
             parts[-1].length += half;
         hatch_vec_copy(at, before);
@@ -55,9 +102,9 @@ static struct part *add_curve(const struct hatch_curves *curves, const struct ha
 }
 
 enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
-                                               struct hatch_arena *scratch, float *thresholds, struct hatch_err *err)
+                                               const struct hatch_curve_groups *groups, struct hatch_arena *scratch,
+                                               float *thresholds, struct hatch_err *err)
 {
-    double area = area_of(mesh);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct part *parts;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &parts, curves->point_count, err));
@@ -65,12 +112,15 @@ enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves
         struct part *end = parts;
         for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family; next++)
             for (uint32_t i = 0; i < curves->sets[next].count; i++)
-                end = add_curve(curves, &curves->curves[curves->sets[next].first + i], mesh, thresholds, end);
+                end = add_curve(curves, &curves->curves[curves->sets[next].first + i], mesh, groups, thresholds, end);
         size_t count = (size_t)(end - parts);
         qsort(parts, count, sizeof *parts, compare);
         double sum = 0;
         for (size_t i = 0; i < count; i++) {
-            double own = (double)parts[i].threshold, even = (sum + parts[i].length / 2) / area;
+            if (i > 0 && parts[i].group != parts[i - 1].group)
+                sum = 0;
+            double own = (double)parts[i].threshold;
+            double even = (sum + parts[i].length / 2) / groups->area[parts[i].group];
             sum += parts[i].length;
             thresholds[parts[i].point] = (float)fmin(fmax(even, own / HATCH_DENSITY_MOST), own * HATCH_DENSITY_MOST);
         }
@@ -79,21 +129,22 @@ enum hatch_status hatch_curves_even_thresholds(const struct hatch_curves *curves
     return HATCH_OK;
 }
 
-static int compare_thresholds(const void *a, const void *b)
-{
-    const float *x = a, *y = b;
-    return (*x > *y) - (*x < *y);
-}
-
-enum hatch_status hatch_curves_densest(const float *thresholds, uint32_t count, struct hatch_arena *scratch,
-                                       float *densest, struct hatch_err *err)
+enum hatch_status hatch_curves_densest(const struct hatch_curves *curves, const struct hatch_curve_groups *groups,
+                                       const float *thresholds, struct hatch_arena *scratch, float *densest,
+                                       struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    float *sorted;
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &sorted, count, err));
-    memcpy(sorted, thresholds, count * sizeof *sorted);
-    qsort(sorted, count, sizeof *sorted, compare_thresholds);
-    *densest = sorted[count - 1 - count / HATCH_DENSITY_BEYOND];
+    struct part *sorted;
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &sorted, curves->point_count, err));
+    memset(densest, 0, groups->count * sizeof *densest);
+    for (uint32_t i = 0; i < curves->point_count; i++)
+        sorted[i] = (struct part){0, thresholds[i], i, hatch_curves_group_of(groups, &curves->points[i])};
+    qsort(sorted, curves->point_count, sizeof *sorted, compare);
+    for (uint32_t first = 0, next; first < curves->point_count; first = next) {
+        for (next = first + 1; next < curves->point_count && sorted[next].group == sorted[first].group;)
+            next++;
+        densest[sorted[first].group] = sorted[next - 1 - (next - first) / HATCH_DENSITY_BEYOND].threshold;
+    }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

@@ -26,6 +26,7 @@ static void keep_field(struct field_case *field)
 
 static void make_case(struct finer_case *made, struct field_case field, const struct hatch_trace_options *options)
 {
+    struct hatch_curve_groups groups;
     float *thresholds;
     made->field = field;
     keep_field(&made->field);
@@ -33,7 +34,9 @@ static void make_case(struct finer_case *made, struct field_case field, const st
     HATCH_TEST_OK(HATCH_ALLOC(&keep, &thresholds, made->curves.point_count, &err), &err);
     for (uint32_t i = 0; i < made->curves.point_count; i++)
         thresholds[i] = made->curves.points[i].threshold;
-    HATCH_TEST_OK(hatch_curves_even_thresholds(&made->curves, &made->field.mesh, &scratch, thresholds, &err), &err);
+    HATCH_TEST_OK(hatch_curves_group(&made->curves, &made->field.mesh, &keep, &scratch, &groups, &err), &err);
+    HATCH_TEST_OK(hatch_curves_even_thresholds(&made->curves, &made->field.mesh, &groups, &scratch, thresholds, &err),
+                  &err);
     made->source = (struct hatch_finer_source){
         .mesh = &made->field.mesh, .curves = &made->curves, .thresholds = thresholds, .limit_bytes = (size_t)1 << 30};
 }

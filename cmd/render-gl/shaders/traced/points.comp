@@ -17,7 +17,8 @@ struct Point { // struct traced_point of technique/traced/traced.h
     vec4 stroke;   // threshold; doubled area of the face; arc length from the start and to the end of the stroke
     vec4 rest;     // family; bits 1: first, 2: last of its stroke, 4, 8: its start, its end is not free;
                    // turn with its neighbours, -1 .. 1; greatest length of its pointed ends, in mesh units
-    vec4 across;   // way across a narrow face, as a change of both shares; 1 + the family that crosses it, or 0; unused
+    vec4 across;   // way across a narrow face, as a change of both shares; 1 + the family that crosses it, or 0;
+                   // greatest density on its part of the mesh, as a share of that of the mesh
 };
 layout(std430, binding = STORAGE_POINTS) readonly buffer Points { Point points[]; };
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon {
@@ -135,8 +136,8 @@ void main()
         narrow = 1.0 - smoothstep(NARROW_PX.x, NARROW_PX.y, length(point.across.x * along_1.xy + point.across.y * along_2.xy));
     float tone = tone_of(int(point.rest.x), amounts_at(corners, shares, behind)[ink_index], int(point.across.z) - 1, narrow);
     bool dots = marks.w > 0.0;
-    vec3 law =
-        width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, densest, denser, dots);
+    vec2 reached = vec2(densest.x * point.across.w, densest.y);
+    vec3 law = width_law(pen.xy, stroke_tone(marks, tone), point.stroke.x, scale, reached, denser, dots);
     float width = law.x * (dots ? float(law.y > 0.0) : law.y), sparser = dots ? min(law.z, SPARSEST) : 1.0;
     float period = period_px(marks, tone), scatter = marks.z * period * sparser;
     period /= sparser;

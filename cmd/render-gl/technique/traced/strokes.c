@@ -117,10 +117,17 @@ static float shared_random(const struct traced_source *source, const struct entr
     return 2 * (float)hatch_random_unit(0, stream, cell) - 1;
 }
 
-/* Makes the points of a stroke.
- *   thresholds  of all points of the curves */
-static void make_points(const struct traced_source *source, const float *thresholds, const struct entry *entry,
-                        struct traced_point *points)
+/* How the points are drawn. */
+struct densities {
+    struct hatch_curve_groups groups;
+    float *thresholds; /* per point */
+    float *reached;    /* per group: hatch_curves_densest */
+    float densest;     /* the greatest of them */
+};
+
+/* Makes the points of a stroke. */
+static void make_points(const struct traced_source *source, const struct densities *densities,
+                        const struct entry *entry, struct traced_point *points)
 {
     const struct hatch_mesh *mesh = source->mesh;
     const struct hatch_curve *curve = entry->curve;
@@ -128,6 +135,7 @@ static void make_points(const struct traced_source *source, const float *thresho
     const struct hatch_finer_part whole = {0, 0, {0, 0, 0}};
     const struct hatch_finer_part *part = source->parts ? &source->parts[curve - source->curves->curves] : &whole;
     float turn = shared_random(source, entry, 0), tip = (float)TIP_GAPS * entry->set->gap;
+    float reached = densities->reached[hatch_curves_group_of(&densities->groups, from)];
     double length = (double)part->before;
     const int bound = (int)(~curve->free_ends & 3);
     double turn_rad[HATCH_CURVE_FAMILIES_MAX] = {0};
@@ -148,11 +156,12 @@ static void make_points(const struct traced_source *source, const float *thresho
         length += hatch_vec_length(step);
         points[i] = (struct traced_point){.hash = curve->id,
                                           .share = {from[i].share[0], from[i].share[1]},
-                                          .threshold = thresholds[curve->first + i],
+                                          .threshold = densities->thresholds[curve->first + i],
                                           .from_start = (float)length,
                                           .family = (float)entry->set->family,
                                           .turn = turn,
                                           .tip = tip,
+                                          .reached = reached / densities->densest,
                                           .ends = (float)((i == 0) | (i + 1 == curve->count) << 1 | bound << 2)};
         set_face(mesh, &from[i], along, turn_rad, &points[i]);
     }
@@ -171,18 +180,26 @@ static uint32_t *make_triangles(uint32_t first, uint32_t count, uint32_t *indice
     return indices;
 }
 
-/* Computes the thresholds with which the points are drawn. */
-static enum hatch_status find_thresholds(const struct traced_source *source, struct hatch_arena *arena,
-                                         struct hatch_arena *scratch, float **thresholds, struct hatch_err *err)
+static enum hatch_status find_densities(const struct traced_source *source, struct hatch_arena *arena,
+                                        struct hatch_arena *scratch, struct densities *densities, struct hatch_err *err)
 {
     const struct hatch_curves *curves = source->curves;
-    HATCH_TRY(HATCH_ALLOC_UNSET(arena, thresholds, curves->point_count, err));
+    *densities = (struct densities){.groups.count = 1};
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &densities->thresholds, curves->point_count, err));
     for (uint32_t i = 0; i < curves->point_count; i++)
-        (*thresholds)[i] = curves->points[i].threshold;
-    if (source->parts)
-        return HATCH_OK;
-    HATCH_TRY(hatch_curves_even_places(curves, source->mesh, scratch, *thresholds, err));
-    return hatch_curves_even_thresholds(curves, source->mesh, scratch, *thresholds, err);
+        densities->thresholds[i] = curves->points[i].threshold;
+    if (!source->parts) {
+        HATCH_TRY(hatch_curves_group(curves, source->mesh, arena, scratch, &densities->groups, err));
+        HATCH_TRY(hatch_curves_even_places(curves, source->mesh, scratch, densities->thresholds, err));
+        HATCH_TRY(hatch_curves_even_thresholds(curves, source->mesh, &densities->groups, scratch, densities->thresholds,
+                                               err));
+    }
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &densities->reached, densities->groups.count, err));
+    HATCH_TRY(
+        hatch_curves_densest(curves, &densities->groups, densities->thresholds, scratch, densities->reached, err));
+    for (uint32_t g = 0; g < densities->groups.count; g++)
+        densities->densest = fmaxf(densities->densest, densities->reached[g]);
+    return HATCH_OK;
 }
 
 enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,
@@ -193,7 +210,8 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     struct entry *entries;
     struct traced_point *points;
     uint32_t *indices, *end, first = 0;
-    float *least, *thresholds;
+    float *least;
+    struct densities densities;
     struct traced_stroke *sources;
     *strokes = (struct traced_strokes){.count = curves->count, .curve_points = curves->points, .raised = FLT_MAX};
     HATCH_TRY(HATCH_ALLOC(arena, &least, curves->count, err));
@@ -202,13 +220,12 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     HATCH_TRY(HATCH_ALLOC(scratch, &entries, curves->count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &points, curves->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &indices, 6 * (size_t)curves->point_count, err));
-    HATCH_TRY(find_thresholds(source, arena, scratch, &thresholds, err));
-    HATCH_TRY(hatch_curves_densest(thresholds, curves->point_count, scratch, &strokes->densest, err));
-    list_entries(curves, thresholds, entries);
+    HATCH_TRY(find_densities(source, arena, scratch, &densities, err));
+    list_entries(curves, densities.thresholds, entries);
     qsort(entries, curves->count, sizeof *entries, compare);
     uint32_t *next = indices;
     for (uint32_t i = 0; i < curves->count; i++) {
-        make_points(source, thresholds, &entries[i], points + first);
+        make_points(source, &densities, &entries[i], points + first);
         next = make_triangles(first, entries[i].curve->count, next);
         first += entries[i].curve->count;
         least[i] = entries[i].least;
@@ -216,7 +233,8 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
         end[i] = first;
     }
     strokes->least = least;
-    strokes->thresholds = thresholds;
+    strokes->thresholds = densities.thresholds;
+    strokes->densest = densities.densest;
     strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;

@@ -39,7 +39,8 @@ struct traced_point {
     float turn;               /* of the stroke and its neighbours together, random, -1 .. 1 */
     float tip;                /* greatest length of its pointed ends, in mesh units */
     float across[2];          /* the way across a narrow face: change of share */
-    float crossing, unused;   /* 1 + the family that crosses it; 0: there is no narrow face here */
+    float crossing;           /* 1 + the family that crosses it; 0: there is no narrow face here */
+    float reached;            /* greatest density on its part of the mesh, as a share of that of the mesh */
 };
 
 /* Where a stroke comes from. */
@@ -57,7 +58,7 @@ struct traced_strokes {
     const struct hatch_curve_point *curve_points; /* that the curves of the sources refer to */
     const float *thresholds;                      /* of these points, as they are drawn */
     const uint32_t *end;                          /* number of points up to the end of each stroke */
-    float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest */
+    float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest of all */
     float raised;                                 /* of hatch_stroke_width_px */
     uint32_t families;                            /* of the mesh */
     bool narrow;                                  /* whether some lie on narrow faces */
