@@ -11,6 +11,7 @@
 
 #define HATCH_FINER_LEVELS_MAX 24u /* more than the mesh came with */
 #define HATCH_FINER_START 1.4      /* strokes wanted, times the densest: from here on, finer ones are traced */
+#define HATCH_FINER_ALIKE 1.1      /* the same where all strokes are alike */
 
 struct hatch_finer_source {
     const struct hatch_mesh *mesh; /* with the direction field in _HATCH_DIR */
@@ -34,6 +35,7 @@ struct hatch_finer_view {
     double densest;                    /* greatest threshold of the mesh's strokes: up to HATCH_FINER_START times as
                                           many, wider strokes make the tone (curve/width.h), and nothing is traced */
     bool front, behind; /* which sides of faces are seen: where corners are counter-clockwise, and others */
+    bool alike;         /* a pen draws all strokes as wide: they neither fade in nor get wider */
 };
 
 /* A curve that is part of a stroke. */
@@ -48,7 +50,8 @@ struct hatch_finer_found {
     struct hatch_finer_part *parts; /* per curve */
     uint32_t traced;                /* strokes that were traced for this view */
     double densest;                 /* for hatch_stroke_width_px: it grows with what is wanted, from that of the view
-                                       until no stroke is wider, so that no view differs much from the one before */
+                                       until no stroke is wider, so that no view differs much from the one before;
+                                       HUGE_VAL where all are alike */
     double raised;                  /* for the same: of the strokes that were traced, 1 or more */
     bool enough;                    /* there are as many strokes as are wanted, everywhere */
     bool finer;                     /* false: the mesh's own strokes are enough, and the other members are zero */

@@ -1,5 +1,6 @@
 #include "render-gl/technique/traced/traced.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -142,6 +143,7 @@ void traced_set_style(const struct frame *frame, double pen_px, struct traced_st
     state->pen.gap_px *= wider;
     state->pen.taper_px *= wider;
     const bool dots = hatch_pen_has_dots(&state->pen);
+    state->alike = pen_px > 0 && !dots;
     struct traced_block block = {
         .pen = {state->pen.width_px, pen->thin, (float)frame->request.canvas->side, tanf(pen->turn_rad)},
         .hand = {pen->vary, pen->pressure, pen->wobble_px, fmaxf(state->pen.taper_px, 1e-3f)},
@@ -257,7 +259,7 @@ uint32_t traced_place(const struct frame *frame, struct traced_state *state, uin
     gpu_storage_bind(STORAGE_POINTS, strokes->points);
     gpu_storage_bind(STORAGE_RIBBON, traced_ribbon_of(state, index)->buffer);
     glProgramUniform1i(program, UNIFORM_INK, ink);
-    glProgramUniform2f(program, UNIFORM_DENSEST, strokes->densest, strokes->raised);
+    glProgramUniform2f(program, UNIFORM_DENSEST, state->alike ? FLT_MAX : strokes->densest, strokes->raised);
     set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), program);
     dispatch(frame, index, state->points[based], "points", strokes->end[count - 1], GL_TEXTURE_FETCH_BARRIER_BIT);
     return count;

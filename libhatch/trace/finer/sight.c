@@ -215,12 +215,13 @@ static bool shows(const struct looking *looking, const struct polygon *polygon)
 static void measure_face(struct looking *looking)
 {
     struct hatch_store *store = looking->store;
+    const double fade = looking->view->alike ? 1 : HATCH_STROKE_FADE;
     struct polygon polygon;
     if (!find_polygon(looking, &polygon) || !shows(looking, &polygon))
         return;
     for (int i = 0; i < polygon.count; i++)
-        store->wanted = fmax(store->wanted, wanted_at(looking, &polygon.corners[i]) /
-                                                (HATCH_STROKE_FADE * polygon.corners[i].clip[3]));
+        store->wanted =
+            fmax(store->wanted, wanted_at(looking, &polygon.corners[i]) / (fade * polygon.corners[i].clip[3]));
 }
 
 /* Adds the windows of the face. */

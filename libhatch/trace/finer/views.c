@@ -175,7 +175,7 @@ static void find_windows(void *context, uint32_t index)
  *   wanted  most strokes per mesh unit */
 static void join_strokes(struct hatch_finer *finer, double wanted, struct hatch_finer_found *found)
 {
-    double densest = finer->view->densest, more = densest > 0 ? wanted / densest : HUGE_VAL;
+    double densest = finer->view->alike ? 0 : finer->view->densest, more = densest > 0 ? wanted / densest : HUGE_VAL;
     double unraised = fmin(log(more / HATCH_FINER_START) / log(JOINED / HATCH_FINER_START), 1);
     found->densest = densest > 0 ? densest * pow(fmax(more / JOINED, 1), THINNING) : HUGE_VAL;
     for (uint32_t i = 0; i < finer->store_count; i++) {
@@ -300,7 +300,7 @@ enum hatch_status hatch_finer_find(struct hatch_finer *finer, const struct hatch
     enum hatch_status status = first_failure(finer, err);
     for (uint32_t i = 0; i < finer->store_count; i++)
         wanted = fmax(wanted, finer->stores[i].wanted);
-    if (status == HATCH_OK && wanted > HATCH_FINER_START * view->densest) {
+    if (status == HATCH_OK && wanted > (view->alike ? HATCH_FINER_ALIKE : HATCH_FINER_START) * view->densest) {
         join_strokes(finer, wanted, found);
         status = trace_all(finer, arena, found, err);
     }

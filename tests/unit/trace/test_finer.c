@@ -225,6 +225,31 @@ START_TEST(as_many_strokes_are_drawn_as_are_wanted)
 }
 END_TEST
 
+/* Strokes that are alike cannot get wider: finer ones are traced where there are a tenth too few, and all that are
+ * wanted are drawn. */
+START_TEST(strokes_that_are_alike_soon_need_finer_ones)
+{
+    struct finer_case plane;
+    make_plane(&plane);
+    struct hatch_finer *finer = open_finer(&plane);
+    const double densest = 40;
+    for (double wanted = 0.99 * densest; wanted < 2 * densest; wanted *= 1.1) {
+        struct hatch_finer_view view = view_of(-0.31, 0.23, 0.5, 1 / wanted);
+        view.alike = true;
+        view.densest = densest;
+        struct hatch_finer_found found = find(finer, &view);
+        ck_assert(found.finer == (wanted > HATCH_FINER_ALIKE * densest));
+        if (!found.finer)
+            continue;
+        ck_assert(found.enough && found.densest >= HUGE_VAL);
+        ck_assert_double_eq(found.raised, 1);
+        double drawn = drawn_length(&found, &plane.field.mesh, -0.31, 0.23, 0.5, wanted);
+        ck_assert_msg(fabs(drawn / wanted - 1) < 0.1, "%g strokes, want %g", drawn, wanted);
+    }
+    hatch_finer_free(finer);
+}
+END_TEST
+
 /* Strokes of a level are no longer than 60 of its gaps, however long those of the mesh are: else every tile would need
  * everything around it. */
 START_TEST(long_strokes_do_not_need_the_whole_mesh)
@@ -374,6 +399,7 @@ static Suite *suite(void)
     tcase_add_test(tests, finer_strokes_join_gradually);
     tcase_add_test(tests, strokes_of_a_plane_are_straight_and_whole);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
+    tcase_add_test(tests, strokes_that_are_alike_soon_need_finer_ones);
     tcase_add_test(tests, long_strokes_do_not_need_the_whole_mesh);
     tcase_add_test(tests, an_angle_of_zero_is_no_missing_one);
     tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);

@@ -11,13 +11,14 @@
 #define MARGIN_PX 16.0                /* around the picture */
 #define NEAREST 1e-9                  /* distance to an item's box, in radii of the scene, that counts as none */
 
-/* Computes how many strokes per pixel the pen draws on a mesh, those that fade included.
+/* Computes how many strokes per pixel the pen draws on a mesh, those that fade in included.
  *   strokes  of the mesh's file
  *   most     out: per family, at ink 0, 1/32 .. 1
  * Returns the largest number. */
 static double find_most(struct traced_state *state, const struct traced_strokes *strokes,
                         float most[HATCH_CURVE_FAMILIES_MAX][HATCH_STROKE_TONES])
 {
+    const double fading = HATCH_STROKE_FADE / HATCH_STROKE_GAIN;
     double largest = 0;
     traced_set_families(strokes->families, state);
     memset(most, 0, sizeof *most * HATCH_CURVE_FAMILIES_MAX);
@@ -26,7 +27,7 @@ static double find_most(struct traced_state *state, const struct traced_strokes 
             float own = state->block.tones[f][i], across = strokes->narrow ? state->block.narrow[0][i] : 0;
             double tone = hatch_mark_stroke_tone(&state->pen, (double)fmaxf(own, across));
             double whole_px = hatch_stroke_whole_px(&state->pen, tone);
-            most[f][i] = (float)(HATCH_STROKE_FADE * tone / (HATCH_STROKE_GAIN * whole_px));
+            most[f][i] = (float)(state->alike ? tone / whole_px : fading * tone / whole_px);
             largest = fmax(largest, (double)most[f][i]);
         }
     return largest;
@@ -45,13 +46,16 @@ static double nearest_depth(const struct hatch_view *view, const struct hatch_it
     return view->orthographic ? 1 : fmax(nearest, NEAREST);
 }
 
-/* Returns whether the strokes of the file may be too few somewhere on an item. */
+/* Returns whether the strokes of the file may be too few somewhere on an item.
+ *   alike  all strokes are as wide as the pen */
 static bool is_near(const struct frame *frame, const struct hatch_item *item, const struct traced_strokes *strokes,
-                    double most)
+                    double most, bool alike)
 {
+    const double start = alike ? HATCH_FINER_ALIKE * (double)strokes->fewest
+                               : HATCH_STROKE_FADE * HATCH_FINER_START * (double)strokes->densest;
     const struct hatch_view *view = &frame->view;
     double scale = traced_scale(frame->scene, item) * frame->request.tile->full_height / (2 * view->half_height);
-    return most / HATCH_STROKE_FADE * scale > HATCH_FINER_START * (double)strokes->densest * nearest_depth(view, item);
+    return most * scale > start * nearest_depth(view, item);
 }
 
 /* Describes how the whole picture shows an item. */
@@ -127,8 +131,8 @@ static bool is_same(const struct hatch_finer_view *a, const struct hatch_finer_v
     if (memcmp(a->clip_from_mesh, b->clip_from_mesh, sizeof a->clip_from_mesh) != 0 ||
         memcmp(a->most, b->most, sizeof *a->most * HATCH_CURVE_FAMILIES_MAX) != 0 || !a->ink != !b->ink)
         return false;
-    const double sizes[2][5] = {{a->width_px, a->height_px, a->densest, a->front, a->behind},
-                                {b->width_px, b->height_px, b->densest, b->front, b->behind}};
+    const double sizes[2][6] = {{a->width_px, a->height_px, a->densest, a->front, a->behind, a->alike},
+                                {b->width_px, b->height_px, b->densest, b->front, b->behind, b->alike}};
     return memcmp(sizes[0], sizes[1], sizeof sizes[0]) == 0 && a->levels == b->levels &&
            (!a->ink || memcmp(a->ink, b->ink, sizeof *a->ink * 2 * vertex_count) == 0);
 }
@@ -193,14 +197,15 @@ enum hatch_status traced_refine(struct technique_context *context, struct traced
         const struct traced_strokes *strokes = &state->strokes[item->mesh];
         struct hatch_finer_view view;
         if (state->finer_levels == 0 || strokes->count == 0 || item->deformed ||
-            !is_near(frame, item, strokes, find_most(state, strokes, state->most))) {
+            !is_near(frame, item, strokes, find_most(state, strokes, state->most), state->alike)) {
             traced_forget(&state->items[i]);
             continue;
         }
         describe(frame, item, &view);
         view.most = state->most;
         view.levels = state->finer_levels;
-        view.densest = (double)strokes->densest;
+        view.densest = (double)(state->alike ? strokes->fewest : strokes->densest);
+        view.alike = state->alike;
         HATCH_TRY(update(context, state, i, &view, err));
     }
     return HATCH_OK;

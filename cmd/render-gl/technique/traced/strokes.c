@@ -123,6 +123,7 @@ struct densities {
     float *thresholds; /* per point */
     float *reached;    /* per group: hatch_curves_densest */
     float densest;     /* the greatest of them */
+    float fewest;      /* that of the family whose strokes are the fewest */
 };
 
 /* Makes the points of a stroke. */
@@ -180,6 +181,25 @@ static uint32_t *make_triangles(uint32_t first, uint32_t count, uint32_t *indice
     return indices;
 }
 
+/* Finds the family whose densest strokes are the fewest, on the whole mesh. */
+static enum hatch_status find_fewest(const struct hatch_curves *curves, const float *thresholds,
+                                     struct hatch_arena *scratch, float *fewest, struct hatch_err *err)
+{
+    const struct hatch_curve_groups whole = {.count = 1};
+    *fewest = FLT_MAX;
+    for (uint32_t s = 0, next; s < curves->set_count; s = next) {
+        struct hatch_curves family = {.points = curves->points + curves->curves[curves->sets[s].first].first};
+        float densest;
+        for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family; next++)
+            for (uint32_t i = 0; i < curves->sets[next].count; i++)
+                family.point_count += curves->curves[curves->sets[next].first + i].count;
+        HATCH_TRY(hatch_curves_densest(&family, &whole, thresholds + (family.points - curves->points), scratch,
+                                       &densest, err));
+        *fewest = densest > 0 ? fminf(*fewest, densest) : *fewest;
+    }
+    return HATCH_OK;
+}
+
 static enum hatch_status find_densities(const struct traced_source *source, struct hatch_arena *arena,
                                         struct hatch_arena *scratch, struct densities *densities, struct hatch_err *err)
 {
@@ -199,7 +219,7 @@ static enum hatch_status find_densities(const struct traced_source *source, stru
         hatch_curves_densest(curves, &densities->groups, densities->thresholds, scratch, densities->reached, err));
     for (uint32_t g = 0; g < densities->groups.count; g++)
         densities->densest = fmaxf(densities->densest, densities->reached[g]);
-    return HATCH_OK;
+    return find_fewest(curves, densities->thresholds, scratch, &densities->fewest, err);
 }
 
 enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,
@@ -235,6 +255,7 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     strokes->least = least;
     strokes->thresholds = densities.thresholds;
     strokes->densest = densities.densest;
+    strokes->fewest = densities.fewest;
     strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;

@@ -59,6 +59,7 @@ struct traced_strokes {
     const float *thresholds;                      /* of these points, as they are drawn */
     const uint32_t *end;                          /* number of points up to the end of each stroke */
     float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest of all */
+    float fewest;                                 /* the same of the family that has least */
     float raised;                                 /* of hatch_stroke_width_px */
     uint32_t families;                            /* of the mesh */
     bool narrow;                                  /* whether some lie on narrow faces */
@@ -108,6 +109,7 @@ struct traced_state {
     struct traced_item *items;      /* per item */
     struct hatch_style style;
     struct hatch_stroke_pen pen; /* of the frame: its lengths are those of the pen in use */
+    bool alike;                  /* a pen draws all strokes of the frame as wide, and no dots */
     uint32_t mesh_count, item_count;
     uint32_t families;     /* whose tones the block has; 0: none */
     uint32_t finer_levels; /* at most so many more than the file has; 0: none */
