@@ -38,6 +38,14 @@ for tone in .1 .3 .5; do
     done
 done
 
+# A pen cannot draw wider strokes where a file has too few; finer ones are traced.
+meshgen plane --faces 200 | strokegen -q --levels 4 --angles 0 -o coarse.glb
+for pen in 0.8mm 1mm 1.5mm; do
+    draw coarse.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .6:.6 --page 160x160mm --pen $pen \
+        -o plane.svg
+    near "a plane with few strokes drawn by a pen of $pen" "$(figures plane.svg | cut -d' ' -f1)" .6 .05
+done
+
 echo "width 24" >broad.style
 draw plane.glb --size 400x400 --camera 0,0,3.7320508:0,0,0 --fov 25 --tone-range .3:.3 --page 160x160mm --pen 0.3mm \
     --stroke-style ./broad.style -o plane.svg
