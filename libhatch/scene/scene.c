@@ -12,6 +12,7 @@ enum hatch_status hatch_scene_of_mesh(const struct hatch_mesh *mesh, struct hatc
         .file_vertices = mesh->vertex_count,
         .had_texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2) != NULL,
         .had_normals = hatch_mesh_find(mesh, "NORMAL", 3) != NULL,
+        .normals_computed = !hatch_mesh_find(mesh, "NORMAL", 3),
     };
     made.nodes[0] = (struct hatch_node){
         .parent = HATCH_NONE,

@@ -79,6 +79,8 @@ struct hatch_scene_mesh {
     uint32_t file_vertices;     /* vertices in the file; computing flat normals may have duplicated some */
     bool had_texcoords;         /* the file has TEXCOORD_0 */
     bool had_normals;           /* the file has NORMAL; else normals were computed from the faces */
+    bool normals_computed;      /* NORMAL, if the mesh has it, follows from the faces, and tells nothing else: the file
+                                   has none, or it was written by a command that computed it */
     bool is_soup;               /* unconnected triangles, as in STL: the format cannot share vertices */
     float unseen_tolerance;     /* over 0: made for views that do not show it, within this tolerance (needs(5)) */
     struct hatch_curves curves; /* strokes on the mesh; zeroed: none */

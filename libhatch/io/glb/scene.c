@@ -187,6 +187,23 @@ static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
     return HATCH_OK;
 }
 
+/* Closes a primitive with its extras. Those that are no object are kept, without a mark of computed normals. */
+static enum hatch_status close_primitive(struct hatch_glb *glb, const struct hatch_scene_mesh *from)
+{
+    bool has_room = !from->kept.extras || from->kept.extras[0] == '{';
+    bool computed = has_room && from->normals_computed && hatch_mesh_find(&from->mesh, "NORMAL", 3);
+    if (!(from->unseen_tolerance > 0) && !computed)
+        return hatch_glb_close_kept(glb, &from->kept);
+    HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
+    if (from->unseen_tolerance > 0)
+        HATCH_TRY(hatch_glb_number(glb, "unseen", from->unseen_tolerance));
+    if (computed)
+        HATCH_TRY(hatch_glb_string(glb, "normals", "computed"));
+    HATCH_TRY(hatch_glb_put(glb, "}"));
+    HATCH_TRY(hatch_glb_close_extras(glb, &from->kept));
+    return hatch_glb_put(glb, "}");
+}
+
 static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
 {
     const struct hatch_scene_mesh *from = &glb->scene->meshes[index];
@@ -194,15 +211,7 @@ static enum hatch_status print_primitive(struct hatch_glb *glb, uint32_t index)
     HATCH_TRY(print_accessors(glb, &from->mesh, glb->mesh_first[index], glb->mesh_indices[index]));
     if (from->material != HATCH_NONE)
         HATCH_TRY(hatch_glb_integer(glb, "material", from->material));
-    if (from->unseen_tolerance > 0) {
-        HATCH_TRY(hatch_glb_put(glb, ",\"extras\":{\"hatch\":{"));
-        HATCH_TRY(hatch_glb_number(glb, "unseen", from->unseen_tolerance));
-        HATCH_TRY(hatch_glb_put(glb, "}"));
-        HATCH_TRY(hatch_glb_close_extras(glb, &from->kept));
-        HATCH_TRY(hatch_glb_put(glb, "}"));
-    } else {
-        HATCH_TRY(hatch_glb_close_kept(glb, &from->kept));
-    }
+    HATCH_TRY(close_primitive(glb, from));
     return print_strokes(glb, index);
 }
 

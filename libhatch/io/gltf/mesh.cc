@@ -172,14 +172,27 @@ enum hatch_status triangulate(Reader &r, int mode, const uint32_t *list, uint32_
     return HATCH_OK;
 }
 
+/* Returns a member of what the writer notes in the extras of a primitive; a null value: there is none. */
+const tinygltf::Value &noted(const tinygltf::Primitive &primitive, const char *key)
+{
+    static const tinygltf::Value none;
+    return primitive.extras.IsObject() && primitive.extras.Has("hatch") && primitive.extras.Get("hatch").IsObject()
+               ? primitive.extras.Get("hatch").Get(key)
+               : none;
+}
+
 /* Returns the tolerance of views that do not show a primitive; 0: there is none. */
 float unseen_tolerance(const tinygltf::Primitive &primitive)
 {
-    if (!primitive.extras.IsObject() || !primitive.extras.Has("hatch") || !primitive.extras.Get("hatch").IsObject() ||
-        !primitive.extras.Get("hatch").Has("unseen") || !primitive.extras.Get("hatch").Get("unseen").IsNumber())
-        return 0;
-    double tolerance = primitive.extras.Get("hatch").Get("unseen").GetNumberAsDouble();
+    const tinygltf::Value &unseen = noted(primitive, "unseen");
+    double tolerance = unseen.IsNumber() ? unseen.GetNumberAsDouble() : 0;
     return tolerance > 0 && tolerance <= 1 ? static_cast<float>(tolerance) : 0;
+}
+
+bool has_computed_normals(const tinygltf::Primitive &primitive)
+{
+    const tinygltf::Value &normals = noted(primitive, "normals");
+    return normals.IsString() && normals.Get<std::string>() == "computed";
 }
 
 /* Finds the vertices of a primitive that shares its accessors with others, from the lowest to the highest index, and
@@ -228,6 +241,7 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     out->unseen_tolerance = unseen_tolerance(primitive);
     out->had_texcoords = hatch_mesh_find(&mesh, "TEXCOORD_0", 2) != nullptr;
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
+    out->normals_computed = !out->had_normals || has_computed_normals(primitive);
     if (!out->had_normals && mesh.face_count > 0)
         HATCH_TRY(hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
     out->mesh = mesh;

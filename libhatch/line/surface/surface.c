@@ -39,7 +39,8 @@ static struct run find_run(const struct hatch_unit_scene *scene, uint32_t first)
         run.parts++;
         run.vertex_count = (uint32_t)vertices;
         run.face_count = (uint32_t)faces;
-        run.normals_authored = run.normals_authored || scene->scene->meshes[scene->items[run.end].mesh].had_normals;
+        run.normals_authored =
+            run.normals_authored || !scene->scene->meshes[scene->items[run.end].mesh].normals_computed;
     }
     return run;
 }

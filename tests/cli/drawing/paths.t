@@ -219,6 +219,29 @@ for frame in 0 1; do
 done
 ok "what stays the same keeps its number" cmp corners0 corners1
 
+# A prism turns by 45 degrees at its eight long edges. Smooth normals that a command adds tell nothing of them; those of
+# a file do.
+awk 'BEGIN {
+    for (i = 0; i < 16; i++)
+        print "v", cos(int(i / 2) * atan2(1, 1)), i % 2 * 2 - 1, sin(int(i / 2) * atan2(1, 1))
+    for (i = 0; i < 8; i++)
+        print "f", 2 * i + 1, 2 * i + 2, (2 * i + 3) % 16 + 1, (2 * i + 2) % 16 + 1
+    print "f 1 3 5 7 9 11 13 15\nf 16 14 12 10 8 6 4 2"
+}' >prism.obj
+awk '/^f/ && NF == 5 {$0 = "f " $2 "//" $2 " " $3 "//" $3 " " $4 "//" $4 " " $5 "//" $5}
+    1
+    /^v/ {print "vn", $2, 0, $4}' prism.obj >smooth.obj
+for by in dirfield lapped-param strokegen meshfit; do
+    $by -q prism.obj -o prism.glb
+    $by -q smooth.obj -o smooth.glb
+    for of in prism.obj prism.glb smooth.obj smooth.glb; do
+        render-gl -q $of --lines creases -o $of.svg
+    done
+    is "creases are the same after $by" "$(measure prism.glb.svg)" "$(measure prism.obj.svg)"
+    is "normals of a file are so after $by" "$(measure smooth.glb.svg)" "$(measure smooth.obj.svg)"
+done
+is "a smooth prism has the creases of its ends alone" "$(measure smooth.obj.svg | cut -d ' ' -f 2)" 2
+
 render-gl -q squares.obj --turntable -n 3 --size 200x200 -o f%d.svg
 is "a film has a drawing per frame" "$(grep -c 'id="outlines-1"' f0.svg f1.svg f2.svg | tr '\n' ' ')" \
     "f0.svg:1 f1.svg:1 f2.svg:1 "

@@ -185,7 +185,7 @@ START_TEST(names_and_extras_are_kept)
         "{\"name\":\"caf\xc3\xa9 \xf0\x9f\x98\x80\\u0001\",",
         "\"extras\":{\"a\":{\"b\":[{},\"]\"]}}",
         "\"meshes\":[{\"name\":\"Body\",",
-        ",\"extras\":{\"hatch\":{\"unseen\":0.5},\"p\":1}}",
+        ",\"extras\":{\"hatch\":{\"unseen\":0.5,\"normals\":\"computed\"},\"p\":1}}",
         ",\"extras\":[16777217,12345678901234567890]}",
         "],\"extras\":{\"targetNames\":[\"smile\"]}}]",
         "\"materials\":[{\"name\":\"Oak\",",
