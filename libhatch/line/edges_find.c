@@ -7,6 +7,7 @@
 #include "line/surface/motion.h"
 
 #define WELD 4e-5 /* tolerance of loose welding, in diagonals of the mesh: 1/20 of a pixel in a picture of it */
+#define SAME_PLANE_RAD 0.0141                  /* largest angle between neighbouring faces that count as one plane */
 #define COS_SAME_NORMAL 0.9999                 /* cosine of the largest angle between normals that count as equal */
 #define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees: sharper edges stay creases whatever the normals */
 
@@ -224,6 +225,30 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
+/* Finds the edges between two planes: both faces have a neighbour in their own plane.
+ *   edge_of  per segment of the graph: its edge
+ *   flat     out: per segment: 1: between planes */
+static enum hatch_status find_flat(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
+                                   const uint32_t *edge_of, uint32_t segment_count, struct hatch_arena *scratch,
+                                   uint8_t *flat, struct hatch_err *err)
+{
+    const uint32_t *first = edges->edges.first, *sides = edges->edges.sides;
+    uint8_t *bent, *continued; /* per edge; per face: whether a neighbour lies in its plane */
+    HATCH_TRY(HATCH_ALLOC(scratch, &bent, edges->edges.count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &continued, mesh->face_count, err));
+    hatch_edges_classify(mesh, &edges->edges, SAME_PLANE_RAD, bent);
+    for (uint32_t e = 0; e < edges->edges.count; e++)
+        for (uint32_t s = first[e]; s < first[e + 1] && bent[e] == HATCH_EDGE_SMOOTH; s++)
+            continued[sides[s] / 3] = 1;
+    for (uint32_t i = 0; i < segment_count; i++) {
+        uint32_t s = first[edge_of[i]], end = first[edge_of[i] + 1];
+        while (s < end && continued[sides[s] / 3])
+            s++;
+        flat[i] = s == end;
+    }
+    return HATCH_OK;
+}
+
 static enum hatch_status judge(const struct hatch_mesh *mesh, double crease_rad, bool normals_authored,
                                struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_line_edges *made,
                                struct hatch_err *err)
@@ -236,13 +261,15 @@ static enum hatch_status judge(const struct hatch_mesh *mesh, double crease_rad,
         HATCH_TRY(trust_normals(mesh, scratch, made, err));
     HATCH_TRY(hatch_line_drop_covered(mesh, arena, made, err));
     HATCH_TRY(make_graph(mesh, made, scratch, &graph, &edge_of, err));
-    uint8_t *bounds, *pruned;
+    uint8_t *bounds, *flat, *pruned;
     HATCH_TRY(HATCH_ALLOC(scratch, &bounds, graph.segment_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &flat, graph.segment_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &pruned, graph.segment_count, err));
+    HATCH_TRY(find_flat(mesh, made, edge_of, graph.segment_count, scratch, flat, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
     HATCH_TRY(hatch_line_find_cracks(&graph, bounds, arena, pruned, err));
-    HATCH_TRY(hatch_line_prune(&graph, bounds, size_of(mesh), scratch, arena, pruned, err));
+    HATCH_TRY(hatch_line_prune(&graph, bounds, flat, size_of(mesh), scratch, arena, pruned, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         if (pruned[i])
             made->kinds[edge_of[i]] = HATCH_EDGE_SMOOTH;

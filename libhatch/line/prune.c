@@ -14,6 +14,7 @@
 struct pruning {
     const struct hatch_line_graph *whole;
     const uint8_t *bounds;         /* per segment of the whole: not 0: a boundary */
+    const uint8_t *flat;           /* per segment of the whole: not 0: between planes */
     double size;                   /* of the mesh */
     uint8_t *pruned;               /* per segment of the whole: 1: removed */
     struct hatch_line_graph graph; /* of the remaining segments */
@@ -64,8 +65,19 @@ static void measure(const struct pruning *p, const struct hatch_line_chain *chai
     }
 }
 
+/* Returns whether all segments of a chain lie between planes.
+ *   segments  of the remaining graph, in order */
+static bool is_flat(const struct pruning *p, const struct hatch_line_chain *chain, const uint32_t *segments)
+{
+    uint32_t flat = 0;
+    for (uint32_t k = 0; k < chain->segment_count; k++)
+        flat += p->flat[p->number[segments[k]]] != 0;
+    return flat == chain->segment_count;
+}
+
 /* Returns whether a chain is due to noise. */
-static bool is_stray(const struct pruning *p, const struct hatch_line_chain *chain, const uint32_t *nodes)
+static bool is_stray(const struct pruning *p, const struct hatch_line_chain *chain, const uint32_t *nodes,
+                     const uint32_t *segments)
 {
     struct shape shape;
     measure(p, chain, nodes, &shape);
@@ -74,6 +86,7 @@ static bool is_stray(const struct pruning *p, const struct hatch_line_chain *cha
         return shape.isolated && few && small;
     if (chain->joined[0] && chain->joined[1])
         return false;
+    few = few && !is_flat(p, chain, segments);
     return few || small || shape.turning_rad > TURN_MAX_RAD * (chain->segment_count - 1);
 }
 
@@ -87,7 +100,7 @@ static enum hatch_status prune_once(struct pruning *p, struct hatch_arena *arena
     *found = 0;
     for (uint32_t i = 0; i < chains.count; i++) {
         const struct hatch_line_chain *chain = &chains.chains[i];
-        bool stray = is_stray(p, chain, &chains.nodes[chain->first + i]);
+        bool stray = is_stray(p, chain, &chains.nodes[chain->first + i], &chains.segments[chain->first]);
         for (uint32_t k = 0; k < chain->segment_count; k++) {
             uint32_t segment = p->number[chains.segments[chain->first + k]];
             p->pruned[segment] = stray && !p->bounds[segment];
@@ -97,12 +110,12 @@ static enum hatch_status prune_once(struct pruning *p, struct hatch_arena *arena
     return HATCH_OK;
 }
 
-enum hatch_status hatch_line_prune(const struct hatch_line_graph *graph, const uint8_t *bounds, double size,
-                                   struct hatch_arena *arena, struct hatch_arena *scratch, uint8_t *pruned,
+enum hatch_status hatch_line_prune(const struct hatch_line_graph *graph, const uint8_t *bounds, const uint8_t *flat,
+                                   double size, struct hatch_arena *arena, struct hatch_arena *scratch, uint8_t *pruned,
                                    struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    struct pruning p = {.whole = graph, .bounds = bounds, .size = size, .pruned = pruned};
+    struct pruning p = {.whole = graph, .bounds = bounds, .flat = flat, .size = size, .pruned = pruned};
     enum hatch_status status = HATCH_LIMIT;
     uint32_t found = 1;
     p.ends = HATCH_NEW(arena, uint32_t, 2 * (size_t)graph->segment_count, err);

@@ -25,6 +25,17 @@ START_TEST(a_cube_has_twelve_creases)
 }
 END_TEST
 
+/* The edges of a cube without corners end where nothing else is sharp enough, and have one segment each. */
+START_TEST(edges_between_planes_are_creases)
+{
+    struct hatch_mesh mesh = clipped_cube(0.2f);
+    ck_assert_uint_eq(lines_of(&mesh, HATCH_LINES_ALL, CREASE_RAD).feature_count, 36);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_ALL, 1);
+    ck_assert_uint_eq(lines.feature_count, 12);
+    ck_assert_uint_eq(lines.chains.count, 12);
+}
+END_TEST
+
 START_TEST(the_winding_of_faces_does_not_matter)
 {
     struct hatch_mesh mesh = cube(-1, 1);
@@ -277,6 +288,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("features");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_cube_has_twelve_creases);
+    tcase_add_test(tests, edges_between_planes_are_creases);
     tcase_add_test(tests, the_winding_of_faces_does_not_matter);
     tcase_add_test(tests, boundaries_are_closed_chains);
     tcase_add_test(tests, all_edges_but_boundaries_may_turn);

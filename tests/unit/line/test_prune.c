@@ -10,7 +10,7 @@ enum { NODES_MAX = 200, SEGMENTS_MAX = 200 };
 static struct {
     double nodes[3 * NODES_MAX];
     uint32_t ends[2 * SEGMENTS_MAX];
-    uint8_t bounds[SEGMENTS_MAX], pruned[SEGMENTS_MAX];
+    uint8_t bounds[SEGMENTS_MAX], flat[SEGMENTS_MAX], pruned[SEGMENTS_MAX];
     struct hatch_line_graph graph;
 } of;
 
@@ -55,7 +55,7 @@ static uint32_t prune(double size)
 {
     uint32_t count = 0;
     memset(of.pruned, 0, sizeof of.pruned);
-    HATCH_TEST_OK(hatch_line_prune(&of.graph, of.bounds, size, &keep, &scratch, of.pruned, &err), &err);
+    HATCH_TEST_OK(hatch_line_prune(&of.graph, of.bounds, of.flat, size, &keep, &scratch, of.pruned, &err), &err);
     for (uint32_t s = 0; s < of.graph.segment_count; s++)
         count += of.pruned[s];
     return count;
@@ -71,6 +71,22 @@ START_TEST(chains_with_a_free_end_need_four_segments_and_a_length)
     ck_assert_uint_eq(prune(4 / 0.0299), 7);
     of.bounds[1] = of.bounds[5] = 1;
     ck_assert_uint_eq(prune(4 / 0.0299), 5);
+}
+END_TEST
+
+/* Edges between planes may have few segments, but neither be short nor be part of a chain with others. */
+START_TEST(flat_chains_need_a_length_alone)
+{
+    add_line(add_node(0, 0), 1);
+    add_line(add_node(0, 5), 3);
+    of.flat[0] = 1;
+    ck_assert_uint_eq(prune(1 / 0.0301), 3);
+    ck_assert_uint_eq(of.pruned[0], 0);
+    ck_assert_uint_eq(prune(1 / 0.0299), 4);
+    of.flat[1] = of.flat[2] = 1;
+    ck_assert_uint_eq(prune(1 / 0.0301), 3);
+    of.flat[3] = 1;
+    ck_assert_uint_eq(prune(1 / 0.0301), 0);
 }
 END_TEST
 
@@ -147,6 +163,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("prune");
     tcase_add_checked_fixture(tests, begin_graph, end);
     tcase_add_test(tests, chains_with_a_free_end_need_four_segments_and_a_length);
+    tcase_add_test(tests, flat_chains_need_a_length_alone);
     tcase_add_test(tests, crooked_chains_are_removed);
     tcase_add_test(tests, small_loops_are_removed);
     tcase_add_test(tests, what_hangs_on_noise_is_removed_with_it);
