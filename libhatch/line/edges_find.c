@@ -7,7 +7,6 @@
 #include "line/surface/motion.h"
 
 #define WELD 4e-5 /* tolerance of loose welding, in diagonals of the mesh: 1/20 of a pixel in a picture of it */
-#define SAME_PLANE_RAD 0.0141                  /* largest angle between neighbouring faces that count as one plane */
 #define COS_SAME_NORMAL 0.9999                 /* cosine of the largest angle between normals that count as equal */
 #define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees: sharper edges stay creases whatever the normals */
 
@@ -225,24 +224,19 @@ static enum hatch_status make_graph(const struct hatch_mesh *mesh, const struct 
     return HATCH_OK;
 }
 
-/* Finds the edges between two planes: both faces have a neighbour in their own plane.
+/* Finds the edges between planes.
  *   edge_of  per segment of the graph: its edge
- *   flat     out: per segment: 1: between planes */
-static enum hatch_status find_flat(const struct hatch_mesh *mesh, const struct hatch_line_edges *edges,
+ *   flat     out: per segment: 1: all its faces are parts of planes */
+static enum hatch_status find_flat(const struct hatch_mesh *mesh, const struct hatch_edges *edges,
                                    const uint32_t *edge_of, uint32_t segment_count, struct hatch_arena *scratch,
                                    uint8_t *flat, struct hatch_err *err)
 {
-    const uint32_t *first = edges->edges.first, *sides = edges->edges.sides;
-    uint8_t *bent, *continued; /* per edge; per face: whether a neighbour lies in its plane */
-    HATCH_TRY(HATCH_ALLOC(scratch, &bent, edges->edges.count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &continued, mesh->face_count, err));
-    hatch_edges_classify(mesh, &edges->edges, SAME_PLANE_RAD, bent);
-    for (uint32_t e = 0; e < edges->edges.count; e++)
-        for (uint32_t s = first[e]; s < first[e + 1] && bent[e] == HATCH_EDGE_SMOOTH; s++)
-            continued[sides[s] / 3] = 1;
+    uint8_t *in_plane;
+    HATCH_TRY(HATCH_ALLOC(scratch, &in_plane, mesh->face_count, err));
+    hatch_edges_find_planes(mesh, edges, in_plane);
     for (uint32_t i = 0; i < segment_count; i++) {
-        uint32_t s = first[edge_of[i]], end = first[edge_of[i] + 1];
-        while (s < end && continued[sides[s] / 3])
+        uint32_t s = edges->first[edge_of[i]], end = edges->first[edge_of[i] + 1];
+        while (s < end && in_plane[edges->sides[s] / 3])
             s++;
         flat[i] = s == end;
     }
@@ -265,7 +259,7 @@ static enum hatch_status judge(const struct hatch_mesh *mesh, double crease_rad,
     HATCH_TRY(HATCH_ALLOC(scratch, &bounds, graph.segment_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &flat, graph.segment_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &pruned, graph.segment_count, err));
-    HATCH_TRY(find_flat(mesh, made, edge_of, graph.segment_count, scratch, flat, err));
+    HATCH_TRY(find_flat(mesh, &made->edges, edge_of, graph.segment_count, scratch, flat, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
     HATCH_TRY(hatch_line_find_cracks(&graph, bounds, arena, pruned, err));

@@ -16,4 +16,9 @@ enum hatch_edge_kind { HATCH_EDGE_SMOOTH, HATCH_EDGE_CREASE, HATCH_EDGE_BOUNDARY
 void hatch_edges_classify(const struct hatch_mesh *mesh, const struct hatch_edges *edges, double crease_rad,
                           uint8_t *kinds);
 
+/* Finds the faces that are parts of planes: those with a neighbour across an edge of two faces that lies in their own
+ * plane, within 0.26 degrees. Surfaces that bend everywhere, and noise, have hardly any.
+ *   in_plane  out: per face: 1: part of a plane; 0: not */
+void hatch_edges_find_planes(const struct hatch_mesh *mesh, const struct hatch_edges *edges, uint8_t *in_plane);
+
 #endif

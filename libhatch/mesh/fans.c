@@ -25,22 +25,25 @@ void hatch_sets_join(uint32_t *parent, uint32_t a, uint32_t b)
         parent[a] = b;
 }
 
-/* Joins the corners of two faces at both ends of their common edge. */
-static void join_sides(const uint32_t *point, uint32_t side, uint32_t other, uint32_t *parent)
+/* Joins the corners of two faces at the ends of their common edge, except at those that are cut. */
+static void join_sides(const uint32_t *point, uint32_t side, uint32_t other, unsigned cut, uint32_t *parent)
 {
     uint32_t end = hatch_side_end(side), other_end = hatch_side_end(other);
     bool same_way = point[side] == point[other];
-    hatch_sets_join(parent, side, same_way ? other : other_end);
-    hatch_sets_join(parent, end, same_way ? other_end : other);
+    if (!(cut & 1))
+        hatch_sets_join(parent, side, same_way ? other : other_end);
+    if (!(cut & 2))
+        hatch_sets_join(parent, end, same_way ? other_end : other);
 }
 
-uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count, uint32_t *fan)
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, const uint8_t *cut, uint32_t face_count,
+                                uint32_t *fan)
 {
     uint32_t corner_count = face_count * 3, fan_count = 0;
     hatch_sets_init(fan, corner_count);
     for (uint32_t side = 0; side < corner_count; side++)
         if (partner[side] != HATCH_NO_EDGE && side < partner[side])
-            join_sides(point, side, partner[side], fan);
+            join_sides(point, side, partner[side], cut ? cut[side] : 0, fan);
     /* The root of a fan is its lowest corner, so it is numbered before the other corners. */
     for (uint32_t i = 0; i < corner_count; i++)
         fan[i] = hatch_sets_find(fan, i);
@@ -64,7 +67,7 @@ enum hatch_status hatch_mesh_count_pinched(const struct hatch_connectivity *face
     hatch_sets_init(parent, corner_count);
     for (uint32_t e = 0; e < edges->count; e++)
         for (uint32_t i = edges->first[e] + 1; i < edges->first[e + 1]; i++)
-            join_sides(faces->point, edges->sides[edges->first[e]], edges->sides[i], parent);
+            join_sides(faces->point, edges->sides[edges->first[e]], edges->sides[i], 0, parent);
     for (uint32_t i = 0; i < corner_count; i++)
         if (parent[i] == i && !(faces->dropped && faces->dropped[i / 3]) && fans[faces->point[i]] < 2)
             pinched += ++fans[faces->point[i]] == 2;

@@ -14,8 +14,11 @@ enum hatch_status hatch_mesh_count_pinched(const struct hatch_connectivity *face
  * fans. Corners belong to one fan if they are at the same end of two paired sides, so the corners of a fan follow one
  * another around their point. A corner whose sides have no partners is a fan of its own.
  *   partner  per side, from hatch_edges_partners
+ *   cut      per side that is the lower one of a pair: bits 1 and 2: the pair joins no corners at the begin and at the
+ *            end of that side; NULL: all pairs join both
  *   fan      out: per corner */
-uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, uint32_t face_count, uint32_t *fan);
+uint32_t hatch_mesh_corner_fans(const uint32_t *point, const uint32_t *partner, const uint8_t *cut, uint32_t face_count,
+                                uint32_t *fan);
 
 /* Disjoint sets (union-find) over 0 .. count-1, each identified by its lowest member.
  *   parent  count entries, filled by hatch_sets_init */

@@ -113,7 +113,9 @@ bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3
 
 /* Adds NORMAL where it is missing: the mean of the normals of the faces around a vertex, weighted by their angles there
  * (Thürmer & Wüthrich 1998), in doubles. Vertices at one position share a normal.
- *   crease_rad  vertices are split at edges sharper than this, over 0 and under π; 0: at no edge */
+ *   crease_rad  vertices are split at edges sharper than this, over 0 and under π; 0: at no edge. Where such an edge
+ *               between two planes of several faces each ends at a point around which no other edge is as sharp, as at
+ * a cube's corner that is cut off, the vertex there is split at the sharpest of the others, too */
 enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch_arena *scratch,
                                          struct hatch_mesh *mesh, float crease_rad,
                                          struct hatch_err *err) HATCH_MUST_USE;

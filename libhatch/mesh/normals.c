@@ -6,6 +6,8 @@
 #include "mesh/fans.h"
 #include "mesh/splits.h"
 
+#define COS_TIE 1e-3 /* largest difference of the cosines at edges that count as equally sharp */
+
 /* Corners that share a normal form a class. Without a crease angle these are all corners of a point; with one, they are
  * the corners of a point that are joined across edges that are not sharp. */
 struct work {
@@ -16,41 +18,117 @@ struct work {
     double *sum; /* 3 per class: weighted sum of its faces' normals */
 };
 
-static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease)
+/* Edges of two faces. */
+struct creases {
+    struct hatch_edges edges;
+    double *cosine;    /* per edge: of the angle between the normals of its faces; 1: it has other than two */
+    uint8_t *sharp;    /* per edge: not 0: sharp */
+    uint32_t *partner; /* per side, across edges that are not sharp */
+    uint8_t *cut;      /* per side, as for hatch_mesh_corner_fans */
+};
+
+/* Compares the normals of two faces.
+ *   cosine  out: of the angle between them; 1 if one of the faces has no area
+ * Returns whether the cosine is less than that of a crease. */
+static bool is_sharp(const struct hatch_mesh *mesh, uint32_t a, uint32_t b, double cos_crease, double *cosine)
 {
     double corners[3][3], na[3], nb[3];
     hatch_mesh_corners(mesh, a, corners);
     hatch_vec_triangle(corners[0], corners[1], corners[2], na);
     hatch_mesh_corners(mesh, b, corners);
     hatch_vec_triangle(corners[0], corners[1], corners[2], nb);
-    return !(hatch_vec_dot(na, nb) >= cos_crease * hatch_vec_length(na) * hatch_vec_length(nb));
+    double dot = hatch_vec_dot(na, nb), length_a = hatch_vec_length(na), length_b = hatch_vec_length(nb);
+    *cosine = length_a * length_b > 0 ? dot / (length_a * length_b) : 1;
+    return !(dot >= cos_crease * length_a * length_b);
 }
 
-static enum hatch_status classes_by_edges(struct work *w, const struct hatch_edges *edges, const uint8_t *sharp,
-                                          struct hatch_arena *scratch, struct hatch_err *err)
+static enum hatch_status find_creases(const struct work *w, uint32_t point_count, double crease_rad,
+                                      struct hatch_arena *scratch, struct creases *creases, struct hatch_err *err)
 {
-    uint32_t faces = w->mesh->face_count;
-    uint32_t *partner;
-    HATCH_TRY(HATCH_ALLOC(scratch, &partner, (size_t)faces * 3, err));
-    hatch_edges_partners(edges, sharp, faces, partner);
-    w->class_count = hatch_mesh_corner_fans(w->point, partner, faces, w->class_of);
+    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, point_count, NULL};
+    struct hatch_edges *edges = &creases->edges;
+    HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, edges, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &creases->cosine, edges->count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &creases->sharp, edges->count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &creases->partner, (size_t)faces.face_count * 3, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &creases->cut, (size_t)faces.face_count * 3, err));
+    for (uint32_t e = 0; e < edges->count; e++) {
+        const uint32_t *sides = &edges->sides[edges->first[e]];
+        creases->cosine[e] = 1;
+        creases->sharp[e] = edges->first[e + 1] - edges->first[e] == 2 &&
+                            is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad), &creases->cosine[e]);
+    }
+    hatch_edges_partners(edges, creases->sharp, faces.face_count, creases->partner);
+    return HATCH_OK;
+}
+
+/* Returns the corner at one end of a side: 0: its begin; 1: its end. */
+static uint32_t corner_at(uint32_t side, int end)
+{
+    return end ? hatch_side_end(side) : side;
+}
+
+/* Finds classes that have the corners of both faces of a sharp edge between planes: small faces at the end of that edge
+ * join them.
+ *   bridged  out: per class: not 0: so
+ * Returns whether there are any. */
+static bool find_bridged(const struct work *w, const struct creases *creases, const uint8_t *in_plane, uint8_t *bridged)
+{
+    bool any = false;
+    for (uint32_t e = 0; e < creases->edges.count; e++) {
+        const uint32_t *sides = &creases->edges.sides[creases->edges.first[e]];
+        if (!creases->sharp[e] || !in_plane[sides[0] / 3] || !in_plane[sides[1] / 3])
+            continue;
+        bool same_way = w->point[sides[0]] == w->point[sides[1]];
+        for (int end = 0; end < 2; end++) {
+            uint32_t class = w->class_of[corner_at(sides[0], end)];
+            if (class != w->class_of[corner_at(sides[1], same_way ? end : !end)])
+                continue;
+            bridged[class] = 1;
+            any = true;
+        }
+    }
+    return any;
+}
+
+/* Cuts bridged classes at the sharpest of the edges that join them. */
+static enum hatch_status cut_bridges(const struct work *w, const uint8_t *bridged, struct hatch_arena *scratch,
+                                     struct creases *creases, struct hatch_err *err)
+{
+    double *least; /* per class: cosine at the sharpest of the edges that join it */
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &least, w->class_count, err));
+    for (uint32_t i = 0; i < w->class_count; i++)
+        least[i] = 1;
+    for (int cutting = 0; cutting < 2; cutting++)
+        for (uint32_t e = 0; e < creases->edges.count; e++) {
+            uint32_t side = creases->edges.sides[creases->edges.first[e]];
+            for (int end = 0; end < 2 && creases->partner[side] != HATCH_NO_EDGE; end++) {
+                uint32_t class = w->class_of[corner_at(side, end)];
+                if (!cutting)
+                    least[class] = fmin(least[class], creases->cosine[e]);
+                else if (bridged[class] && creases->cosine[e] <= least[class] + COS_TIE)
+                    creases->cut[side] |= (uint8_t)(1 << end);
+            }
+        }
     return HATCH_OK;
 }
 
 static enum hatch_status classes_by_crease(struct work *w, uint32_t point_count, double crease_rad,
                                            struct hatch_arena *scratch, struct hatch_err *err)
 {
-    const struct hatch_connectivity faces = {w->point, w->mesh->face_count, point_count, NULL};
-    struct hatch_edges edges;
-    HATCH_TRY(hatch_edges_find(&faces, scratch, scratch, &edges, err));
-    uint8_t *sharp;
-    HATCH_TRY(HATCH_ALLOC(scratch, &sharp, edges.count, err));
-    for (uint32_t e = 0; e < edges.count; e++) {
-        const uint32_t *sides = &edges.sides[edges.first[e]];
-        sharp[e] =
-            edges.first[e + 1] - edges.first[e] == 2 && is_sharp(w->mesh, sides[0] / 3, sides[1] / 3, cos(crease_rad));
+    uint32_t faces = w->mesh->face_count;
+    struct creases creases;
+    uint8_t *in_plane, *bridged;
+    HATCH_TRY(find_creases(w, point_count, crease_rad, scratch, &creases, err));
+    w->class_count = hatch_mesh_corner_fans(w->point, creases.partner, NULL, faces, w->class_of);
+    HATCH_TRY(HATCH_ALLOC(scratch, &in_plane, faces, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &bridged, w->class_count, err));
+    hatch_edges_find_planes(w->mesh, &creases.edges, in_plane);
+    if (find_bridged(w, &creases, in_plane, bridged)) {
+        HATCH_TRY(cut_bridges(w, bridged, scratch, &creases, err));
+        w->class_count = hatch_mesh_corner_fans(w->point, creases.partner, creases.cut, faces, w->class_of);
     }
-    return classes_by_edges(w, &edges, sharp, scratch, err);
+    return HATCH_OK;
 }
 
 static double corner_angle(double corners[3][3], int c)

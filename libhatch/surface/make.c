@@ -84,7 +84,7 @@ static enum hatch_status connect_faces(struct hatch_surface_work *w, struct hatc
     HATCH_TRY(join_faces(w, notes, err));
     if (w->planes)
         HATCH_TRY(hatch_surface_find_planes(w, err));
-    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, faces.face_count, w->fan);
+    w->fan_count = hatch_mesh_corner_fans(w->point, w->partner, NULL, faces.face_count, w->fan);
     return hatch_mesh_count_pinched(&faces, &w->edges, w->scratch, &notes->points_split, err);
 }
 

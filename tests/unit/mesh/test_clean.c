@@ -246,6 +246,22 @@ START_TEST(normals_of_a_sphere_point_outwards_welded_or_not)
 }
 END_TEST
 
+/* Checks that the normals of all faces are those of their planes. */
+static void check_flat_normals(const struct hatch_mesh *mesh)
+{
+    const float *normal = hatch_mesh_find(mesh, "NORMAL", 3);
+    for (uint32_t face = 0; face < mesh->face_count; face++) {
+        double c[3][3], want[3], n[3];
+        hatch_mesh_corners(mesh, face, c);
+        hatch_vec_triangle(c[0], c[1], c[2], want);
+        hatch_vec_normalize(want);
+        for (uint32_t k = 0; k < 3; k++) {
+            hatch_vec_of(&normal[mesh->indices[face * 3 + k] * 3], n);
+            ck_assert_double_eq_tol(hatch_vec_dot(n, want), 1, 1e-6);
+        }
+    }
+}
+
 START_TEST(creases_split_vertices)
 {
     struct hatch_mesh smooth = cube(0, 1), creased = cube(0, 1);
@@ -260,15 +276,35 @@ START_TEST(creases_split_vertices)
     struct hatch_mesh_figures f = measure(&creased);
     ck_assert_uint_eq(f.points, 8);
     ck_assert_double_eq_tol(f.area, 6, 1e-12);
-    normal = hatch_mesh_find(&creased, "NORMAL", 3);
-    for (uint32_t face = 0; face < creased.face_count; face++) {
-        double c[3][3], want[3], n[3];
-        hatch_mesh_corners(&creased, face, c);
-        hatch_vec_triangle(c[0], c[1], c[2], want);
-        for (uint32_t k = 0; k < 3; k++) {
-            hatch_vec_of(&normal[creased.indices[face * 3 + k] * 3], n);
-            ck_assert_double_eq_tol(hatch_vec_dot(n, want), 1, 1e-6);
-        }
+    check_flat_normals(&creased);
+}
+END_TEST
+
+/* Each corner triangle is within 60 degrees of three octagons, which are at right angles. */
+START_TEST(corners_that_are_cut_off_do_not_join_the_sides_of_a_cube)
+{
+    struct hatch_mesh clipped = clipped_cube(0.1f);
+    HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &clipped, (float)(PI / 3), &err), &err);
+    ck_assert_uint_eq(clipped.vertex_count, 72);
+    check_flat_normals(&clipped);
+}
+END_TEST
+
+/* Coarse round shapes have faces at one point that differ by over 60 degrees, but no edge that does. */
+START_TEST(coarse_round_shapes_stay_smooth)
+{
+    static const struct {
+        enum hatch_shape kind;
+        uint32_t faces;
+    } round[] = {{HATCH_SHAPE_SPHERE, 40}, {HATCH_SHAPE_SPHERE, 80}, {HATCH_SHAPE_SPHERE, 200},
+                 {HATCH_SHAPE_TORUS, 150}, {HATCH_SHAPE_TORUS, 200}, {HATCH_SHAPE_ELLIPSOID, 80}};
+    for (size_t i = 0; i < sizeof round / sizeof *round; i++) {
+        struct hatch_mesh smooth = bare_shape(round[i].kind, round[i].faces), creased = smooth;
+        HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &smooth, 0, &err), &err);
+        HATCH_TEST_OK(hatch_mesh_add_normals(&keep, &scratch, &creased, (float)(PI / 3), &err), &err);
+        ck_assert_uint_eq(creased.vertex_count, smooth.vertex_count);
+        ck_assert_mem_eq(hatch_mesh_find(&creased, "NORMAL", 3), hatch_mesh_find(&smooth, "NORMAL", 3),
+                         12 * (size_t)smooth.vertex_count);
     }
 }
 END_TEST
@@ -376,6 +412,8 @@ static Suite *suite(void)
     tcase_add_test(tests, figures_do_not_depend_on_order_or_welding);
     tcase_add_test(tests, normals_of_a_sphere_point_outwards_welded_or_not);
     tcase_add_test(tests, creases_split_vertices);
+    tcase_add_test(tests, corners_that_are_cut_off_do_not_join_the_sides_of_a_cube);
+    tcase_add_test(tests, coarse_round_shapes_stay_smooth);
     tcase_add_test(tests, tangents_follow_mirrored_and_missing_textures);
     tcase_add_test(tests, bounds_are_of_used_vertices);
     tcase_add_test(tests, failed_allocations_are_reported);

@@ -1,5 +1,5 @@
 /* The kinds of edges of a mesh. */
-#include "arenas.h"
+#include "meshes.h"
 #include "math/vector.h"
 #include "mesh/edge_kinds.h"
 #include "mesh/mesh.h"
@@ -35,12 +35,39 @@ START_TEST(flat_edges_are_no_creases)
 }
 END_TEST
 
+/* Returns how many faces of a mesh are parts of planes. */
+static uint32_t faces_in_planes(const struct hatch_mesh *mesh)
+{
+    const struct hatch_connectivity faces = {mesh->indices, mesh->face_count, mesh->vertex_count, NULL};
+    struct hatch_edges edges;
+    uint8_t in_plane[100];
+    uint32_t count = 0;
+    HATCH_TEST_OK(hatch_edges_find(&faces, &keep, &keep, &edges, &err), &err);
+    hatch_edges_find_planes(mesh, &edges, in_plane);
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        count += in_plane[f];
+    return count;
+}
+
+/* The octagons of a cube without corners are planes, and the triangles in place of its corners are single faces. */
+START_TEST(planes_have_several_faces)
+{
+    struct hatch_mesh box = cube(-1, 1), clipped = clipped_cube(0.3f);
+    ck_assert_uint_eq(faces_in_planes(&box), 12);
+    ck_assert_uint_eq(faces_in_planes(&clipped), 36);
+    for (int k = 0; k < 3; k++) /* a corner of three sides is moved */
+        box.attributes[0].data[k] -= 0.1f;
+    ck_assert_uint_eq(faces_in_planes(&box), 6);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("mesh edge kinds");
     TCase *tests = tcase_create("edge kinds");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, flat_edges_are_no_creases);
+    tcase_add_test(tests, planes_have_several_faces);
     suite_add_tcase(suite, tests);
     return suite;
 }
