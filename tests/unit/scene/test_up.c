@@ -1,4 +1,7 @@
 /* Meshes that stand along z are told from those that stand along y, and scenes are turned upright. */
+#include <math.h>
+#include <string.h>
+
 #include "arenas.h"
 #include "scene/row.h"
 #include "scene/up.h"
@@ -41,6 +44,42 @@ START_TEST(no_base_is_no_hint)
 }
 END_TEST
 
+/* Makes a terrain with y up, whose borders along z have hills of two heights. */
+static struct hatch_mesh make_terrain(float low_hills, float high_hills)
+{
+    enum { N = 20 };
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, (N + 1) * (N + 1), 2 * N * N, &mesh, &err), &err);
+    for (uint32_t i = 0; i < mesh.vertex_count; i++) {
+        float x = (float)(i % (N + 1)) / N, z = (float)(i / (N + 1)) / N;
+        const float p[3] = {x, (low_hills * (1 - z) + high_hills * z) * sinf(7 * x) - 0.5f * z * (1 - z), z};
+        memcpy(&mesh.attributes[0].data[3 * i], p, sizeof p);
+    }
+    for (uint32_t q = 0; q < N * N; q++) {
+        uint32_t a = q / N * (N + 1) + q % N, b = a + N + 1;
+        const uint32_t faces[6] = {a, b, a + 1, a + 1, b, b + 1};
+        memcpy(&mesh.indices[6 * q], faces, sizeof faces);
+    }
+    return mesh;
+}
+
+/* The lowest points of a terrain along z are one of its borders. */
+START_TEST(borders_of_terrains_are_no_bases)
+{
+    struct hatch_mesh alike = make_terrain(0.1f, 0.1f), coast = make_terrain(0.1f, 0);
+    ck_assert(!hatch_mesh_stands_along_z(&alike));
+    ck_assert(!hatch_mesh_stands_along_z(&coast));
+}
+END_TEST
+
+/* A torus from -1 to 1 in x and y lies on circles, at the bottom and at the top. */
+START_TEST(ends_that_are_alike_are_no_bases)
+{
+    struct hatch_mesh ring = make(HATCH_SHAPE_TORUS, true);
+    ck_assert(!hatch_mesh_stands_along_z(&ring));
+}
+END_TEST
+
 /* The teapot's height is along y, 1.575 of its width 3; turned back, a scene is where it was. */
 START_TEST(scenes_are_turned_upright)
 {
@@ -73,6 +112,8 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, bases_along_z_are_found);
     tcase_add_test(tests, no_base_is_no_hint);
+    tcase_add_test(tests, borders_of_terrains_are_no_bases);
+    tcase_add_test(tests, ends_that_are_alike_are_no_bases);
     tcase_add_test(tests, scenes_are_turned_upright);
     suite_add_tcase(suite, tests);
     return suite;
