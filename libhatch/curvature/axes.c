@@ -19,6 +19,7 @@ struct regions {
                            cost of a jump there; 0 where too little is known */
     bool *swapped;      /* per point: its direction is that of the second curvature */
     uint32_t *region;   /* per point: a point that stands for its region */
+    bool *alone;        /* per point: no other is in its region */
     double *score;      /* per region: what is gained when all its directions are swapped */
     double *best;       /* per region: over 0 where a neighbour has a larger score */
 };
@@ -75,20 +76,32 @@ static uint32_t region_of(struct regions *r, uint32_t p)
     return p;
 }
 
-/* Joins the points between which there is no jump. */
+/* Joins the regions of two points. */
+static void join(struct regions *r, uint32_t p, uint32_t q)
+{
+    uint32_t a = region_of(r, p), b = region_of(r, q);
+    r->region[a < b ? b : a] = a < b ? a : b;
+    r->alone[p] = r->alone[q] = false;
+}
+
+/* Joins the points whose directions continue each other, then those at which too little is known with a region beside
+ * them: with one, because they would join what lies on both sides of a jump. */
 static void find_regions(struct regions *r)
 {
     const struct hatch_surface *surface = r->surface;
-    for (uint32_t p = 0; p < surface->point_count; p++)
+    for (uint32_t p = 0; p < surface->point_count; p++) {
         r->region[p] = p;
-    for (uint32_t p = 0; p < surface->point_count; p++)
-        for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
-            uint32_t q = surface->ring_point[i];
-            if (q < p || jump_cost(r, p, i) > 0)
-                continue;
-            uint32_t a = region_of(r, p), b = region_of(r, q);
-            r->region[a < b ? b : a] = a < b ? a : b;
-        }
+        r->alone[p] = true;
+    }
+    for (int unknown = 0; unknown < 2; unknown++)
+        for (uint32_t p = 0; p < surface->point_count; p++)
+            for (uint32_t i = surface->ring_first[p]; i < surface->ring_first[p + 1]; i++) {
+                uint32_t q = surface->ring_point[i];
+                if (q < p || jump_cost(r, p, i) > 0 || (r->continuity[i] == 0) != unknown)
+                    continue;
+                if (!unknown || r->alone[p] || r->alone[q])
+                    join(r, p, q);
+            }
 }
 
 /* Computes the scores: jumps that would vanish from the region's border, less the excess of the curvature given up. */
@@ -149,6 +162,7 @@ static enum hatch_status allocate(struct regions *r, struct hatch_arena *scratch
     HATCH_TRY(HATCH_ALLOC(scratch, &r->continuity, r->surface->ring_first[points], err));
     HATCH_TRY(HATCH_ALLOC(scratch, &r->swapped, points, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &r->region, points, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &r->alone, points, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &r->best, points, err));
     return HATCH_ALLOC(scratch, &r->score, points, err);
 }

@@ -107,6 +107,28 @@ START_TEST(a_jump_costs_less_where_little_is_known)
 }
 END_TEST
 
+/* Little is known along a tenth of the jump. The points there belong to one of the halves, which meet at the rest. */
+START_TEST(points_where_little_is_known_do_not_join_both_sides_of_a_jump)
+{
+    struct field_case of = case_of_shape(HATCH_SHAPE_PLANE, 3000, 0);
+    struct hatch_curvature found = halves(&of, 1, 0.7);
+    uint32_t unknown = 0, jumps = count_jumps(&of, &found);
+    double half = 0;
+    for (uint32_t p = 0; p < of.surface.point_count; p++)
+        half = fmax(half, of.surface.points[3 * (size_t)p]);
+    for (uint32_t p = 0; p < of.surface.point_count; p++) {
+        const double *at = &of.surface.points[3 * (size_t)p];
+        bool here = fabs(at[0]) < 0.1 * half && fmax(fabs(at[1]), fabs(at[2])) < 0.1 * half;
+        found.confidence[p] = here ? 0 : 1;
+        unknown += here;
+    }
+    ck_assert_uint_gt(unknown, 4);
+    ck_assert_uint_gt(count_jumps(&of, &found), jumps * 3 / 4);
+    continue_axes(&of, &found);
+    ck_assert_uint_eq(count_jumps(&of, &found), 0);
+}
+END_TEST
+
 START_TEST(surfaces_without_jumps_stay_as_they_are)
 {
     const enum hatch_shape shapes[] = {HATCH_SHAPE_TORUS, HATCH_SHAPE_CYLINDER, HATCH_SHAPE_ELLIPSOID,
@@ -150,6 +172,7 @@ static Suite *suite(void)
     tcase_add_test(tests, minimal_surfaces_and_saddles_have_no_jump);
     tcase_add_test(tests, a_jump_stays_where_much_is_gained);
     tcase_add_test(tests, a_jump_costs_less_where_little_is_known);
+    tcase_add_test(tests, points_where_little_is_known_do_not_join_both_sides_of_a_jump);
     tcase_add_test(tests, surfaces_without_jumps_stay_as_they_are);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
