@@ -46,6 +46,7 @@ enum hatch_status cmd_finish_curvature(struct cmd_args *args, const struct hatch
                                        struct hatch_err *err)
 {
     hatch_curvature_clear_crease_confidence(surface, CMD_FIELD_HARD_RAD, curvature);
+    HATCH_TRY(hatch_curvature_follow_rims(surface, frames, CMD_FIELD_HARD_RAD, &args->scratch, curvature, err));
     hatch_curvature_set_planes(surface, curvature);
     HATCH_TRY(hatch_frames_set_normals(surface, curvature->normal, &args->scratch, frames, err));
     return hatch_curvature_continue_axes(surface, frames, &args->scratch, curvature, err);

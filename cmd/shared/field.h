@@ -13,8 +13,8 @@
 #define CMD_FIELD_HARD_RAD 1.3089969389957472 /* 75 degrees: edges of a five-sided prism still count as round */
 #define CMD_FIELD_ITERATIONS 10000
 
-/* Completes estimated curvature and its frames before a field is solved: no confidence at sharp creases, the normals of
- * the fits, and axes that go on.
+/* Completes estimated curvature and its frames before a field is solved: no confidence at sharp creases, the bend of
+ * long faces at rims, the normals of the fits, and axes that go on.
  *   frames     in, out: of hatch_frames_begin
  *   curvature  in, out: of frames
  * HATCH_LIMIT when memory runs out. */

@@ -77,4 +77,16 @@ enum hatch_status hatch_curvature_continue_axes(const struct hatch_surface *surf
 void hatch_curvature_clear_crease_confidence(const struct hatch_surface *surface, double crease_rad,
                                              struct hatch_curvature *curvature);
 
+/* Replaces results at the ends of long faces by the direction in which these bend, from dihedral angles, with low
+ * confidence: around on the side of a cylinder with chamfers. A rim is a line of at least 8 points at which the surface
+ * turns by over 5 degrees, and from which the plane part on one side reaches 2.75 times as far as that on the other.
+ * Points whose faces all have a corner on a rim are replaced. Where the long faces are flat, the faces between two rims
+ * count instead; where they lead to further ones, as in a fillet beside a plane, the confidence becomes 0.
+ *   frames      of hatch_frames_begin
+ *   crease_rad  under π/2; edges with larger dihedral angles do not count as bent
+ *   curvature   changed: normal (that of frames), direction, value (1 and 0), confidence */
+enum hatch_status hatch_curvature_follow_rims(const struct hatch_surface *surface, const struct hatch_frames *frames,
+                                              double crease_rad, struct hatch_arena *scratch,
+                                              struct hatch_curvature *curvature, struct hatch_err *err) HATCH_MUST_USE;
+
 #endif
