@@ -6,8 +6,8 @@
 # three times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
 # of arrays; those that all tests pass go through the unit programs once more, built as by make check SANITIZE=1.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that only make an
-# allocated array larger, or that equivalent.tsv explains, are not counted: they cannot change a result. Verdicts are kept in the folder, so that a run
-# that was stopped goes on where it was, if neither code nor tests have changed.
+# allocated array larger, or that equivalent.tsv explains, are not counted: they cannot change a result. Verdicts are
+# kept in the folder, so that a run that was stopped goes on where it was, if neither code nor tests have changed.
 use strict;
 use warnings;
 use Cwd qw(abs_path);
