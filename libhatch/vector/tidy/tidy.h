@@ -6,7 +6,9 @@
 #include "vector/paths.h"
 
 /* Removes the parts of paths that run along a longer path of their layer at a distance of at most `reach`: where both
- * have nearly the same direction. Paths that end at another, or cross it, stay whole.
+ * have nearly the same direction. Paths that end at another, or cross it, stay whole. Parts of one path are treated the
+ * same way if they are at least eight times the reach apart along it: of a path that runs back along itself one side
+ * remains; corners and small closed paths stay whole.
  *   drawn  paths of any layer that all others must not run along either, however short they are; NULL: none
  *   arena  for the paths that remain; not the scratch arena */
 enum hatch_status hatch_vector_drop_doubles(const struct hatch_vector_paths *paths,

@@ -1,92 +1,11 @@
-/* Doubles, joints, simplification, dashes, the pen's way and pages, on paths with a known result. */
+/* Joints, simplification, dashes, the pen's way and pages, on paths with a known result. */
 #include <math.h>
 
-#include "arenas.h"
 #include "base/random.h"
 #include "fail_alloc.h"
+#include "paths_made.h"
 #include "vector/drawing.h"
 #include "vector/tidy/tidy.h"
-
-static struct hatch_vector_builder builder;
-
-static void begin_paths(void)
-{
-    begin();
-    builder = hatch_vector_builder_of(&keep);
-}
-
-static void add(uint32_t id, const double *points, uint32_t count, bool closed)
-{
-    hatch_vector_begin(&builder, &(struct hatch_vector_path){.id = id});
-    for (uint32_t i = 0; i < count; i++)
-        HATCH_TEST_OK(hatch_vector_add(&builder, points + 2 * i, &err), &err);
-    HATCH_TEST_OK(hatch_vector_end(&builder, closed, &err), &err);
-}
-
-static void add_line(uint32_t id, double ax, double ay, double bx, double by)
-{
-    add(id, (const double[]){ax, ay, bx, by}, 2, false);
-}
-
-static double total(const struct hatch_vector_paths *paths)
-{
-    double drawn, lifted;
-    hatch_vector_ways(paths, &drawn, &lifted);
-    return drawn;
-}
-
-START_TEST(a_line_beside_a_longer_one_is_dropped)
-{
-    struct hatch_vector_paths from, to;
-    add_line(1, 10, 0.2, 60, 0.2);  /* beside the next one */
-    add_line(2, 0, 0, 100, 0);      /* the longest */
-    add_line(3, 90, 0.1, 130, 0.1); /* goes on for 30 beyond it */
-    add_line(4, 50, -5, 50, 5);     /* crosses it */
-    add_line(5, 0, 2, 99, 2);       /* is too far away */
-    add_line(6, 10, 0.2, 60, 0.2);  /* is in another layer */
-    from = hatch_vector_built(&builder);
-    from.paths[5].layer = 1;
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 5);
-    ck_assert_uint_eq(to.paths[0].id, 2);
-    ck_assert_double_eq_tol(total(&to), 100 + 99 + 30 + 10 + 50, 1e-9);
-}
-END_TEST
-
-/* The closing side of a square, from its last corner to its first, counts as the other three do. */
-START_TEST(no_line_runs_along_a_side_of_a_closed_path)
-{
-    struct hatch_vector_paths from, to;
-    add(1, (const double[]){0, 0, 50, 0, 50, 50, 0, 50}, 4, true);
-    add_line(2, 0.2, 10, 0.2, 40);
-    add_line(3, 10, 0.2, 40, 0.2);
-    from = hatch_vector_built(&builder);
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 1);
-    ck_assert_double_eq_tol(total(&to), 200, 1e-9);
-}
-END_TEST
-
-/* Paths that are drawn already are in another layer, and shorter than what runs along them. */
-START_TEST(no_line_runs_along_what_is_drawn)
-{
-    struct hatch_vector_paths from, drawn, to;
-    add_line(1, 10, 0, 40, 0);
-    add(2, (const double[]){60, 0, 90, 0, 75, 30}, 3, true);
-    drawn = hatch_vector_built(&builder);
-    drawn.paths[0].layer = 5;
-    builder = hatch_vector_builder_of(&keep);
-    add_line(3, 0, 0.3, 100, 0.3);
-    add_line(4, 60, 0.4, 75, 30.4); /* along the closing side */
-    from = hatch_vector_built(&builder);
-    from.paths[1].layer = 1;
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, &drawn, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 3);
-    ck_assert_double_eq_tol(total(&to), 10 + 20 + 10, 1e-9);
-    for (uint32_t i = 0; i < to.count; i++)
-        ck_assert_uint_eq(to.paths[i].id, 3);
-}
-END_TEST
 
 START_TEST(ends_that_meet_are_joined_the_straightest_first)
 {
@@ -148,24 +67,6 @@ START_TEST(paths_that_meet_no_other_stay_as_they_are)
     HATCH_TEST_OK(hatch_vector_append(&other, &from, &err), &err);
     struct hatch_vector_paths copy = hatch_vector_built(&other);
     check_alike(&from, &copy);
-}
-END_TEST
-
-/* Lines in all directions, each with a copy beside it. */
-START_TEST(every_double_is_found)
-{
-    struct hatch_vector_paths from, to;
-    for (uint32_t i = 0; i < 300; i++) {
-        double angle = 6.2831853 * (double)hatch_random_unit(3, 0, i), x = 20 * (i % 20), y = 20 * (double)(i / 20);
-        double c = cos(angle), s = sin(angle), side = i % 2 ? 0.4 : -0.4;
-        add_line(i, x, y, x + 9 * c, y + 9 * s);
-        add_line(i + 300, x + c - side * s, y + s + side * c, x + 8 * c - side * s, y + 8 * s + side * c);
-    }
-    from = hatch_vector_built(&builder);
-    HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 300);
-    for (uint32_t i = 0; i < to.count; i++)
-        ck_assert_uint_lt(to.paths[i].id, 300);
 }
 END_TEST
 
@@ -386,7 +287,7 @@ START_TEST(a_picture_fills_a_page_up_to_its_margins)
 }
 END_TEST
 
-/* All steps on two lines that cross and one that doubles another. */
+/* All steps on lines that cross, one that doubles another, and one that doubles itself. */
 static enum hatch_status tidy_all(void *context, struct hatch_arena *to, struct hatch_arena *work,
                                   struct hatch_err *why)
 {
@@ -405,6 +306,7 @@ START_TEST(every_failed_allocation_is_reported)
     add_line(1, 0, 0, 20, 0);
     add_line(2, 5, 0.1, 10, 0.1);
     add(3, (const double[]){5, 5, 9, 5, 9, 9}, 3, true);
+    add(4, (const double[]){5, 15, 25, 15, 5, 15.1}, 3, false);
     struct hatch_vector_paths paths = hatch_vector_built(&builder);
     hatch_test_fail_alloc(tidy_all, &paths, NULL, 0);
 }
@@ -415,13 +317,9 @@ static Suite *suite(void)
     Suite *suite = suite_create("vector tidy");
     TCase *tests = tcase_create("tidy");
     tcase_add_checked_fixture(tests, begin_paths, end);
-    tcase_add_test(tests, a_line_beside_a_longer_one_is_dropped);
-    tcase_add_test(tests, no_line_runs_along_a_side_of_a_closed_path);
-    tcase_add_test(tests, no_line_runs_along_what_is_drawn);
     tcase_add_test(tests, ends_that_meet_are_joined_the_straightest_first);
     tcase_add_test(tests, ends_that_are_too_far_apart_are_not_joined);
     tcase_add_test(tests, paths_that_meet_no_other_stay_as_they_are);
-    tcase_add_test(tests, every_double_is_found);
     tcase_add_test(tests, paths_of_two_layers_are_not_joined);
     tcase_add_test(tests, short_paths_that_meet_no_other_are_dropped);
     tcase_add_test(tests, a_simplified_circle_stays_within_the_tolerance);
