@@ -3,28 +3,27 @@
 #include <math.h>
 
 #include "base/keys.h"
-#include "image/image.h"
+#include "io/drawing/rounded.h"
 
-#define UNITS 1000.0     /* coordinates are rounded to 1 / UNITS millimetres */
 #define NUMBER_BYTES 32u /* more than a number takes */
 
-/* Writes the decimal digits of a number of thousandths, without zeros at the end. Returns the number of bytes. */
+/* Writes the decimal digits of a rounded number, without zeros at the end. Returns the number of bytes. */
 static size_t put_number(char *text, double value)
 {
     char digits[NUMBER_BYTES];
-    int64_t units = llround(value * UNITS);
-    uint64_t rest = units < 0 ? (uint64_t)-units : (uint64_t)units, fraction = rest % (uint64_t)UNITS;
+    int64_t units = llround(value * HATCH_DRAWING_UNITS);
+    uint64_t rest = units < 0 ? (uint64_t)-units : (uint64_t)units, fraction = rest % (uint64_t)HATCH_DRAWING_UNITS;
     size_t count = 0, used = 0;
     if (units < 0)
         text[used++] = '-';
-    for (rest /= (uint64_t)UNITS; rest || !count; rest /= 10)
+    for (rest /= (uint64_t)HATCH_DRAWING_UNITS; rest || !count; rest /= 10)
         digits[count++] = (char)('0' + rest % 10);
     while (count)
         text[used++] = digits[--count];
     if (!fraction)
         return used;
     text[used++] = '.';
-    for (uint64_t place = (uint64_t)UNITS / 10; fraction; place /= 10) {
+    for (uint64_t place = (uint64_t)HATCH_DRAWING_UNITS / 10; fraction; place /= 10) {
         text[used++] = (char)('0' + fraction / place);
         fraction %= place;
     }
@@ -53,11 +52,12 @@ static enum hatch_status put_points(const struct hatch_vector_paths *paths, cons
 static void put_color(const float linear[3], char text[8])
 {
     static const char hex[] = "0123456789abcdef";
+    uint8_t codes[3];
+    hatch_drawing_codes(linear, codes);
     text[0] = '#';
     for (int k = 0; k < 3; k++) {
-        unsigned value = (unsigned)lroundf(255 * fminf(fmaxf(hatch_linear_to_srgb(linear[k]), 0), 1));
-        text[2 * k + 1] = hex[value / 16];
-        text[2 * k + 2] = hex[value % 16];
+        text[2 * k + 1] = hex[codes[k] / 16];
+        text[2 * k + 2] = hex[codes[k] % 16];
     }
     text[7] = '\0';
 }
@@ -91,7 +91,7 @@ static enum hatch_status put_layer(const struct hatch_drawing *drawing, uint32_t
     char color[8], pen[NUMBER_BYTES];
     put_color(from->color, color);
     HATCH_TRY(hatch_keys_make(scratch, &ids, err));
-    size_t pen_bytes = put_number(pen, fmax(from->pen_mm, 1 / UNITS)); /* 0 would draw nothing */
+    size_t pen_bytes = put_number(pen, hatch_drawing_pen(from)); /* 0 would draw nothing */
     HATCH_TRY(hatch_buffer_print(file, err,
                                  "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\" stroke=\"%s\" "
                                  "stroke-width=\"%.*s\">\n",

@@ -2,8 +2,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/random.h"
 #include "fail_alloc.h"
+#include "image/image.h"
 #include "io/script/write.h"
+#include "io/svg/svg.h"
+#include "io/svg/write.h"
 #include "stroke/path.h"
 #include "stroke/script.h"
 
@@ -48,7 +52,7 @@ START_TEST(the_reader_reads_the_paths_of_a_drawing)
     ck_assert_float_eq_tol(list.items[1].path->xy[0], -0.1f, 1e-6f);
     ck_assert_float_eq_tol(list.items[1].path->xy[7], -0.075f, 1e-6f);
     ck_assert_ptr_null(list.items[2].path);
-    ck_assert_float_eq(list.items[0].rgb[0], 0.25f);
+    ck_assert_float_eq(list.items[0].rgb[0], hatch_srgb_to_linear(137 / 255.0f)); /* the nearest code to 0.25 */
     for (uint32_t i = 0; i < 3; i++)
         ck_assert_uint_eq(list.items[i].id, i + 1);
     ck_assert_uint_eq(list.items[0].texture_seed, 4000000000u);
@@ -82,6 +86,50 @@ START_TEST(a_pen_wider_than_the_reader_takes_is_refused)
 }
 END_TEST
 
+/* Paths, a pen, a page and colours with more digits than files hold: readers of both formats find the same strokes. */
+START_TEST(strokes_are_those_of_the_svg_document)
+{
+    enum { PATHS = 40, EACH = 5 };
+    static const struct hatch_stroke_look look = {
+        .color_count = 2, .mixes = true, .colors = {{0.1234f, 0.5f, 0.003f}, {0.9f, 0.2f, 0.7f}}};
+    const struct hatch_drawing_layer pens[] = {{"outlines", {0.3f, 0.01f, 0.77f}, 0.52917, NULL},
+                                               {"strokes-1", {0, 0, 0}, 0.0004, &look}};
+    double places[2 * PATHS * EACH];
+    struct hatch_vector_path lines[PATHS];
+    struct hatch_buffer script = {.arena = &keep}, svg = {.arena = &keep};
+    struct hatch_stroke_list found[2];
+    struct hatch_svg_notes notes;
+    for (uint32_t i = 0; i < 2 * PATHS * EACH; i++)
+        places[i] = 169.33333 * (double)hatch_random_unit(1, 0, i);
+    for (uint32_t i = 0; i < PATHS; i++)
+        lines[i] = (struct hatch_vector_path){
+            .first = EACH * i, .count = EACH, .layer = i >= PATHS / 2, .id = i + 1, .closed = i % 2};
+    const struct hatch_drawing odd = {.width_mm = 169.33333,
+                                      .height_mm = 169.33333,
+                                      .layer_count = 2,
+                                      .layers = pens,
+                                      .paths = {.count = PATHS, .paths = lines, .points = places}};
+    HATCH_TEST_OK(hatch_script_write(&odd, &scratch, &script, &err), &err);
+    HATCH_TEST_OK(hatch_svg_write(&odd, &scratch, &svg, &err), &err);
+    HATCH_TEST_OK(hatch_script_parse((struct hatch_bytes){script.data, script.size}, TILE_PX, &keep, &found[0], &err),
+                  &err);
+    HATCH_TEST_OK(
+        hatch_svg_read((struct hatch_bytes){svg.data, svg.size}, TILE_PX, &keep, &scratch, &found[1], &notes, &err),
+        &err);
+    ck_assert_uint_eq(found[0].count, PATHS);
+    ck_assert_uint_eq(found[1].count, PATHS);
+    for (uint32_t i = 0; i < PATHS; i++) {
+        const struct hatch_stroke *a = &found[0].items[i], *b = &found[1].items[i];
+        ck_assert_float_eq(a->x, b->x);
+        ck_assert_float_eq(a->y, b->y);
+        ck_assert_float_eq(a->width_px, b->width_px);
+        ck_assert_mem_eq(a->rgb, b->rgb, sizeof a->rgb);
+        ck_assert_uint_eq(a->path->count, b->path->count);
+        ck_assert_mem_eq(a->path->xy, b->path->xy, 2 * sizeof(float) * a->path->count);
+    }
+}
+END_TEST
+
 static enum hatch_status write_all(void *context, struct hatch_arena *to, struct hatch_arena *work,
                                    struct hatch_err *why)
 {
@@ -104,6 +152,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_reader_reads_the_paths_of_a_drawing);
     tcase_add_test(tests, a_page_higher_than_wide_lies_in_the_middle_of_the_tile);
     tcase_add_test(tests, a_pen_wider_than_the_reader_takes_is_refused);
+    tcase_add_test(tests, strokes_are_those_of_the_svg_document);
     tcase_add_test(tests, every_failed_allocation_is_reported);
     suite_add_tcase(suite, tests);
     return suite;
