@@ -187,7 +187,8 @@ static void note_ways(const struct hatch_vector_paths *paths)
 {
     double drawn_mm, lifted_mm;
     hatch_vector_ways(paths, &drawn_mm, &lifted_mm);
-    cmd_note("%u paths, %.0f mm drawn, %.0f mm lifted", paths->count, drawn_mm, lifted_mm);
+    cmd_note("%u %s, %.0f mm drawn, %.0f mm lifted", paths->count, cmd_plural(paths->count, "path", "paths"), drawn_mm,
+             lifted_mm);
 }
 
 /* Names the layers of a frame, in their order, and gives them colours and pens.
@@ -241,6 +242,16 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
     return (options->script ? hatch_script_write : hatch_svg_write)(&made, &drawing->job->args.scratch, file, err);
 }
 
+/* Returns why a drawing is empty. */
+static const char *reason_of(const struct options *options)
+{
+    const bool strokes = options->technique->curves != NULL, lines = options->line_kinds != HATCH_LINES_NONE;
+    return strokes && lines ? "no stroke and no feature line is in sight"
+           : strokes        ? "no stroke is in sight"
+           : lines          ? "no feature line is in sight"
+                            : "--lines none draws no feature lines, and the technique has no strokes for a pen";
+}
+
 void vectors_write(struct job *job)
 {
     const struct options *options = job->options;
@@ -269,7 +280,7 @@ void vectors_write(struct job *job)
         }
     }
     if (empty && !job->empty)
-        cmd_warn(cmd_input_name(options->scene_path), "%u of %u drawings %s empty: no feature line is in sight", empty,
-                 options->frames, cmd_plural(empty, "is", "are"));
+        cmd_warn(cmd_input_name(options->scene_path), "%u of %u drawings %s empty: %s", empty, options->frames,
+                 cmd_plural(empty, "is", "are"), reason_of(options));
     cmd_write_all(files, options->frames);
 }

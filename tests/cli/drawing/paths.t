@@ -250,8 +250,14 @@ render-gl -q squares.obj -j 2 --size 200x200 -o two.svg
 ok "the drawing does not depend on threads" cmp one.SVG two.svg
 try render-gl --up z squares.obj --lines none -o none.svg
 is "a drawing may be empty" "$status $(measure none.svg)" "0 outlines 0 0.00"
+empty="render-gl: squares.obj: warning: 1 of 1 drawings is empty:"
 is "a warning tells that it is" "$(cat .err)" \
-    "render-gl: squares.obj: warning: 1 of 1 drawings is empty: no feature line is in sight"
+    "$empty --lines none draws no feature lines, and the technique has no strokes for a pen"
+try render-gl --up z squares.obj --camera 0,0,9:0,0,20 -o none.svg
+is "a warning tells that nothing is in sight" "$status $(cat .err)" "0 $empty no feature line is in sight"
+sed "/^f 5/d" squares.obj >one.obj
+try render-gl -v --camera 0,0,9:0,0,0 one.obj -o one.svg
+is "one path is singular" "$(grep -oE '[0-9]+ paths?' .err)" "1 path"
 ok "a drawing needs no OpenGL" env __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null render-gl -q squares.obj -o a.svg
 
 cp squares.obj 'two squares.obj'

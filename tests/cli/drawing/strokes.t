@@ -63,6 +63,11 @@ echo "marks 0 0" >whole.style
 whole=$(marks ./whole.style)
 is "strokes with breaks are several paths" "$(marks ./dashes.style | awk -v whole="$whole" '{print ($1 > 3 * whole)}')" 1
 
+try render-gl -t traced plane.glb --camera 0,0,2:0,0,9 --size 64x64 -o empty.svg
+is "a drawing without lines and strokes" "$status $(grep -c 'no stroke and no feature line is in sight' .err)" "0 1"
+try render-gl -t traced plane.glb --lines none --camera 0,0,2:0,0,9 --size 64x64 -o empty.svg
+is "a drawing without strokes" "$status $(grep -c 'empty: no stroke is in sight' .err)" "0 1"
+
 # A ball of radius 1 at distance 4, field of view 60 degrees: its outline is a circle of 1 / sqrt(15) / tan(30) half pages.
 draw ball.glb --size 400x400 --camera 0,0,4:0,0,0 --fov 60 --page 100x100mm --pen 0.2mm -o ball.svg
 is "no stroke leaves the ball" "$(figures ball.svg | awk '{print ($2 > 15 && $2 < 22.4)}')" 1
