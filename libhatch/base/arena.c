@@ -135,7 +135,8 @@ void *hatch_arena_unset(struct hatch_arena *arena, size_t count, size_t size, st
         at = allocate(arena, count * size);
     if (!at)
         hatch_fail(err, HATCH_LIMIT, "out of memory: %zu items of %zu bytes needed, %zu bytes in use, limit %zu", count,
-                   size, arena->used_bytes, arena->limit_bytes);
+                   size, arena->budget ? atomic_load(&arena->budget->used_bytes) : arena->used_bytes,
+                   arena->limit_bytes);
     return at;
 }
 

@@ -45,8 +45,8 @@ void hatch_arena_init_shared(struct hatch_arena *arena, struct hatch_budget *bud
 void hatch_arena_free(struct hatch_arena *arena);
 
 /* Allocates an array of zeros, aligned to HATCH_ARENA_ALIGN. Returns NULL, with HATCH_LIMIT in err, if the arena's
- * limit would be exceeded, if the system has no memory left, or if count * size overflows. A count of 0 is allowed and
- * returns a pointer, too.
+ * limit would be exceeded, if the system has no memory left, or if count * size overflows. The message tells how much
+ * the arena uses or, with a budget, all arenas that share it. A count of 0 is allowed and returns a pointer, too.
  *   size  of an item in bytes, at least 1 */
 void *hatch_arena_array(struct hatch_arena *arena, size_t count, size_t size, struct hatch_err *err);
 

@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -81,6 +82,25 @@ START_TEST(a_budget_holds_for_all_its_arenas)
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 60000, &err));
     hatch_arena_free(&arenas[1]);
     ck_assert_uint_eq(budget.used_bytes, 0);
+}
+END_TEST
+
+/* The arena that has too little left has used nothing itself. */
+START_TEST(a_refusal_tells_what_the_budget_has_given)
+{
+    struct hatch_budget budget;
+    struct hatch_arena arenas[2];
+    struct hatch_err err;
+    char want[200];
+    hatch_budget_init(&budget, 100000);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_init_shared(&arenas[i], &budget);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 60000, &err));
+    ck_assert_ptr_null(hatch_arena_array(&arenas[1], 15000, 4, &err));
+    snprintf(want, sizeof want, "out of memory: 15000 items of 4 bytes needed, %zu bytes in use, limit 100000",
+             arenas[0].used_bytes);
+    ck_assert_str_eq(err.text, want);
+    hatch_arena_free(&arenas[0]);
 }
 END_TEST
 
@@ -166,6 +186,7 @@ static Suite *suite(void)
     tcase_add_test(tests, objects_do_not_overlap);
     tcase_add_test(tests, the_limit_holds);
     tcase_add_test(tests, a_budget_holds_for_all_its_arenas);
+    tcase_add_test(tests, a_refusal_tells_what_the_budget_has_given);
     tcase_add_test(tests, sizes_that_overflow_are_refused);
     tcase_add_test(tests, rewind_frees_later_allocations);
     tcase_add_test(tests, reused_memory_is_zeroed);
