@@ -8,6 +8,7 @@
 #include "io/glb/glb.h"
 #include "placement/style.h"
 #include "scene/extent.h"
+#include "scene/pose.h"
 #include "shared/field.h"
 #include "shared/needs/fit.h"
 #include "shared/surface.h"
@@ -18,7 +19,8 @@
 /* Strokes side by side, of all levels, over a gap of the finest. There are more, but render-gl judges by the nearest
  * corner of the box around a mesh, and wider strokes make lighter tones. */
 #define STROKES_PER_GAP 0.7
-#define HALVINGS_MAX 40u /* of the gap on a mesh that is smaller than it */
+#define HALVINGS_MAX 40u  /* of the gap on a mesh that is smaller than it */
+#define LEVELS_DEFORMED 9 /* by needs, on a mesh on which render-gl traces no finer ones */
 
 static double gap = 0.08, length = 40, hard_deg = 40;
 static int64_t levels = 6;
@@ -88,11 +90,23 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
 struct density {
     uint32_t levels;
     double stretch; /* factor of the gap */
+    bool must;      /* it gets strokes even if it is too small for these gaps */
 };
 
-/* Finds how dense strokes must be: they need not get wider than render-gl lets them before it traces finer ones. Gaps
- * are stretched until the finest level is no finer than that, unless --gap is given. Strokes have the default width of
- * pictures.
+/* Finds the meshes that a skin or morph targets deform somewhere: render-gl traces no finer strokes on them.
+ *   deformed  out: one per mesh */
+static void find_deformed(const struct hatch_scene *scene, bool *deformed)
+{
+    for (uint32_t n = 0; n < scene->node_count; n++)
+        for (uint32_t i = 0; i < scene->nodes[n].mesh_count; i++) {
+            uint32_t mesh = scene->nodes[n].first_mesh + i;
+            deformed[mesh] = deformed[mesh] || hatch_pose_deforms(scene, n, &scene->meshes[mesh].mesh);
+        }
+}
+
+/* Finds how dense strokes must be: they need not get wider than render-gl lets them before it traces finer ones. A mesh
+ * on which it traces none gets more levels than `levels`, where views need them. Gaps are stretched until the finest
+ * level is no finer than that, unless --gap is given. Strokes have the default width of pictures.
  *   gap        between the strokes of the coarsest level, in scene units
  *   densities  out: per mesh */
 static void find_densities(struct cmd_args *args, const char *name, const struct hatch_needs *needs, uint32_t families,
@@ -101,28 +115,31 @@ static void find_densities(struct cmd_args *args, const char *name, const struct
     struct hatch_style style;
     struct hatch_err err;
     double *mesh_px;
-    uint32_t least = (uint32_t)levels, most = 1;
+    bool *deformed;
+    uint32_t least = LEVELS_DEFORMED, most = 1;
     cmd_check(HATCH_ALLOC(&args->keep, &mesh_px, scene->mesh_count, &err), NULL, &err);
+    cmd_check(HATCH_ALLOC(&args->keep, &deformed, scene->mesh_count, &err), NULL, &err);
     cmd_mesh_px(args, name, needs, scene, mesh_px);
+    find_deformed(scene, deformed);
     hatch_style_default(&style);
     style.pen.width_px = style.width_px;
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         double wanted = hatch_needs_strokes(needs, mesh_px[i], &style.pen, families) * first_gap;
         double widest = HATCH_FINER_START * STROKES_PER_GAP;
-        uint32_t count = 1;
-        while (count < levels && wanted > widest * ldexp(1, (int)count - 1))
+        uint32_t count = 1, limit = deformed[i] ? LEVELS_DEFORMED : (uint32_t)levels;
+        while (count < limit && wanted > widest * ldexp(1, (int)count - 1))
             count++;
         double spare = widest * ldexp(1, (int)count - 1) / fmax(wanted, 1e-30);
-        densities[i] = (struct density){count, gap_given ? 1 : fmin(fmax(spare, 1), 2)};
+        densities[i] = (struct density){count, gap_given ? 1 : fmin(fmax(spare, 1), 2), spare < 1};
         if (scene->meshes[i].unseen_tolerance > 0)
             continue;
         least = count < least ? count : least;
         most = count > most ? count : most;
     }
     if (least < most)
-        cmd_note("%u to %u of %d levels are needed", least, most, (int)levels);
+        cmd_note("%u to %u of %d levels are needed", least, most, most > levels ? LEVELS_DEFORMED : (int)levels);
     else
-        cmd_note("%u of %d levels are needed", most, (int)levels);
+        cmd_note("%u of %d levels are needed", most, most > levels ? LEVELS_DEFORMED : (int)levels);
     levels = most;
 }
 
@@ -143,10 +160,11 @@ static bool has_all(const struct hatch_curves *curves, uint32_t families)
 
 /* Traces strokes. A mesh that is too small for those of a family gets one level, with the widest gap at which it has
  * some: render-gl traces finer ones only of families that a file has.
- *   how  its gap is in mesh units */
+ *   how   its gap is in mesh units
+ *   must  false: strokes that are too few are enough */
 static void trace_some(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                        const struct hatch_frames *frames, const double *direction,
-                       const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
+                       const struct hatch_trace_options *how, bool must, struct hatch_scene_mesh *mesh)
 {
     struct hatch_trace_options local = *how;
     struct hatch_err err;
@@ -154,7 +172,7 @@ static void trace_some(struct cmd_args *args, const char *name, const struct hat
         cmd_check(hatch_trace_make(surface, &mesh->mesh, frames, direction, &local, cmd_pool(args), &args->keep,
                                    &args->scratch, &mesh->curves, &err),
                   name, &err);
-        if (has_all(&mesh->curves, how->family_count) || needs_path)
+        if (has_all(&mesh->curves, how->family_count) || !must)
             break;
         local.gap = ldexp(local.gap, -(int)local.levels);
         local.levels = 1;
@@ -164,9 +182,10 @@ static void trace_some(struct cmd_args *args, const char *name, const struct hat
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
  *   surface  of the mesh; NULL: not made yet
  *   scale    scene units per unit of the mesh
- *   how      its gap is in scene units */
+ *   how      its gap is in scene units
+ *   must     as for trace_some */
 static void trace(struct cmd_args *args, const char *name, const struct hatch_surface *surface, double scale,
-                  const struct hatch_trace_options *how, struct hatch_scene_mesh *mesh)
+                  const struct hatch_trace_options *how, bool must, struct hatch_scene_mesh *mesh)
 {
     struct hatch_err err;
     struct hatch_surface cut;
@@ -188,7 +207,7 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);
     hatch_field_of_mesh(&cut, &frames, &mesh->mesh, direction, confidence);
-    trace_some(args, name, &cut, &frames, direction, &local, mesh);
+    trace_some(args, name, &cut, &frames, direction, &local, must, mesh);
 }
 
 /* Warns of meshes that have no strokes though views may need them. */
@@ -227,7 +246,7 @@ int main(int argc, char **argv)
     cmd_check(hatch_scene_find_extent(&scene, &args.keep, &args.scratch, &extent, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args.keep, &densities, scene.mesh_count, &err), name, &err);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
-        densities[i] = (struct density){(uint32_t)levels, 1};
+        densities[i] = (struct density){(uint32_t)levels, 1, true};
     if (needs_path)
         find_densities(&args, name, &needs, families, gap * extent.diagonal, &scene, densities);
     struct hatch_trace_options how = {.family_count = families,
@@ -241,7 +260,7 @@ int main(int argc, char **argv)
         how.gap = gap * extent.diagonal * densities[i].stretch;
         if (scene.meshes[i].unseen_tolerance > 0)
             continue;
-        trace(&args, name, surfaces ? &surfaces[i] : NULL, extent.scale[i], &how, &scene.meshes[i]);
+        trace(&args, name, surfaces ? &surfaces[i] : NULL, extent.scale[i], &how, densities[i].must, &scene.meshes[i]);
         strokes += scene.meshes[i].curves.count;
         points += scene.meshes[i].curves.point_count;
     }

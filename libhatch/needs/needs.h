@@ -20,8 +20,8 @@ struct hatch_needs {
     double tolerance;                   /* mean difference of tone that was allowed, over 0, at most 1 */
     double darkest;                     /* darkest tone that a view needs, of either ink, 0 .. 1 */
     bool relative;                      /* tones are shares of the darkest tone of the strokes, whatever it is */
-    double unit_px[HATCH_NEEDS_TONES];  /* per part of the scale: most pixels that a unit of the scene's lengths covers
-                                           where a surface has such a tone; 0: none has */
+    double unit_px[HATCH_NEEDS_TONES];  /* per part of the scale: most pixels that a unit of the scene's lengths at
+                                           rest covers where a surface has such a tone; 0: none has */
     double texels[HATCH_NEEDS_OCTAVES]; /* per octave: share of the pixels whose finest mip level is of it */
     double solid_px;                    /* period of solid textures in pixels; 0: that of their size */
     double item_px;                     /* largest extent of an item in a picture; 0: unknown, or nothing is seen */

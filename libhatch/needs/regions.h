@@ -13,7 +13,7 @@
 struct hatch_needs_regions {
     double low[3];  /* corner of the box, in world coordinates at rest */
     double side[3]; /* sides of a cell; 0 where the scene has no extent */
-    float *px;      /* per cell: most pixels that a unit of the scene's lengths covers there; 0: not seen */
+    float *px;      /* per cell: most pixels that a unit of the scene's lengths at rest covers there; 0: not seen */
 };
 
 /* Raises all cells that the box around a face touches to px. Places outside of the box count to its outermost cells.

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#define BAND_PX 64u /* rows that are read from the GPU at a time */
+#define BAND_PX 64u      /* rows that are read from the GPU at a time */
+#define UNIT_PX_MAX 1e29 /* of a unit of length; a table of needs holds ten times as many */
 
 void needs_begin(struct job *job, double tolerance, struct needs_measure *measure)
 {
@@ -31,7 +32,9 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
             measure->unseen_tolerance = fmin(measure->unseen_tolerance, unseen);
         item->faces = unit->meshes[unit->items[i].mesh].surface->face_count;
         cmd_check(HATCH_ALLOC(keep, &item->unit_px, item->faces, &err), NULL, &err);
+        cmd_check(HATCH_ALLOC(keep, &item->growth, item->faces, &err), NULL, &err);
     }
+    needs_growth_begin(job, &measure->growth);
 }
 
 /* Counts a pixel that shows the scene.
@@ -44,6 +47,8 @@ static void count_pixel(const struct job *job, const uint32_t at[2], const float
     const struct hatch_unit_mesh *mesh = &job->scene.unit.meshes[job->scene.unit.items[index].mesh];
     struct needs_item *item = &measure->items[index];
     double octave = (double)face[2], unit_px = (double)tone[2] * measure->unit_w_px;
+    if (number < item->faces)
+        unit_px = fmin(unit_px * (double)item->growth[number], UNIT_PX_MAX);
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         double amount = fmin(fmax((double)tone[ink], 0), 1);
         hatch_needs_add(&measure->view_tones[ink], amount);
@@ -133,6 +138,8 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
     begin_boxes(measure, job->scene.unit.item_count);
+    for (uint32_t i = 0; i < job->scene.unit.item_count; i++)
+        needs_growth_find(job, &measure->growth, i, measure->items[i].growth);
     for (uint32_t y = 0; y < options->height; y += canvas->height)
         for (uint32_t x = 0; x < options->width; x += canvas->width) {
             const struct hatch_tile tile = {x, y, canvas->width, canvas->height, options->width, options->height};

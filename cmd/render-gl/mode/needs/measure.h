@@ -6,6 +6,7 @@
 #include "needs/needs.h"
 #include "needs/tones.h"
 #include "render-gl/mode/job.h"
+#include "render-gl/mode/needs/growth.h"
 #include "render-gl/mode/needs/technique.h"
 
 /* Share of the tolerance by which the range of tones may be narrowed; the rest is for levels, slices, meshes and
@@ -17,7 +18,9 @@ struct needs_item {
     uint32_t faces;                 /* of its surface */
     double extent_px;               /* largest diagonal of the box around its pixels in a view */
     uint32_t low_px[2], high_px[2]; /* that box in the last view, from the corner at the bottom left */
-    float *unit_px; /* per face: most pixels that a unit of the scene's lengths covers on it; 0: no pixel shows it */
+    float *unit_px; /* per face: most pixels that a unit of the scene's lengths at rest covers on it; 0: no pixel shows
+                       it */
+    float *growth;  /* per face: how much longer it is in the pose of the last view than at rest (growth.h) */
 };
 
 /* Needs of the views so far. */
@@ -35,6 +38,7 @@ struct needs_measure {
     double unseen_tolerance;           /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
     uint64_t unseen;                   /* of the last view: pixels of such meshes */
     double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale, of either ink: as in struct hatch_needs */
+    struct needs_growth growth;
     double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
     struct needs_item *items; /* per item of the scene */
     struct canvas canvas;     /* and the state of measuring */
