@@ -90,7 +90,7 @@ static uint32_t read_angles(float angle_rad[HATCH_CURVE_FAMILIES_MAX])
 struct density {
     uint32_t levels;
     double stretch; /* factor of the gap */
-    bool must;      /* it gets strokes even if it is too small for these gaps */
+    bool must;      /* views need more: it gets strokes even if it is too small for these gaps */
 };
 
 /* Finds the meshes that a skin or morph targets deform somewhere: render-gl traces no finer strokes on them.
@@ -261,6 +261,10 @@ int main(int argc, char **argv)
         if (scene.meshes[i].unseen_tolerance > 0)
             continue;
         trace(&args, name, surfaces ? &surfaces[i] : NULL, extent.scale[i], &how, densities[i].must, &scene.meshes[i]);
+        if (needs_path && !densities[i].must) {
+            scene.meshes[i].curves.needs = (float)needs.tolerance;
+            scene.meshes[i].curves.finest = (float)ldexp(how.gap / extent.scale[i], 1 - (int)how.levels);
+        }
         strokes += scene.meshes[i].curves.count;
         points += scene.meshes[i].curves.point_count;
     }

@@ -45,6 +45,10 @@ struct hatch_curves {
     struct hatch_curve_set *sets;
     struct hatch_curve *curves;       /* count of them; their points are consecutive, without gaps */
     struct hatch_curve_point *points; /* point_count of them */
+    float needs; /* tolerance of the needs of views that the strokes were made for (needs(5)), over 0 .. 1; 0: they were
+                    made for any view */
+    float finest; /* with needs: gap of the finest level that those views ask for, in mesh units, over 0, whether it has
+                     strokes or not */
 };
 
 /* Computes the position of a point, in mesh units. */

@@ -168,6 +168,7 @@ static enum hatch_status print_accessors(struct hatch_glb *glb, const struct hat
 /* Prints the strokes of a mesh: primitives of mode LINES. */
 static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
 {
+    const struct hatch_curves *curves = &glb->scene->meshes[index].curves;
     for (uint32_t i = 0; i < glb->line_count[index]; i++) {
         const struct hatch_glb_lines *lines = &glb->lines[index][i];
         HATCH_TRY(open_item(glb));
@@ -182,6 +183,10 @@ static enum hatch_status print_strokes(struct hatch_glb *glb, uint32_t index)
             HATCH_TRY(hatch_glb_number(glb, "length", lines->part.length));
         if (lines->part.hard_rad >= 0)
             HATCH_TRY(hatch_glb_number(glb, "hard", lines->part.hard_rad));
+        if (curves->needs > 0) {
+            HATCH_TRY(hatch_glb_number(glb, "needs", curves->needs));
+            HATCH_TRY(hatch_glb_number(glb, "finest", curves->finest));
+        }
         HATCH_TRY(hatch_glb_put(glb, "}}}"));
     }
     return HATCH_OK;

@@ -62,6 +62,16 @@ enum hatch_status read_set(Reader &r, const tinygltf::Primitive &primitive, cons
     return HATCH_OK;
 }
 
+/* Reads the needs of views that strokes were made for, if they were. */
+void read_needs(const tinygltf::Primitive &primitive, struct hatch_curves *curves)
+{
+    double needs = number_of(primitive, "needs"), finest = number_of(primitive, "finest");
+    if (needs > 0 && needs <= 1 && finest > 0 && finest < 1e38) {
+        curves->needs = static_cast<float>(needs);
+        curves->finest = static_cast<float>(finest);
+    }
+}
+
 /* Adds the strokes of a primitive: to the last set, if they are of the same family and level, else to a new one. */
 enum hatch_status add_strokes(Reader &r, const tinygltf::Primitive &primitive, const std::string &where,
                               const Lines &lines, const struct hatch_mesh &surface, struct hatch_curves *curves)
@@ -75,6 +85,8 @@ enum hatch_status add_strokes(Reader &r, const tinygltf::Primitive &primitive, c
         last = &curves->sets[curves->set_count++];
         *last = set;
         last->first = curves->count;
+        if (curves->set_count == 1)
+            read_needs(primitive, curves);
     }
     if (hatch_curves_from_vertices(&lines.vertices, lines.indices, lines.count / 2, set.gap, &surface, curves, r.err) !=
         HATCH_OK)

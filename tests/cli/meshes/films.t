@@ -64,4 +64,30 @@ for file in fitted whole; do
 done
 is "it has the tone of a sphere whose strokes and faces are all there" "$(hatchstat diff fitted1.png whole1.png |
     awk 'NR == 2 {print ($3 > -.003 && $3 < .003) ? 1 : $3}')" 1
+
+# No finer strokes can be traced where skins or morph targets, here one that makes it larger, deform a mesh.
+meshgen torus --faces 800 -o plane.glb
+unpack plane.glb plane
+grow 1 >torus.gltf
+sed 's/"POSITION":\([0-9]*\)[^}]*}/&,"targets":[{"POSITION":\1}]/; s/"path":"scale"/"path":"weights"/
+    s/"input":\([0-9]*\),"output":[0-9]*/"input":\1,"output":\1/' torus.gltf >morph.gltf
+for mesh in torus morph; do
+    render-gl $mesh.gltf --size 80x60 --needs -o $mesh.needs
+    strokegen -q --needs $mesh.needs $mesh.gltf -o $mesh.fitted.glb
+    ok "$mesh: the view is drawn" render-gl -q $mesh.fitted.glb -t traced --size 80x60 -o x.png
+    ok "one that is a little nearer, too" render-gl -q $mesh.fitted.glb -t traced --size 96x72 -o x.png
+done
+ok "finer strokes are traced on a rigid mesh" render-gl -q torus.fitted.glb -t traced --size 240x180 -o x.png
+rm x.png
+try render-gl -q morph.fitted.glb -t traced --size 240x180 -o x.png
+refused "not on one that is deformed" 3 1
+is "which is told" "$(sed 's/: [0-9.]* % of/: X of/' .err)" "render-gl: morph.fitted.glb: was made for surfaces seen from farther away: X of \
+this view needs finer strokes, and none can be traced on skins and morph targets; make it again with the needs of this view"
+ok "and leaves no file" test ! -e x.png
+strokegen -q --levels 3 morph.gltf -o morph.plain.glb
+ok "strokes that were made for any view are drawn in any" \
+    render-gl -q morph.plain.glb -t traced --size 240x180 -o x.png
+render-gl morph.gltf --size 240x180 --needs -o morph.needs
+strokegen -q --needs morph.needs morph.gltf -o morph.fitted.glb
+ok "with the needs of the view it is drawn" render-gl -q morph.fitted.glb -t traced --size 240x180 -o x.png
 finish

@@ -33,7 +33,7 @@ static void begin_curves(void)
     sets[0] = (struct hatch_curve_set){0, 0, 0.5f, 1, 0, 2, 40, 0.7f};
     sets[1] = (struct hatch_curve_set){0, 3, 0.5f, 0.125f, 2, 0, 40, 0.7f};
     sets[2] = (struct hatch_curve_set){2, 1, -1, 0.5f, 2, 1, 40, 0.7f};
-    curves = (struct hatch_curves){3, 3, 7, sets, curves_of, points};
+    curves = (struct hatch_curves){3, 3, 7, sets, curves_of, points, 0, 0};
 }
 
 static void position_of(uint32_t face, float b, float c, float at[3])

@@ -13,7 +13,7 @@ static struct hatch_mesh mesh;
 static struct hatch_curve_point points[2 * STROKES];
 static struct hatch_curve curves[STROKES];
 static struct hatch_curve_set set = {.gap = 1, .count = STROKES};
-static const struct hatch_curves all = {1, STROKES, 2 * STROKES, &set, curves, points};
+static const struct hatch_curves all = {1, STROKES, 2 * STROKES, &set, curves, points, 0, 0};
 
 /* Strokes of length 1/4 on a triangle of area 1/2, so that each adds a density of 1/2. */
 static void make_strokes(void)

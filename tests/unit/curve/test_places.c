@@ -50,7 +50,7 @@ static void even_rows(double dense, double cut)
             (struct hatch_curve){.first = 2 * set.count, .count = 2, .id = i, .free_ends = middle > cut ? 3 : 0};
         set.count++;
     }
-    const struct hatch_curves all = {1, set.count, 2 * set.count, &set, curves, points};
+    const struct hatch_curves all = {1, set.count, 2 * set.count, &set, curves, points, 0, 0};
     HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, &scratch, thresholds, &err), &err);
 }
 

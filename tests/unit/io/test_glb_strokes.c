@@ -37,7 +37,7 @@ static void add_strokes(uint32_t m)
     sets[m][1] = (struct hatch_curve_set){0, 1, 0, 0.25f, 0, 1, 40, 0.7f};
     sets[m][2] = (struct hatch_curve_set){1, 0, 1.0f / 3, 0.5f, 1, 2, 40, 0.7f};
     sets[m][3] = (struct hatch_curve_set){1, 1, 1.0f / 3, 0.25f, 3, 0, 40, 0.7f};
-    meshes[m].curves = (struct hatch_curves){4, 3, POINTS, sets[m], curves[m], points[m]};
+    meshes[m].curves = (struct hatch_curves){4, 3, POINTS, sets[m], curves[m], points[m], 0, 0};
 }
 
 /* A skinned plane, and a torus with morph targets that are animated. */
@@ -169,7 +169,7 @@ START_TEST(a_large_set_has_several_primitives)
     for (uint32_t i = 0; i < STROKES; i++)
         strokes[i] = (struct hatch_curve){3 * i, 3, i, i % 4};
     sets[0][1].count = STROKES;
-    meshes[0].curves = (struct hatch_curves){2, STROKES, 3 * STROKES, sets[0], strokes, many};
+    meshes[0].curves = (struct hatch_curves){2, STROKES, 3 * STROKES, sets[0], strokes, many, 0, 0};
     full.mesh_count = 1;
     nodes[1].mesh_count = full.animation_count = 0;
     struct hatch_buffer file = write_and_read();
@@ -210,7 +210,7 @@ START_TEST(no_strokes_are_no_primitives)
     ck_assert_uint_eq(back.meshes[0].curves.set_count + back.meshes[1].curves.set_count, 0);
     ck_assert_uint_gt(with.size, without.size + 1000);
     for (uint32_t m = 0; m < 2; m++) { /* sets without strokes, all of them */
-        meshes[m].curves = (struct hatch_curves){4, 0, 0, sets[m], curves[m], points[m]};
+        meshes[m].curves = (struct hatch_curves){4, 0, 0, sets[m], curves[m], points[m], 0, 0};
         for (uint32_t s = 0; s < 4; s++)
             sets[m][s].first = sets[m][s].count = 0;
     }
@@ -269,6 +269,30 @@ START_TEST(damaged_descriptions_are_refused)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         check_refused(patched(cases[i].from, cases[i].to, strlen(cases[i].from), cases[i].n), cases[i].says);
+}
+END_TEST
+
+/* The needs of views are written where strokes were made for them, and are read only together with the gap. */
+START_TEST(strokes_tell_the_needs_that_they_were_made_for)
+{
+    static const struct {
+        const char *from, *to;
+        float needs, finest;
+    } cases[] = {{"\"needs\":0.125", "\"needs\":0.125", 0.125f, 0.5f},
+                 {"\"needs\":0.125", "\"needs\":1.125", 0, 0},
+                 {"\"finest\":0.5", "\"finist\":0.5", 0, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct hatch_mesh_notes notes;
+        for (uint32_t m = 0; m < 2; m++)
+            meshes[m].curves.needs = 0.125f, meshes[m].curves.finest = 0.5f;
+        struct hatch_buffer file = patched(cases[i].from, cases[i].to, strlen(cases[i].from), 0);
+        HATCH_TEST_OK(read_file(&file, &notes), &err);
+        ck_assert_float_eq(back.meshes[0].curves.needs, cases[i].needs);
+        ck_assert_float_eq(back.meshes[0].curves.finest, cases[i].finest);
+        ck_assert_float_eq(back.meshes[1].curves.needs, 0.125f);
+        end();
+        begin_scene();
+    }
 }
 END_TEST
 
@@ -393,6 +417,7 @@ static Suite *suite(void)
     tcase_add_test(tests, no_strokes_are_no_primitives);
     tcase_add_test(tests, damaged_descriptions_are_refused);
     tcase_add_test(tests, what_finer_levels_need_may_be_missing);
+    tcase_add_test(tests, strokes_tell_the_needs_that_they_were_made_for);
     tcase_add_test(tests, damaged_numbers_are_refused);
     tcase_add_test(tests, lines_that_jump_are_refused);
     tcase_add_test(tests, other_lines_are_left_out);

@@ -34,6 +34,7 @@ void needs_begin(struct job *job, double tolerance, struct needs_measure *measur
         cmd_check(HATCH_ALLOC(keep, &item->unit_px, item->faces, &err), NULL, &err);
         cmd_check(HATCH_ALLOC(keep, &item->growth, item->faces, &err), NULL, &err);
     }
+    cmd_check(HATCH_ALLOC(keep, &measure->strokes, unit->item_count, &err), NULL, &err);
     needs_growth_begin(job, &measure->growth);
 }
 
@@ -49,13 +50,17 @@ static void count_pixel(const struct job *job, const uint32_t at[2], const float
     double octave = (double)face[2], unit_px = (double)tone[2] * measure->unit_w_px;
     if (number < item->faces)
         unit_px = fmin(unit_px * (double)item->growth[number], UNIT_PX_MAX);
+    const struct needs_strokes *strokes = &measure->strokes[index];
+    bool few = false;
     for (uint32_t ink = 0; ink < measure->inks; ink++) {
         double amount = fmin(fmax((double)tone[ink], 0), 1);
         hatch_needs_add(&measure->view_tones[ink], amount);
         uint32_t part = (uint32_t)fmin(amount * HATCH_NEEDS_TONES, HATCH_NEEDS_TONES - 1);
         measure->tones[ink][part]++;
         measure->unit_px[part] = fmax(measure->unit_px[part], unit_px);
+        few = few || unit_px * strokes->per_px[part] > strokes->most;
     }
+    measure->few += few;
     item->pixels++;
     for (int k = 0; k < 2; k++) {
         item->low_px[k] = at[k] < item->low_px[k] ? at[k] : item->low_px[k];
@@ -134,7 +139,7 @@ uint64_t needs_add(struct job *job, const struct hatch_view *view, struct needs_
     struct technique_instance *instance = job_use(job, &needs_technique);
     struct hatch_err err;
     uint64_t drawn = 0;
-    measure->finer = measure->sparse = measure->unseen = 0;
+    measure->finer = measure->sparse = measure->unseen = measure->few = 0;
     measure->unit_w_px = pixels_per_unit(job, view);
     memset(measure->view_tones, 0, 2 * sizeof *measure->view_tones);
     begin_boxes(measure, job->scene.unit.item_count);

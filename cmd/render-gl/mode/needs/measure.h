@@ -7,6 +7,7 @@
 #include "needs/tones.h"
 #include "render-gl/mode/job.h"
 #include "render-gl/mode/needs/growth.h"
+#include "render-gl/mode/needs/strokes.h"
 #include "render-gl/mode/needs/technique.h"
 
 /* Share of the tolerance by which the range of tones may be narrowed; the rest is for levels, slices, meshes and
@@ -37,11 +38,13 @@ struct needs_measure {
     uint64_t sparse;                      /* of the last view: pixels of levels that hold strokes and have few slices */
     double unseen_tolerance;           /* smallest of the scene's meshes (struct hatch_scene_mesh); 1: none has one */
     uint64_t unseen;                   /* of the last view: pixels of such meshes */
+    uint64_t few;                      /* of the last view: pixels that need more strokes than there are or can be */
     double unit_px[HATCH_NEEDS_TONES]; /* per part of the scale, of either ink: as in struct hatch_needs */
     struct needs_growth growth;
-    double unit_w_px;         /* of the view that is measured: pixels that a unit of length covers where w is 1 */
-    struct needs_item *items; /* per item of the scene */
-    struct canvas canvas;     /* and the state of measuring */
+    struct needs_strokes *strokes; /* per item of the scene; zeroed */
+    double unit_w_px;              /* of the view that is measured: pixels that a unit of length covers where w is 1 */
+    struct needs_item *items;      /* per item of the scene */
+    struct canvas canvas;          /* and the state of measuring */
     float *texels_read[2];
     struct hatch_needs_tones *view_tones; /* per ink: of the view that is measured */
 };

@@ -123,6 +123,31 @@ static void check_scene(const struct job *job, const struct needs_measure *measu
     cmd_die(job->name, &err);
 }
 
+/* Returns the smallest tolerance of strokes that no finer ones join; 0: there are none. */
+static double find_tolerance(const struct job *job, const struct needs_strokes *items)
+{
+    double tolerance = 0;
+    for (uint32_t i = 0; i < job->scene.unit.item_count; i++)
+        if (items[i].tolerance > 0)
+            tolerance = tolerance > 0 ? fmin(tolerance, items[i].tolerance) : items[i].tolerance;
+    return tolerance;
+}
+
+/* Exits with a message if a view needs more strokes than there are where finer ones cannot be traced.
+ *   tolerance  of the needs that they were made for; 0: there are enough for any view */
+static void check_strokes(const struct job *job, const struct needs_measure *measure, double tolerance, uint64_t drawn)
+{
+    struct hatch_err err;
+    if (tolerance <= 0 || (double)measure->few <= LEEWAY * tolerance * (double)drawn)
+        return;
+    hatch_fail(
+        &err, HATCH_BAD_INPUT,
+        "was made for surfaces seen from farther away: %.3g %% of this view needs finer strokes, and none can be "
+        "traced on skins and morph targets; %s",
+        100 * (double)measure->few / (double)drawn, again);
+    cmd_die(job->name, &err);
+}
+
 /* Exits with a message if a view needs more than a map that was made for needs has.
  *   measure  after needs_add of the view
  *   drawn    number of the view's pixels that show the scene */
@@ -173,19 +198,32 @@ void needs_check_mode(const struct job *job)
                   job->name, &err);
 }
 
+/* Returns whether some strokes of the scene were made for the needs of views. */
+static bool has_few_strokes(const struct hatch_scene *scene)
+{
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        if (scene->meshes[m].curves.needs > 0)
+            return true;
+    return false;
+}
+
 void needs_check(struct job *job)
 {
     const struct asset_part part = asset_part(&job->asset);
     bool map = technique_asset(job->options->technique) && part.tolerance > 0;
+    bool few = job->options->technique->features & TECHNIQUE_TRACED && has_few_strokes(&job->values);
     struct needs_measure measure;
     struct hatch_view view;
-    if (!map && !is_unseen(&job->values))
+    if (!map && !few && !is_unseen(&job->values))
         return;
     needs_begin(job, map ? (double)part.tolerance : 1, &measure);
+    needs_strokes_find(job, measure.strokes);
+    double tolerance = find_tolerance(job, measure.strokes);
     for (uint32_t frame = 0; frame < job->options->frames; frame++) {
         job_set_frame(job, frame, &view);
         uint64_t drawn = needs_add(job, &view, &measure);
         check_scene(job, &measure, drawn);
+        check_strokes(job, &measure, tolerance, drawn);
         if (map) {
             check_map(job, &measure, drawn);
             check_slices(job, &measure, drawn);
