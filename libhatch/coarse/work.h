@@ -22,7 +22,8 @@ struct hatch_coarse_attribute {
     enum hatch_coarse_check check;
     uint32_t components;
     const float *data, *joints; /* joints: of WEIGHTS */
-    float *scale;               /* per vertex of the part, TEXCOORD: mesh units per unit of texture coordinates */
+    float *scale; /* 3 per vertex of the part, TEXCOORD: factors of u u, 2 u v and v v in the square of the distance on
+                     the surface, in mesh units, of texture coordinates that differ by u, v */
 };
 
 #define HATCH_COARSE_CHECKS_MAX HATCH_MESH_ATTRIBUTES_MAX

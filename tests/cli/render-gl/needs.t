@@ -204,6 +204,7 @@ side='--from 0:0 --size 240x180'
 render-gl egg.glb $side --needs -o egg.needs
 dirfield egg.glb -o egg.full.glb
 dirfield -v --needs egg.needs egg.glb -o egg.field.glb 2>said
+cp said once
 is "-v says how many faces are left out" "$(grep -c '^dirfield: [0-9]* of 20[0-9]* faces left out' said)" 1
 is "and how many are not seen" "$(grep -c '^dirfield: no view shows [1-9][0-9]* of' said)" 1
 ok "a quarter of the bytes, or less" test "$(wc -c <egg.field.glb)" -lt $(($(wc -c <egg.full.glb) / 4))
@@ -238,8 +239,11 @@ for file in egg.patches egg.strokes egg.anew; do
 done
 try render-gl -q egg.strokes.glb -t traced --window
 refused "a window, which shows all sides" 3 1
-dirfield -q --needs egg.needs egg.field.glb -o egg.twice.glb
-is "dirfield takes what it has made" "$(grep -ao '"unseen":' egg.twice.glb | wc -l)" 1
+# Faces that a second run makes at the border may lie out of sight altogether: they are one more part that is unseen.
+dirfield -v --needs egg.needs egg.field.glb -o egg.twice.glb 2>twice
+is "dirfield takes what it has made" "$(grep -ao '"unseen":' egg.twice.glb | wc -l | grep -c '^ *[12]$')" 1
+is "of which it sees the same share" "$(cat once twice | awk '/no view shows/ {share[n++] = $5 / $7}
+    END {print (n == 2 && share[1] > share[0] - .01 && share[1] < share[0] + .01)}')" 1
 # shellcheck disable=SC2086
 try render-gl -q egg.field.glb --needs --from 180:0 --size 240x180 -o x.needs
 refused "needs of the other side, of the mesh that lacks it" 3 1
