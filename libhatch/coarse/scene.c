@@ -5,6 +5,7 @@
 #include "coarse/coarse.h"
 #include "math/pca.h"
 #include "math/vector.h"
+#include "scene/extent.h"
 
 /* Returns the largest factor by which a matrix changes lengths. */
 static double largest_stretch(const double matrix[16])
@@ -36,10 +37,11 @@ static void find_stretch(const struct hatch_mesh *mesh, const double *posed, dou
         }
 }
 
-/* Lowers the tolerances of a mesh's vertices to what a node allows. */
+/* Lowers the tolerances of a mesh's vertices to what a node allows.
+ *   scale  of the mesh, where the node gives it no size at rest */
 static enum hatch_status add_node(struct hatch_pose *pose, const struct hatch_view_set *views, uint32_t node,
-                                  uint32_t index, double error_px, const float *share, struct hatch_arena *scratch,
-                                  double *tolerance, struct hatch_err *err)
+                                  uint32_t index, double scale, double error_px, const float *share,
+                                  struct hatch_arena *scratch, double *tolerance, struct hatch_err *err)
 {
     const struct hatch_mesh *mesh = &pose->scene->meshes[index].mesh;
     double *posed, *stretch, matrix[16];
@@ -52,7 +54,8 @@ static enum hatch_status add_node(struct hatch_pose *pose, const struct hatch_vi
     if (whole == 0)
         find_stretch(mesh, posed, stretch);
     for (size_t v = 0; v < mesh->vertex_count; v++) {
-        double pixels = hatch_views_pixels(views, &posed[3 * v]) * fmax(whole, stretch[v]);
+        double by = fmax(whole, stretch[v]);
+        double pixels = hatch_views_pixels(views, &posed[3 * v]) * (by > 0 ? by : scale);
         if (pixels > 0)
             tolerance[v] = fmin(tolerance[v], error_px * (share ? (double)share[v] : 1) / pixels);
     }
@@ -71,9 +74,10 @@ static size_t find_start(const struct hatch_scene *scene, uint32_t node, uint32_
 }
 
 /* Makes the meshes of a node coarser.
- *   node  the first that draws them */
-static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_view_set *views, double error_px,
-                                 const float *share, uint32_t node, struct hatch_arena *arena,
+ *   scale  per mesh of the scene (struct hatch_scene_extent)
+ *   node   the first that draws them */
+static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_view_set *views, const double *scale,
+                                 double error_px, const float *share, uint32_t node, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *meshes, struct hatch_err *err)
 {
     const struct hatch_scene *scene = pose->scene;
@@ -88,8 +92,8 @@ static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_vie
             tolerance[v] = INFINITY;
         for (uint32_t n = node; n < scene->node_count; n++)
             if (scene->nodes[n].mesh_count > 0 && scene->nodes[n].first_mesh == first)
-                HATCH_TRY(add_node(pose, views, n, first + m, error_px, share ? share + find_start(scene, n, m) : NULL,
-                                   scratch, tolerance, err));
+                HATCH_TRY(add_node(pose, views, n, first + m, scale[first + m], error_px,
+                                   share ? share + find_start(scene, n, m) : NULL, scratch, tolerance, err));
         parts[m].tolerance = tolerance;
     }
     return hatch_coarse_make(parts, count, arena, scratch, &meshes[first], err);
@@ -100,6 +104,9 @@ enum hatch_status hatch_coarse_scene(struct hatch_pose *pose, const struct hatch
                                      struct hatch_mesh *meshes, struct hatch_err *err)
 {
     const struct hatch_scene *scene = pose->scene;
+    struct hatch_scene_extent extent;
+    struct hatch_arena_mark begin = hatch_arena_mark(scratch);
+    HATCH_TRY(hatch_scene_find_extent(scene, scratch, arena, &extent, err));
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         meshes[m] = scene->meshes[m].mesh;
     for (uint32_t n = 0; n < scene->node_count; n++) {
@@ -111,10 +118,11 @@ enum hatch_status hatch_coarse_scene(struct hatch_pose *pose, const struct hatch
         if (before < n)
             continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        enum hatch_status status = coarsen(pose, views, error_px, share, n, arena, scratch, meshes, err);
+        enum hatch_status status = coarsen(pose, views, extent.scale, error_px, share, n, arena, scratch, meshes, err);
         hatch_arena_rewind(scratch, mark);
         if (status != HATCH_OK)
             return status;
     }
+    hatch_arena_rewind(scratch, begin);
     return HATCH_OK;
 }

@@ -101,6 +101,25 @@ START_TEST(nodes_that_scale_lower_the_tolerance)
 }
 END_TEST
 
+/* A mesh without size at rest counts as large as the animation makes it: a point where it stands, at half of its size.
+ */
+START_TEST(what_grows_from_nothing_counts_at_its_largest)
+{
+    static float times_s[2] = {0, 1}, scales[6] = {0, 0, 0, 0.5f, 0.5f, 0.5f};
+    static struct hatch_animation_channel channel = {
+        .path = HATCH_PATH_SCALE, .key_count = 2, .times_s = times_s, .values = scales};
+    static struct hatch_animation animation = {.channel_count = 1, .channels = &channel, .duration_s = 1};
+    make_scene(2, 2);
+    nodes[0].mesh_count = nodes[1].mesh_count = nodes[1].first_mesh = 1;
+    for (int k = 0; k < 3; k++)
+        nodes[0].scale[k] = 0;
+    scene.animations = &animation;
+    scene.animation_count = 1;
+    make_coarse(NULL);
+    check_flat(1, 2 * flat_tolerance, 0);
+}
+END_TEST
+
 /* Copies share their mesh: of what the nodes allow, each vertex has the least. The shares are in the order of the
  * copies: of node 0, which draws the first two meshes, and of node 2, which does at twice the size. Node 4 draws the
  * third, and no node the last. */
@@ -188,6 +207,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("scene");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, nodes_that_scale_lower_the_tolerance);
+    tcase_add_test(tests, what_grows_from_nothing_counts_at_its_largest);
     tcase_add_test(tests, copies_allow_the_least_of_all);
     tcase_add_test(tests, joints_that_scale_lower_the_tolerance_of_their_vertices);
     tcase_add_test(tests, distance_raises_the_tolerance);
