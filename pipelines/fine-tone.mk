@@ -28,6 +28,11 @@ SHELL := /bin/bash
 
 # A word for the shell, whatever characters it has.
 quoted = '$(subst ','\'',$(1))'
+# A style that is a file, and the image that its brush names, which lies beside it.
+style := $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+image := $(if $(wildcard $(style)),$(shell awk -F'\043' '{print $$1}' $(style) | \
+    sed -n 's/^[[:space:]]*brush[[:space:]]\{1,\}image[[:space:]]\{1,\}//p' | \
+    sed '$$!d; s/[[:space:]]*$$//; s|^[^/]|$(dir $(style))&|; s/ /\\ /g'))
 base  := $(OUT)/fine-$(notdir $(STYLE))
 map   := $(base).tam.exr
 scene := $(if $(SCENE),$(call quoted,$(SCENE)),$(OUT)/fine.glb)
@@ -55,7 +60,7 @@ $(OUT)/fine-threshold.png: $(base).thresholds.ktx2 $(if $(SCENE),,$(OUT)/fine.gl
 	tamvol $(VOLUME) $< -o $@
 %.thresholds.ktx2: %.tam.exr
 	tamthresh $(BINS) $< -o $@
-$(map): $(words) $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+$(map): $(words) $(style) $(image)
 	tamgen --style $(STYLE) --tones $(TONES) --seed $(SEED) $(TAM) -o $@
 $(OUT)/fine.glb: $(words)
 	meshgen $(SHAPE) -o $@

@@ -37,7 +37,12 @@ SHELL := /bin/bash
 
 # A word for the shell, whatever characters it has.
 quoted = '$(subst ','\'',$(1))'
-# STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
+# A style that is a file, and the image that its brush names, which lies beside it.
+style := $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+image := $(if $(wildcard $(style)),$(shell awk -F'\043' '{print $$1}' $(style) | \
+    sed -n 's/^[[:space:]]*brush[[:space:]]\{1,\}image[[:space:]]\{1,\}//p' | \
+    sed '$$!d; s/[[:space:]]*$$//; s|^[^/]|$(dir $(style))&|; s/ /\\ /g'))
+# The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
 # What the views need, before the patches are made.
@@ -84,6 +89,6 @@ $(OUT)/$(basename $(notdir $(1))).lapped.glb: $(1) again
 endef
 $(foreach m,$(MESHES),$(eval $(call lapped_rule,$(m))))
 
-$(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+$(map): $(style) $(image)
 	mkdir -p $(OUT)
 	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@

@@ -15,7 +15,12 @@ SHELL := /bin/bash
 .SHELLFLAGS := -eo pipefail -c
 .DELETE_ON_ERROR:
 
-# STYLE may be a file. The name of the map tells its style and seed, so that each has a map of its own.
+# A style that is a file, and the image that its brush names, which lies beside it.
+style := $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+image := $(if $(wildcard $(style)),$(shell awk -F'\043' '{print $$1}' $(style) | \
+    sed -n 's/^[[:space:]]*brush[[:space:]]\{1,\}image[[:space:]]\{1,\}//p' | \
+    sed '$$!d; s/[[:space:]]*$$//; s|^[^/]|$(dir $(style))&|; s/ /\\ /g'))
+# The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 
 .PHONY: picture
@@ -26,6 +31,6 @@ $(OUT)/teapot.glb:
 	mkdir -p $(OUT)
 	meshgen teapot --faces 20000 -o $@
 
-$(map): $(if $(findstring .,$(STYLE))$(findstring /,$(STYLE)),$(STYLE))
+$(map): $(style) $(image)
 	mkdir -p $(OUT)
 	tamgen --style $(STYLE) --size 512 --seed $(SEED) -o $@

@@ -26,6 +26,32 @@ done
 for file in gltf plot; do
     is "$file.mk: a turntable" "$(would $file SCENE=m.glb TURN=1 FRAMES=9 | tr -d '\\\n' | grep -c -e '--frames 9 --turntable')" 1
 done
+# Maps are made anew when the image of a style's brush has changed, which lies beside the style.
+mkdir -p own out fake
+printf 'color .2\n brush\timage  my brush.png  # flat\n' >own/my.style
+: >"own/my brush.png"
+# shellcheck disable=SC2016 # for the script
+printf '#!/bin/sh\nfor file; do :; done\necho made >"$file"\n' >fake/tamgen
+chmod +x fake/tamgen
+# map FILE: prints the name of the map of a pipeline; makes it: does so, if it is to be made
+map() {
+    would "$1" STYLE=own/my.style OUT=out SCENE=m.glb MESH=m.glb | sed -n 's/.*tamgen .* -o //p'
+}
+makes() {
+    PATH=$PWD/fake:$PATH make -s -f "$TOP/pipelines/$1.mk" STYLE=own/my.style OUT=out SCENE=m.glb MESH=m.glb "$2"
+}
+for file in gltf lapped teapot fine-tone; do
+    touch -t 202001010000 own/my.style "own/my brush.png"
+    map=$(map $file)
+    makes $file "$map"
+    echo old >"$map"
+    makes $file "$map"
+    is "$file.mk: a map that is newer than its style is kept" "$(cat "$map")" old
+    touch "own/my brush.png"
+    makes $file "$map"
+    is "$file.mk: one that is older than the image of the brush is not" "$(cat "$map")" made
+    rm "$map"
+done
 # Pictures of the gallery do not depend on which of them were drawn before.
 for picture in scene zoom-0; do
     would gallery OUT=out out/$picture.png | grep '^ *meshgen' | grep -o 'out/[^ ]*glb' | sort -u >$picture.meshes
