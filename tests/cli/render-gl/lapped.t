@@ -49,7 +49,7 @@ for folder in one other; do
 done
 is "gltf.mk has a map for each style, whatever their names" "$(cmp -s one.png other.png && echo the same)" ""
 cp ball.glb 'a $HOME 100%.glb'
-ok "a file name may have any characters" make -s -f "$TOP/pipelines/gltf.mk" SCENE='a $$HOME 100%.glb' FRAMES=2 TURN=1 \
+ok "a file name may have any characters" make -s -f "$TOP/pipelines/gltf.mk" SCENE='a $$HOME 100%.glb' TURN=2 \
     SIZE=48x48 OUT=odd
 is "pictures are named after it" "$(ls odd | grep -c '^a $HOME 100%-00[01].png$')" 2
 try make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' TURN=2

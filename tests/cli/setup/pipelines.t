@@ -11,8 +11,8 @@ would() {
     make --no-print-directory -n -f "$TOP/pipelines/$file.mk" "$@" 2>&1
 }
 : >m.glb
-for file in engrave lapped solid strokes plan; do
-    is "$file.mk: two films of one name" "$(would $file MESH=m.glb BUDGET=mb=1 TURN=3 FRAMES=2 | sed 's/.*\*\*\* //')" \
+for file in engrave lapped solid strokes plan gltf plot; do
+    is "$file.mk: two films of one name" "$(would $file MESH=m.glb SCENE=m.glb BUDGET=mb=1 TURN=3 FRAMES=2 | sed 's/.*\*\*\* //')" \
         "TURN and FRAMES: both films would have one name.  Stop."
 done
 for file in engrave lapped solid strokes gltf plot; do
@@ -23,8 +23,9 @@ $(would $file MESH=m.glb SCENE=m.glb TURN=$none FRAMES=2 | grep -c -e --turntabl
         is "$file.mk: one picture with FRAMES=$none" "$(would $file MESH=m.glb SCENE=m.glb FRAMES=$none | grep -c -e --frames)" 0
     done
 done
-for file in gltf plot; do
-    is "$file.mk: a turntable" "$(would $file SCENE=m.glb TURN=1 FRAMES=9 | tr -d '\\\n' | grep -c -e '--frames 9 --turntable')" 1
+for file in engrave lapped solid strokes gltf plot; do
+    is "$file.mk: TURN is the number of frames of a turn" \
+        "$(would $file MESH=m.glb SCENE=m.glb TURN=9 | grep -c -e '--frames 9 --turntable\>')" 1
 done
 # Maps are made anew when the image of a style's brush has changed, which lies beside the style.
 mkdir -p own out fake
