@@ -76,9 +76,11 @@ void cmd_check_needs(struct cmd_args *args, const char *path, const char *name, 
         same = same && fabs(box.low[k] - regions->low[k]) <= cell &&
                fabs(box.high[k] - regions->low[k] - HATCH_NEEDS_SIDE * regions->side[k]) <= cell;
     if (!same && box.low[0] <= box.high[0])
-        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT,
-                             "the needs are those of another scene than %s: render-gl --needs makes them anew", name),
-                  cmd_input_name(path), &err);
+        cmd_check(
+            hatch_fail(&err, HATCH_BAD_INPUT,
+                       "the needs are those of another scene than %s: render-gl --needs of this file alone makes them",
+                       name),
+            cmd_input_name(path), &err);
 }
 
 static uint64_t count_faces(const struct hatch_scene *scene)

@@ -109,6 +109,15 @@ is "but are in their box" "$(regions clear.needs low) $(regions clear.needs side
 ok "and the needs are those of the scene" dirfield -q --needs clear.needs clear.gltf -o clear.glb
 is "of which the transparent mesh is unseen" "$(faces clear.glb | cut -d' ' -f2)" 2
 
+# Needs of two files in one picture are of neither mesh, which the message says.
+# shellcheck disable=SC2086
+render-gl -q small.glb large.glb $view --needs -o pair.needs
+ok "maps follow the needs of two files" tamgen -q --size 64 --needs pair.needs -o pair.exr
+try strokegen --needs pair.needs large.glb -o pair.glb
+refused "not meshes" 3 1
+is "with what to do" "$(cat .err)" \
+    "strokegen: pair.needs: the needs are those of another scene than large.glb: render-gl --needs of this file alone makes them"
+
 # The rows of cells come last: one that is missing, or whose number is cut, changes what is seen.
 cells=$(regions two.needs unit-px | wc -l)
 is "the number of cells is told" "$(regions two.needs cells)" "$(printf 'region-cells\t0\t%d\t' "$cells")"

@@ -197,7 +197,7 @@ is "lapped-param -v says how large the atlas of each mesh is, after parts withou
 try dirfield --needs balls.needs torus.glb -o x.glb
 refused "needs of another scene" 3 1
 is "are refused with what to do" "$(cat "$WORK/.err")" \
-    "dirfield: balls.needs: the needs are those of another scene than torus.glb: render-gl --needs makes them anew"
+    "dirfield: balls.needs: the needs are those of another scene than torus.glb: render-gl --needs of this file alone makes them"
 meshgen ellipsoid --faces 20000 -o egg.glb
 side='--from 0:0 --size 240x180'
 # shellcheck disable=SC2086
