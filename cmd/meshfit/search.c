@@ -60,7 +60,7 @@ static void make(struct meshfit *fit, double tolerance_px, const float *share, s
         take_scene(fit, level);
 }
 
-/* Measures the meshes of a level beside those of the scene.
+/* Measures the meshes of a level beside those of the scene: if they are the same, nothing is displaced.
  *   all  true: outlines and normals, too; false: fills fit->worst */
 static void measure(struct meshfit *fit, bool all, struct meshfit_level *level)
 {
@@ -69,6 +69,9 @@ static void measure(struct meshfit *fit, bool all, struct meshfit_level *level)
     struct hatch_mesh coarse;
     struct hatch_err err;
     struct hatch_arena_mark mark = hatch_arena_mark(&args->keep);
+    level->figures = (struct hatch_coarse_figures){0};
+    if (level->faces == fit->faces)
+        return;
     for (uint32_t f = 0; f < fit->full.face_count; f++)
         atomic_init(&fit->worst[f], 0);
     cmd_check(HATCH_ALLOC(&args->keep, &scene.meshes, scene.mesh_count, &err), fit->name, &err);
@@ -113,7 +116,6 @@ void meshfit_by_error(struct meshfit *fit, double error_px, struct meshfit_level
     for (int i = 0; i < TRIES; i++) {
         hatch_arena_rewind(&fit->args->keep, mark);
         make(fit, error_px, fit->share, level);
-        level->figures = (struct hatch_coarse_figures){0};
         if (fit->full.face_count == 0)
             return;
         measure(fit, false, level);
