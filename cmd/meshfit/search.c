@@ -136,6 +136,14 @@ static bool is_exact(struct meshfit *fit, struct meshfit_level *level)
     return level->figures.displacement_px <= NO_ERROR;
 }
 
+static bool has_texcoords(const struct hatch_scene *scene)
+{
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        if (hatch_mesh_find(&scene->meshes[m].mesh, "TEXCOORD_0", 2))
+            return true;
+    return false;
+}
+
 void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level *level)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(&fit->args->keep);
@@ -170,8 +178,10 @@ void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level 
         make(fit, high, NULL, level);
     }
     if (level->faces > faces)
-        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "--faces %llu: the surface cannot have fewer than %llu",
-                             (unsigned long long)faces, (unsigned long long)level->faces),
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "--faces %llu: the surface%s cannot have fewer than %llu",
+                             (unsigned long long)faces,
+                             has_texcoords(fit->scene) ? ", with the borders of its texture coordinates," : "",
+                             (unsigned long long)level->faces),
                   fit->name, &err);
     if (fit->full.face_count > 0)
         measure(fit, false, level);

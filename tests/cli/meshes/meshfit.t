@@ -77,7 +77,10 @@ meshfit $small --faces 5000 torus.glb -q -o same.glb
 is "more faces than there are: all are kept" "$(faces same.glb)" "$(faces torus.glb)"
 try meshfit $small --faces 4 torus.glb -o /dev/null
 refused "too few faces for a torus" 3 1
-is "which says how many it needs" "$(grep -c '^meshfit: torus.glb: --faces 4: the surface cannot have fewer than [0-9]*$' .err)" 1
+is "which says how many it needs" "$(grep -c '^meshfit: torus.glb: --faces 4: the surface, with the borders of its texture coordinates, cannot have fewer than [0-9]*$' .err)" 1
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nv 3 0 0\nv 4 0 0\nv 3 1 0\nf 5 6 7\n' >bare.obj
+try meshfit --faces 4 bare.obj
+is "borders only where there are some" "$(cat .err)" "meshfit: bare.obj: --faces 4: the surface cannot have fewer than 5"
 
 # Scans have no normals, and glTF without normals is flat: a coarse mesh gets those of the full one.
 awk 'BEGIN {
