@@ -29,6 +29,17 @@ for style in pencil charcoal sketch; do
         awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .3 && (a - b) ^ 2 < .012 ^ 2)}'
 done
 
+# Dots stay dots: their few pixels seldom reach both of their own ends, but they do not go on by --overdraw.
+meshgen sphere --faces 2000 -o sphere.glb
+dots() {
+    render-gl -q -t "$1" --style "$2" --lines none --size 320x240 --tone-range .3:.3 -o dots.exr sphere.glb
+    hatchstat frames dots.exr dots.exr | awk 'NR == 2 {print 1 - $2}'
+}
+for style in stipple speckle; do
+    want=$(dots rptam $style) got=$(dots strokes $style)
+    ok "dots of $style: $got for $want" awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .1 && a > .95 * b && a < 1.05 * b)}'
+done
+
 # A low strip of the same plane is mostly border, which strokes cross as if there were none.
 want=$(ink rptam pencil 256x12 2.2) got=$(ink strokes pencil 256x12 2.2)
 ok "ink along borders: $got for $want" awk -v a="$got" -v b="$want" 'BEGIN {exit !(b > .3 && (a - b) ^ 2 < .012 ^ 2)}'

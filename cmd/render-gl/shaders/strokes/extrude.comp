@@ -13,6 +13,7 @@ layout(location = UNIFORM_MARGIN) uniform float margin; // of the tile in which 
 const float SHORTER = 0.75; // exponent of the length of a thin stroke; 1: only the length changes with the ink
 const float SHORTEST = 0.3; // least share of its length that a thin stroke keeps
 const float SHORT_WIDTHS = 3.0; // a stroke of so many widths of the pen keeps its length
+const vec2 LONG = vec2(2.0, 4.0); // widths of the pen from which on a stroke goes on, and goes on by all of overdraw
 const float TURNS = 4.0;    // waves of the noise along a whole stroke
 
 float profile_at(float t)
@@ -30,12 +31,14 @@ float share_kept(float mean_width, float length_px)
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
-// end, which thins it out before; short parts go on by less.
+// end, which thins it out before; short parts go on by less, and dots not at all: the few pixels of one seldom reach
+// t of 0 and 1, and its tangents are steep.
 vec2 with_overdraw(Drawn drawn)
 {
     float speed = max(0.5 * drawn.length_px, 1.0); // pixels per u
     vec2 further = clamp(2.0 * thickness_of(drawn.widths, drawn.mean) - 1.0, 0.0, 1.0);
     further *= min(overdraw, 0.5 * drawn.length_px) / speed;
+    further *= smoothstep(LONG.x, LONG.y, drawn.length_px / pen.x);
     further *= vec2((drawn.joined & JOINED_START) == 0u, (drawn.joined & JOINED_END) == 0u);
     vec2 own = vec2(u_of(drawn.cubic, 0.0), u_of(drawn.cubic, 1.0)), ends = drawn.ends;
     return vec2(max(ends.x - further.x, min(own.x, ends.x)), min(ends.y + further.y, max(own.y, ends.y)));
