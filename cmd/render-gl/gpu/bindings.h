@@ -21,8 +21,9 @@
 #define UNIT_HALO_DEPTHS 14
 #define UNIT_HALO_CELLS 15
 #define UNIT_HALO_BLOCKS 16
-#define UNIT_SOLIDS 17 /* eight units, 17 .. 24 */
-#define UNIT_CHARTS 25 /* of pieces: numbers of charts */
+#define UNIT_SOLIDS 17    /* eight units, 17 .. 24 */
+#define UNIT_CHARTS 25    /* of pieces: numbers of charts */
+#define UNIT_MAGNIFIED 26 /* pixels per texel of the map whose strokes are fitted */
 
 /* Storage buffers of compute stages */
 #define STORAGE_VERTICES 0 /* struct scene_vertex, as single floats */

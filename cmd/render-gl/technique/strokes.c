@@ -59,6 +59,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     struct gpu_programs *programs = &context->frame->programs;
     struct strokes_state *state = instance->state;
     const char *crossing = is_flat(instance) ? "#define FLAT 1\n" : "";
+    const char *magnified = instance->tones ? "#define MAGNIFIED 1\n" : "";
     char defines[64];
     state->blends = aggregate == 1;
     HATCH_TRY(gpu_program_get(programs, &route, "", &state->route, err));
@@ -67,7 +68,7 @@ static enum hatch_status prepare(struct technique_context *context, struct techn
     HATCH_TRY(gpu_program_get(programs, &waiting, "", &state->blend.waiting, err));
     strokes_take_brush(state);
     snprintf(defines, sizeof defines, "#define FITTED 1\n%s%s", state->has_brush ? "#define BRUSH 1\n" : "", crossing);
-    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, "", &state->fit, err));
+    HATCH_TRY(gpu_program_get(programs, state->blends ? &fit_blend : &fit, magnified, &state->fit, err));
     HATCH_TRY(gpu_program_get(programs, &extrude, crossing, &state->extrude, err));
     HATCH_TRY(gpu_program_get(programs, &ribbon, defines, &state->ribbon, err));
     HATCH_TRY(gpu_program_get(programs, &over, "", &state->over, err));

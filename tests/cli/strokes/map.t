@@ -22,6 +22,20 @@ for tone in .1 .3 .5 .7; do
         'BEGIN {d = (got - want) / whole; exit !(want > 0 && d > -.02 && d < .02)}'
 done
 
+# Strokes grow with the texels of a map that is magnified.
+for zoom in 16 32; do
+    near="--uv-scale 4 --zoom $zoom --tone-range .3:.3"
+    # shellcheck disable=SC2086 # options
+    $draw plane.glb -t tam --tam ids.exr $near -o tam.exr
+    for how in sort blend; do
+        # shellcheck disable=SC2086
+        $draw plane.glb -t strokes --aggregate $how --tam ids.exr $near -o strokes.exr
+        want=$(mean tam.exr) got=$(mean strokes.exr)
+        ok "near strokes by $how have the tone of tam, zoom $zoom: $got, $want" awk -v want="$want" -v got="$got" \
+            'BEGIN {d = got - want; exit !(want > 0 && d > -.03 && d < .03)}'
+    done
+done
+
 # Strokes that lie wholly over others, of which soft dark styles have many, are known from the list in the map. A map
 # without it is read, too.
 tamgen -q --ids --style pencil -o pencil.exr

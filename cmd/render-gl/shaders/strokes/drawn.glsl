@@ -4,10 +4,14 @@
 #include "strokes/curve.glsl"
 #include "strokes/hash.glsl"
 
-const float WIDEST = 1.5; // greatest width, in widths of the pen
+const float WIDEST = 1.5; // greatest width, in widths of the pen where the map is not magnified
 const float SHORTEST_PX = 1.0;
 const uint JOINED_START = 4u, JOINED_END = 8u; // a stroke goes on before its start, after its end
 const int LAST = RIBBON_POINTS - 1;
+
+#ifdef MAGNIFIED
+layout(binding = UNIT_MAGNIFIED) uniform sampler2D magnified; // gather_map.frag
+#endif
 
 struct Path {
     vec2 places[RIBBON_POINTS];
@@ -25,9 +29,23 @@ struct Drawn {
     float length_px; // from u -1 to 1
     float widths[RIBBON_POINTS]; // at evenly spaced u from -1 to 1
     float mean;                  // of the widths
+    float magnified;             // pixels per texel of its map, at least 1
 };
 
 layout(std430, binding = STORAGE_DRAWN) buffer Strokes { Drawn drawn_strokes[]; };
+
+// Returns by how much the map is magnified along a path at most, at least 1.
+float magnified_along(Path path)
+{
+    float most = 1.0;
+#ifdef MAGNIFIED
+    for (int k = 0; k <= LAST; k++) {
+        vec2 place = clamp(path.places[k], vec2(0.0), vec2(textureSize(magnified, 0) - 1));
+        most = max(most, texelFetch(magnified, ivec2(place), 0).r);
+    }
+#endif
+    return most;
+}
 
 void measure(Cubic cubic, float from, float to, out Path path)
 {

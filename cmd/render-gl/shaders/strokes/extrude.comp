@@ -24,10 +24,10 @@ float profile_at(float t)
 }
 
 // Returns the share of its length that a stroke keeps: a thin one gets rather shorter than thinner, and stays black.
-float share_kept(float mean_width, float length_px)
+float share_kept(Drawn drawn)
 {
-    float share = pow(max(mean_width, 0.0) / max(thinnest, 1e-6), SHORTER);
-    return length_px < SHORT_WIDTHS * pen.x ? 1.0 : clamp(share, SHORTEST, 1.0);
+    float share = pow(max(drawn.mean, 0.0) / max(drawn.magnified * thinnest, 1e-6), SHORTER);
+    return drawn.length_px < SHORT_WIDTHS * drawn.magnified * pen.x ? 1.0 : clamp(share, SHORTEST, 1.0);
 }
 
 // Returns u of both ends when a stroke goes on by `overdraw`, up to its own ends. It does not where the tone makes it
@@ -38,7 +38,7 @@ vec2 with_overdraw(Drawn drawn)
     float speed = max(0.5 * drawn.length_px, 1.0); // pixels per u
     vec2 further = clamp(2.0 * thickness_of(drawn.widths, drawn.mean) - 1.0, 0.0, 1.0);
     further *= min(overdraw, 0.5 * drawn.length_px) / speed;
-    further *= smoothstep(LONG.x, LONG.y, drawn.length_px / pen.x);
+    further *= smoothstep(LONG.x, LONG.y, drawn.length_px / (drawn.magnified * pen.x));
     further *= vec2((drawn.joined & JOINED_START) == 0u, (drawn.joined & JOINED_END) == 0u);
     vec2 own = vec2(u_of(drawn.cubic, 0.0), u_of(drawn.cubic, 1.0)), ends = drawn.ends;
     return vec2(max(ends.x - further.x, min(own.x, ends.x)), min(ends.y + further.y, max(own.y, ends.y)));
@@ -66,7 +66,7 @@ float wave_level(Drawn drawn)
 // factor: of the widths; blunt: bits 4, 8: ends that the pen does not taper
 void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, uint blunt)
 {
-    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + whole, WIDEST * pen.x); // no blots
+    float whole = max(path.lengths[LAST], SHORTEST_PX), thickest = min(1.0 + whole, drawn.magnified * WIDEST * pen.x); // no blots
     vec2 way = path.places[min(k + 1, LAST)] - path.places[max(k - 1, 0)];
     vec2 across = vec2(-way.y, way.x) / max(length(way), 1e-6);
     float t = mix(drawn.cubic.range.x, drawn.cubic.range.y, 0.5 + 0.5 * u), at = TURNS * t;
@@ -90,7 +90,7 @@ void main()
     if (i >= count)
         return;
     Drawn drawn = drawn_strokes[i];
-    float kept = share_kept(drawn.mean, drawn.length_px);
+    float kept = share_kept(drawn);
     float seen = kept * 0.5 * (drawn.ends.y - drawn.ends.x) * drawn.length_px;
     vec2 ends = with_overdraw(drawn);
     uint blunt = drawn.own | drawn.joined;

@@ -10,16 +10,17 @@ struct Slot {
     uint low, high, count, first, joined; // joined: bits JOINED_... of strokes/extrude.glsl
 };
 layout(std430, binding = STORAGE_SLOTS) readonly buffer Slots { Slot slots[]; }; // without free ones
-layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { float missed[]; }; // share of the weight
+layout(std430, binding = STORAGE_MISSED) writeonly buffer Missed { vec2 missed[]; }; // share of the weight; magnification
 layout(std430, binding = STORAGE_ORDER) readonly buffer Order { uint order[]; }; // indices of the slots to fit
 layout(location = UNIFORM_COUNT) uniform uint count; // of these
 
-const float REACH = 1.5; // distance of a stroke's fragments from its curve, in widths of the pen
+const float REACH = 1.5; // distance of a stroke's fragments from its curve, in widths of the pen, and a pixel
 const float CUT = 0.04;  // share of t by which a stroke that is cut off falls short of its own end
 
 // Computes the width of the visible part at evenly spaced u: the area of the fragments around there by the length.
 // Fragments that the curve does not reach have no part in it; returns their share of the weight.
-float find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POINTS])
+// larger: magnification
+float find_widths(Slot slot, Cubic cubic, Path path, float larger, out float widths[RIBBON_POINTS])
 {
     uint far = 0u, all = 0u, areas[RIBBON_POINTS]; // integers, whose sums do not depend on the order of the fragments
     for (int k = 0; k <= LAST; k++)
@@ -29,7 +30,7 @@ float find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POI
         int low = min(int(at), LAST - 1);
         uint share = uint((at - float(low)) * 16.0 + 0.5), weight = sorted[i].y >> 24;
         all += weight;
-        if (distance(place_on(cubic, u), pixel_of(sorted[i])) > REACH * pen.x + 1.0) {
+        if (distance(place_on(cubic, u), pixel_of(sorted[i])) > larger * (REACH * pen.x + 1.0)) {
             far += weight;
             continue;
         }
@@ -44,9 +45,9 @@ float find_widths(Slot slot, Cubic cubic, Path path, out float widths[RIBBON_POI
 }
 
 // Makes a dot of a stroke that is shorter than wide: a square of the same area. Returns whether it is one.
-bool make_dot(inout Cubic cubic, inout Path path, inout float widths[RIBBON_POINTS])
+bool make_dot(float larger, inout Cubic cubic, inout Path path, inout float widths[RIBBON_POINTS])
 {
-    float side = clamp(sqrt(cubic.weight), SHORTEST_PX, WIDEST * pen.x);
+    float side = clamp(sqrt(cubic.weight), SHORTEST_PX, larger * WIDEST * pen.x);
     if (path.lengths[LAST] >= side)
         return false;
     vec2 middle = place_on(cubic, 0.0) - cubic.origin, way = path.places[LAST] - path.places[0];
@@ -69,8 +70,9 @@ void main()
     Path path;
     float widths[RIBBON_POINTS];
     measure(cubic, -1.0, 1.0, path);
-    missed[i] = find_widths(slot, cubic, path, widths);
-    bool is_dot = make_dot(cubic, path, widths);
+    float larger = magnified_along(path);
+    missed[i] = vec2(find_widths(slot, cubic, path, larger, widths), larger);
+    bool is_dot = make_dot(larger, cubic, path, widths);
     float mean = mean_of(widths);
     vec2 ends = vec2(-1.0, 1.0), own = vec2(u_of(cubic, 0.0), u_of(cubic, 1.0)), thick = thickness_of(widths, mean);
     if (!is_dot && slot.joined == 0u && is_lapped(slot.first)) {
@@ -83,5 +85,5 @@ void main()
     if (is_dot)
         whole = JOINED_START | JOINED_END;
     drawn_strokes[i] = Drawn(cubic, slot.high, stroke_number(slot.low), slot.joined, whole, ends, path.lengths[LAST],
-                             widths, mean);
+                             widths, mean, larger);
 }

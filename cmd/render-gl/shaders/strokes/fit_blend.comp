@@ -71,5 +71,6 @@ void main()
     for (int k = 0; k <= LAST; k++)
         widths[k] = length_px < SPARSEST * cubic.weight ? width_px : 0.0;
     drawn_strokes[i] =
-        Drawn(cubic, slot.high, stroke_number(slot.low), 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px);
+        Drawn(cubic, slot.high, stroke_number(slot.low), 0u, 0u, vec2(-1.0, 1.0), length_px, widths, width_px,
+              magnified_along(path));
 }

@@ -13,6 +13,7 @@ const float WEIGHT_LEAST = 0.02; // strokes that have faded further are not seen
 layout(early_fragment_tests) in; // hidden fragments are not gathered
 
 in vec2 v_texcoord;
+layout(location = 0) out float o_magnified; // pixels per texel of the finest level
 
 // Gathers the strokes of a texel. place: of the tone among the columns; share: of the level
 void gather_texel(uint texel, ivec2 tile, float place, float share)
@@ -41,6 +42,7 @@ void gather_ink(float amount)
 void main()
 {
     aim(v_texcoord);
+    o_magnified = exp2(-column_level);
     vec2 asked = amounts(), x = dFdx(v_texcoord), y = dFdy(v_texcoord);
     find_place(x.x * y.y - x.y * y.x < 0.0);
     ink_index = 0u;

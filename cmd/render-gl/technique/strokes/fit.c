@@ -12,11 +12,17 @@
 #include "render-gl/technique/strokes/strokes.h"
 
 #define MISSED_MOST 0.05f /* share of a stroke's weight that its curve may miss */
-#define REACH 1.5f        /* as in shaders/strokes/fit.comp */
+#define REACH 1.5         /* as in shaders/strokes/fit.comp */
 #define DIVISION_TASKS 16u
 #define PLACES 8u /* places along a stroke whose parts have different ids */
 #define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
 #define DRAWN_BYTES 176u /* of struct Drawn in shaders/strokes/drawn.glsl, std430 */
+
+/* How a curve follows its stroke. */
+struct miss {
+    float share;     /* of the stroke's weight that it misses */
+    float magnified; /* pixels per texel of the stroke's map, at least 1 */
+};
 
 /* Makes room for so many fitted strokes, and keeps those that are there. */
 static void reserve_drawn(struct strokes_state *state, uint32_t count)
@@ -80,7 +86,7 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
 {
     reserve_drawn(state, list->count);
     strokes_reserve(&state->found, sizeof *list->strokes * list->count);
-    strokes_reserve(&state->missed, sizeof(float) * list->count);
+    strokes_reserve(&state->missed, sizeof(struct miss) * list->count);
     HATCH_TRY(gpu_check_memory(err, "%u strokes", list->count));
     gpu_buffer_update(state->found.name, list->strokes, sizeof *list->strokes * list->count);
     gpu_storage_bind(STORAGE_SLOTS, state->found.name);
@@ -200,7 +206,8 @@ struct division {
     const struct strokes_slot *strokes;
     const uint32_t *poor; /* count indices of those to divide */
     uint32_t count;
-    double reach_px;
+    const struct miss *misses;                         /* per stroke */
+    double reach_px;                                   /* where nothing is magnified */
     uint32_t (*words)[2];                              /* fragments; those of a stroke begin at its `first` */
     struct strokes_slot (*parts)[HATCH_FIT_PARTS_MAX]; /* per stroke to divide */
     uint32_t *part_counts;                             /* the same */
@@ -217,7 +224,8 @@ static void divide_some(void *context, uint32_t task)
     hatch_arena_init(&arena, division->limit_bytes);
     for (uint32_t i = task; i < division->count && status == HATCH_OK; i += DIVISION_TASKS) {
         const struct strokes_slot *stroke = &division->strokes[division->poor[i]];
-        status = divide(stroke, division->reach_px, division->words + stroke->first, &arena, division->parts[i],
+        const double reach_px = division->reach_px * (double)division->misses[division->poor[i]].magnified;
+        status = divide(stroke, reach_px, division->words + stroke->first, &arena, division->parts[i],
                         &division->part_counts[i], &division->errs[task]);
     }
     division->statuses[task] = status;
@@ -242,12 +250,14 @@ static enum hatch_status divide_each(struct division *division, struct hatch_poo
 
 /* Divides strokes of a list. The first part takes the place of the stroke; the others come after all strokes, ordered
  * by ink as these are. The fragments of the parts are in the buffer `divided`.
+ *   misses      per stroke
  *   poor        in: poor_count indices of the strokes; out: of their parts, with room for all that there may be */
-static enum hatch_status divide_all(struct strokes_state *state, struct strokes_list *list, uint32_t *poor,
-                                    uint32_t *poor_count, struct hatch_pool *pool, struct hatch_arena *scratch,
-                                    struct hatch_err *err)
+static enum hatch_status divide_all(struct strokes_state *state, struct strokes_list *list, const struct miss *misses,
+                                    uint32_t *poor, uint32_t *poor_count, struct hatch_pool *pool,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
-    struct division division = {.poor = poor, .count = *poor_count, .reach_px = (double)REACH * state->width_px + 1};
+    struct division division = {
+        .poor = poor, .count = *poor_count, .misses = misses, .reach_px = REACH * state->width_px + 1};
     struct strokes_slot *strokes;
     uint32_t size, first = 0, count = list->count;
     uint64_t *wholes;
@@ -279,20 +289,21 @@ static enum hatch_status divide_all(struct strokes_state *state, struct strokes_
 }
 
 /* Lists the strokes whose curves miss too much.
- *   poor  out: their indices, in the scratch arena, with room for all of their parts */
-static enum hatch_status find_poor(const struct strokes_state *state, const struct strokes_list *list, uint32_t **poor,
-                                   uint32_t *poor_count, struct hatch_arena *scratch, struct hatch_err *err)
+ *   misses  out: per stroke, in the scratch arena
+ *   poor    out: their indices, in the scratch arena, with room for all of their parts */
+static enum hatch_status find_poor(const struct strokes_state *state, const struct strokes_list *list,
+                                   struct miss **misses, uint32_t **poor, uint32_t *poor_count,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
 {
     uint32_t all = 0;
-    float *missed;
-    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &missed, list->count, err));
-    gpu_buffer_read(state->missed.name, missed, sizeof *missed * list->count);
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, misses, list->count, err));
+    gpu_buffer_read(state->missed.name, *misses, sizeof **misses * list->count);
     for (uint32_t i = 0; i < list->count; i++)
-        all += missed[i] > MISSED_MOST;
+        all += (*misses)[i].share > MISSED_MOST;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, poor, (size_t)HATCH_FIT_PARTS_MAX * all, err));
     *poor_count = 0;
     for (uint32_t i = 0; i < list->count; i++)
-        if (missed[i] > MISSED_MOST)
+        if ((*misses)[i].share > MISSED_MOST)
             (*poor)[(*poor_count)++] = i;
     return HATCH_OK;
 }
@@ -302,14 +313,15 @@ static enum hatch_status fit_and_divide(const struct frame *frame, struct stroke
                                         struct strokes_list *list, struct hatch_pool *pool, struct hatch_arena *scratch,
                                         struct hatch_err *err)
 {
+    struct miss *misses;
     uint32_t *poor, count;
     gpu_storage_bind(STORAGE_SORTED, state->sorted.name);
     HATCH_TRY(bind_order(state, list->strokes, NULL, list->count, scratch, err));
     HATCH_TRY(fit(frame, state, list, list->count, err));
-    HATCH_TRY(find_poor(state, list, &poor, &count, scratch, err));
+    HATCH_TRY(find_poor(state, list, &misses, &poor, &count, scratch, err));
     if (!count)
         return HATCH_OK;
-    HATCH_TRY(divide_all(state, list, poor, &count, pool, scratch, err));
+    HATCH_TRY(divide_all(state, list, misses, poor, &count, pool, scratch, err));
     gpu_storage_bind(STORAGE_SORTED, state->divided.name);
     HATCH_TRY(bind_order(state, list->strokes, poor, count, scratch, err));
     return fit(frame, state, list, count, err);

@@ -6,6 +6,7 @@
 #include "render-gl/frame/parts.h"
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
 #include "render-gl/technique/strokes/strokes.h"
 
 #define GROUPS_MOST 65535u /* work groups in a row that OpenGL guarantees */
@@ -24,7 +25,7 @@ void strokes_reserve(struct strokes_buffer *buffer, size_t size_bytes)
 }
 
 /* Draws the items into a target with one sample per pixel, as large as the tile of the frame: drawings have a smaller
- * canvas.
+ * canvas. Of a map, the target gets by how much it is magnified.
  *   count  out: number of fragments found, which may exceed the capacity of the buffer */
 static enum hatch_status draw_fragments(struct technique_context *context, struct technique_instance *instance,
                                         uint32_t *count, struct hatch_err *err)
@@ -34,8 +35,10 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     struct strokes_state *state = instance->state;
     struct frame *frame = context->frame;
     const struct hatch_tile *tile = frame->request.tile;
-    const struct gpu_target_form form = {
-        .width = (uint32_t)tile->width, .height = (uint32_t)tile->height, .depth = GL_DEPTH_COMPONENT32F};
+    const struct gpu_target_form form = {.width = (uint32_t)tile->width,
+                                         .height = (uint32_t)tile->height,
+                                         .outputs = {instance->tones ? GL_R32F : 0},
+                                         .depth = GL_DEPTH_COMPONENT32F};
     const struct gpu_target *target;
     struct strokes_fragments_head head;
     if (form.width > frame->size_max_px || form.height > frame->size_max_px)
@@ -47,6 +50,10 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
     HATCH_TRY(frame_draw_items(frame, target, &strokes_paper, "", &state->paper, err));
     gpu_buffer_update(state->fragments.name, &none, sizeof none);
     gpu_storage_bind(STORAGE_FRAGMENTS, state->fragments.name);
+    if (instance->tones) {
+        gpu_target_clear(target, 0, GL_RED, GL_FLOAT, NULL);
+        gpu_texture_bind(UNIT_MAGNIFIED, target->outputs[0], 0);
+    }
     HATCH_TRY(strokes_draw_source(context, instance, target, err));
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
     gpu_buffer_read(state->fragments.name, &head, sizeof head);
