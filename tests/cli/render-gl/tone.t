@@ -23,7 +23,9 @@ square() {
     draw plane${strokes:+.strokes}.glb --size 256x256 --camera 0,0,3.7320508:0,0,0 --fov "$([ "$strokes" ] && echo 25 || echo 30)" --tone-range "$1:$1"
 }
 teapot() {
-    draw teapot${strokes:+.strokes}.glb --size 640x480 --tone-range "0:$1"
+    darkest=$1
+    shift
+    draw teapot${strokes:+.strokes}.glb --size 640x480 --tone-range "0:$darkest" "$@"
 }
 # off NAME GOT WANT BELOW ABOVE: checks that GOT lies between WANT - BELOW and WANT + ABOVE
 off() {
@@ -116,5 +118,18 @@ for technique in $(render-gl --options-table | awk -F'\t' '$2 == "technique" {gs
         ;;
     *) fail "$technique has its tone" "no case for it: add its tolerances" ;;
     esac
+done
+
+# The modulation of a threshold texture darkens as --modulate does, with light ink and with two inks, too.
+render-gl -q plane.glb -t gouraud --lines none --tone-range 0:0 --camera 0,0,1:0,0,0 --paper '#bcbcbc' --size 8x8 -o grey.png
+tamthresh -q fine.exr --modulate grey.png -o modulated.ktx2
+strokes=''
+for options in "--ink black" "--ink white --paper black" "--ink black,white --paper grey"; do
+    for technique in threshold threshold-soft; do
+        asset=thresholds.ktx2
+        want=$(teapot 1 --modulate grey.png)
+        asset=modulated.ktx2
+        off "$technique modulated, $options" "$(teapot 1)" "$want" .002 .002
+    done
 done
 finish

@@ -43,15 +43,17 @@ float light_at(vec3 point, vec3 normal, vec3 face)
     return sum;
 }
 
+// Returns the amounts of both inks, 0 .. 1, for a darkness, 0 .. 1.
+vec2 two_amounts(float dark)
+{
+    return mix(curve.xx, curve.yy, vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0)));
+}
+
 // Returns the amounts of the dark and of the light ink, 0 .. 1, for a lightness.
 vec2 ink_amounts(float lightness)
 {
     float dark = pow(1.0 - clamp(lightness, 0.0, 1.0), curve.z);
-    vec2 amounts = vec2(dark, 0.0);
-    if (counts.z == 1)
-        amounts.x = 1.0 - dark;
     if (counts.z == 2)
-        amounts = vec2(max(2.0 * dark - 1.0, 0.0), max(1.0 - 2.0 * dark, 0.0));
-    amounts = mix(curve.xx, curve.yy, amounts);
-    return counts.z == 2 ? amounts : vec2(amounts.x, 0.0); // a single ink has no light one
+        return two_amounts(dark);
+    return vec2(mix(curve.x, curve.y, counts.z == 1 ? 1.0 - dark : dark), 0.0); // a single ink has no light one
 }

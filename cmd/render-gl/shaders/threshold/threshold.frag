@@ -19,6 +19,11 @@ float coverage(float amount)
 {
     return exact_ink(amount);
 }
+
+vec2 modulated(vec2 asked)
+{
+    return asked;
+}
 #else
 // The texel's steps: the tone of each and the ink that it adds. They are read once for both inks.
 vec4 step_at[2], step_height[2];
@@ -38,9 +43,20 @@ float half_way()
 }
 #endif
 
-float coverage(float amount)
+// Returns the amounts of both inks where the light is multiplied by the texel's modulation.
+vec2 modulated(vec2 asked)
 {
-    float tone = 1.0 - (1.0 - amount) * step_at[1].a;
+    float left = step_at[1].a, range = curve.y - curve.x;
+    if (counts.z == 0)
+        return vec2(1.0 - (1.0 - asked.x) * left, 0.0);
+    if (counts.z == 1)
+        return vec2(asked.x * left, 0.0);
+    float light = 0.5 - 0.5 * (asked.x - asked.y) / max(range, 1e-6); // ink_amounts() turned round
+    return asked + (two_amounts(1.0 - light * left) - two_amounts(1.0 - light)); // faces may have some of both inks
+}
+
+float coverage(float tone)
+{
 #ifdef SOFT
     return clamp(4.0 * (tone - half_way()), 0.0, 1.0);
 #else
@@ -72,8 +88,8 @@ void main()
 {
     aim(v_texcoord);
     base_holes();
-    vec2 asked = amounts();
     opacity *= read_steps();
+    vec2 asked = modulated(amounts());
     float light = 0.0;
 #ifdef TWO_INKS
     light = coverage(asked.y);
