@@ -195,9 +195,10 @@ static enum hatch_status add(struct maker *maker, const struct near *near, uint3
 {
     int size = (int)maker->size;
     /* The stroke's tile, as seen from that of the texel, is opposite to the texel's as seen from the stroke. */
-    int u = 1 - (int)floorf((float)near->x / (float)size), v = 1 - (int)floorf((float)near->y / (float)size);
+    int u = HATCH_COVER_TILES - (int)floorf((float)near->x / (float)size);
+    int v = HATCH_COVER_TILES - (int)floorf((float)near->y / (float)size);
     uint32_t layer = maker->strokes[id].column < 63 ? maker->strokes[id].column : 63;
-    if (u < 0 || u > 2 || v < 0 || v > 2)
+    if (u < 0 || u > 2 * HATCH_COVER_TILES || v < 0 || v > 2 * HATCH_COVER_TILES)
         return HATCH_OK;
     if (maker->placed_count == maker->placed_room) {
         struct placed *more;
@@ -210,11 +211,12 @@ static enum hatch_status add(struct maker *maker, const struct near *near, uint3
     }
     const uint32_t t = (uint32_t)lrintf(near->t * (float)((1u << HATCH_COVER_MARK_T_BITS) - 1));
     const uint32_t share = (uint32_t)lrintf(255 * fminf(ink / maker->ink, 1));
-    maker->placed[maker->placed_count++] = (struct placed){
-        near->at,
-        {id | layer << HATCH_COVER_MARK_LAYER_SHIFT,
-         t | share << HATCH_COVER_MARK_COVER_SHIFT | column << HATCH_COVER_MARK_COLUMN_SHIFT |
-             (uint32_t)u << HATCH_COVER_MARK_TILE_SHIFT | (uint32_t)v << (HATCH_COVER_MARK_TILE_SHIFT + 2)}};
+    const uint32_t tile = (uint32_t)u | (uint32_t)v << 3;
+    maker->placed[maker->placed_count++] =
+        (struct placed){near->at,
+                        {id | layer << HATCH_COVER_MARK_LAYER_SHIFT | tile >> 4 << HATCH_COVER_MARK_HIGH_SHIFT,
+                         t | share << HATCH_COVER_MARK_COVER_SHIFT | column << HATCH_COVER_MARK_COLUMN_SHIFT |
+                             tile << HATCH_COVER_MARK_TILE_SHIFT}};
     return HATCH_OK;
 }
 

@@ -6,20 +6,27 @@
 #include "stroke/stroke.h"
 #include "tam/tam.h"
 
-/* Members of the bits of a mark: shift and width. */
+/* Members of a mark: shift and width in its bits, and in its id. */
 #define HATCH_COVER_MARK_T_BITS 12u       /* from bit 0: along the stroke, 0 .. 1 */
 #define HATCH_COVER_MARK_COVER_SHIFT 12u  /* 8 bits: share of the texel that the stroke covers, 0 .. 1 */
 #define HATCH_COVER_MARK_COLUMN_SHIFT 20u /* 8 bits: first column in which it does */
-#define HATCH_COVER_MARK_TILE_SHIFT                                                                                    \
-    28u /* 2 bits each for u and v: tile of the stroke's middle, from -1, as seen from                                 \
-           the texel's tile */
-#define HATCH_COVER_MARK_LAYER_SHIFT 24u /* of an id: 6 bits above it are the stroke's first column, at most 63 */
+#define HATCH_COVER_MARK_TILE_SHIFT 28u   /* 4 bits: the lower ones of hatch_cover_mark_tile */
+#define HATCH_COVER_MARK_LAYER_SHIFT 24u  /* of an id: 6 bits above it are the stroke's first column, at most 63 */
+#define HATCH_COVER_MARK_HIGH_SHIFT 30u   /* of an id: 2 bits: the upper ones of hatch_cover_mark_tile */
+#define HATCH_COVER_TILES 3               /* farthest tile of a stroke's middle along u or v; others are not listed */
 
 /* A stroke that covers a texel. */
 struct hatch_cover_mark {
-    uint32_t id; /* of the stroke, and its layer */
+    uint32_t id; /* of the stroke, its layer, and a part of its tile */
     uint32_t bits;
 };
+
+/* Returns the tile of the stroke's middle as seen from the texel's tile: 3 bits each for u and v, counted from
+ * -HATCH_COVER_TILES. */
+static inline uint32_t hatch_cover_mark_tile(const struct hatch_cover_mark *mark)
+{
+    return mark->bits >> HATCH_COVER_MARK_TILE_SHIFT | mark->id >> HATCH_COVER_MARK_HIGH_SHIFT << 4;
+}
 
 /* The marks of texel i of a level are marks[ends[k]] .. marks[ends[k + 1] - 1], where k = first[level] + i, by
  * ascending id. */

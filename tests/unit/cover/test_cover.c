@@ -11,14 +11,26 @@
 static struct test_map map;
 static struct hatch_cover cover;
 
-static void make(const char *style, uint32_t size_px)
+/* Makes a map and the lists of its texels.
+ *   length  of all strokes, in tiles; 0: those of the style */
+static void make_of(const char *style, uint32_t size_px, float length)
 {
     map_style(style, NULL, &map);
+    if (length > 0) {
+        map.style.length_min = map.style.length_max = length;
+        for (uint32_t i = 0; i < map.style.direction_count; i++)
+            map.style.directions[i].angle_rad += 0.3f; /* else they lie on themselves */
+    }
     map.options.ids = true;
     map.options.size_px = size_px;
     map_fill(&map);
     HATCH_TEST_OK(hatch_cover_make(&map.tam, &map.strokes, &map_arena, &map_scratch, &cover, &map_err), &map_err);
     ck_assert_uint_eq(cover.levels, map.options.levels);
+}
+
+static void make(const char *style, uint32_t size_px)
+{
+    make_of(style, size_px, 0);
 }
 
 /* A mark of a level and what it says. */
@@ -38,10 +50,11 @@ static struct found read_mark(uint32_t level, uint32_t texel, const struct hatch
     ck_assert_uint_le(id, map.strokes.count);
     struct found found = {.stroke = &map.strokes.items[id - 1],
                           .column = bits >> HATCH_COVER_MARK_COLUMN_SHIFT & 255,
-                          .layer = mark->id >> HATCH_COVER_MARK_LAYER_SHIFT,
+                          .layer = mark->id >> HATCH_COVER_MARK_LAYER_SHIFT & 63,
                           .t = (float)(bits & 4095) / 4095,
                           .share = (float)(bits >> HATCH_COVER_MARK_COVER_SHIFT & 255) / 255};
-    float tile[2] = {(float)(bits >> HATCH_COVER_MARK_TILE_SHIFT & 3) - 1, (float)(bits >> 30) - 1};
+    const uint32_t from = hatch_cover_mark_tile(mark);
+    const float tile[2] = {(float)(from & 7) - HATCH_COVER_TILES, (float)(from >> 3) - HATCH_COVER_TILES};
     float along = (found.t - 0.5f) * found.stroke->length;
     float x = ((float)(texel % size) + 0.5f) / (float)size - (found.stroke->x + tile[0]);
     float y = ((float)(texel / size) + 0.5f) / (float)size - (found.stroke->y + tile[1]);
@@ -65,13 +78,27 @@ START_TEST(marks_lie_on_their_strokes)
                  i++) {
                 struct found found = read_mark(level, texel, &cover.marks[i]);
                 off += found.away > 3;
-                wrapped += cover.marks[i].bits >> HATCH_COVER_MARK_TILE_SHIFT != 5;
+                wrapped += hatch_cover_mark_tile(&cover.marks[i]) != (HATCH_COVER_TILES | HATCH_COVER_TILES << 3);
                 ck_assert_uint_eq(found.layer, found.stroke->column);
                 ck_assert_uint_ge(found.column, found.stroke->column);
             }
     }
     ck_assert_uint_lt(100 * off, cover.mark_count);
     ck_assert_uint_gt(10 * wrapped, cover.mark_count); /* strokes do cross the border of the tile */
+}
+END_TEST
+
+/* Strokes of several tiles are listed up to both ends, which taper. */
+START_TEST(long_strokes_are_whole)
+{
+    uint32_t outer = 0;
+    make_of("ink", 64, 4);
+    const uint32_t count = cover.ends[cover.first[0] + map.tam.size_px * map.tam.size_px] - cover.ends[cover.first[0]];
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t bits = cover.marks[cover.ends[cover.first[0]] + i].bits;
+        outer += fabsf((float)(bits & 4095) / 4095 - 0.5f) > 0.375f;
+    }
+    ck_assert_msg(7 * outer > count, "%u of %u marks are in the outer quarter", outer, count);
 }
 END_TEST
 
@@ -204,6 +231,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("cover");
     tcase_add_unchecked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, marks_lie_on_their_strokes);
+    tcase_add_test(tests, long_strokes_are_whole);
     tcase_add_test(tests, strokes_have_all_their_ink);
     tcase_add_test(tests, as_many_ids_are_allowed_as_there_may_be_strokes);
     tcase_add_test(tests, strokes_below_others_are_known_from_the_list);

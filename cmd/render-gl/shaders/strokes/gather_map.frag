@@ -22,9 +22,10 @@ void gather_texel(uint texel, ivec2 tile, float place, float share)
         uint at = word(3u) + 2u * i, id = word(at), bits = word(at + 1u);
         float weight = share * clamp(place - float(bits >> 20 & 255u), 0.0, 1.0);
         float covered = float(bits >> 12 & 255u) / 255.0;
-        ivec2 middle = tile + ivec2(bits >> 28 & 3u, bits >> 30) - 1;
+        uint from = bits >> 28 | id >> 30 << 4; // the tile of the stroke's middle: hatch_cover_mark_tile
+        ivec2 middle = tile + ivec2(from & 7u, from >> 3) - 3;
         if (weight >= WEIGHT_LEAST)
-            add_fragment(id_in(middle, id & 0xffffffu, id >> 24), float(bits & 4095u) / 4095.0, weight * covered);
+            add_fragment(id_in(middle, id & 0xffffffu, id >> 24 & 63u), float(bits & 4095u) / 4095.0, weight * covered);
     }
 }
 
