@@ -99,6 +99,9 @@ static void warn_of_map(struct cmd_args *args, const struct options *options, co
     cmd_warn_nesting(args, name, map);
     if (map->color && options_paint(options))
         cmd_warn(name, "--look watercolor paints the map's colours in those of the inks");
+    if (map->color && options->technique->extra == &asset_strokes)
+        cmd_warn(name, "the map's colours are not drawn; --technique %s draws them",
+                 technique_find(TECHNIQUE_ALL_COLUMNS)->name);
     if (options->technique->asset != &asset_six_columns)
         return;
     if (map->tones > ASSET_SIX_COLUMNS_MAX)

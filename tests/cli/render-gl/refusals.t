@@ -214,6 +214,9 @@ try $draw torus.glb --tam colours.exr
 is "drawing a coloured map in grey gives one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
 try $draw torus.glb --tam colours.exr --technique tam-triple
 is "tam-triple draws a coloured map" "$status $(cat .err)" "0 "
+tamgen --size 64 --levels 1 --palette dusk --ids -o ids.exr
+try $draw torus.glb --tam ids.exr --technique strokes
+is "fitted strokes without the map's colours give one warning" "$status $(wc -l <.err) $(grep -c "not drawn" .err)" "0 1 1"
 for drawn in tam tam-triple; do
     try $draw torus.glb --tam colours.exr --technique $drawn --look watercolor
     is "painting what $drawn draws of a coloured map gives one warning" \
