@@ -43,6 +43,13 @@ bool asset_is_map(const struct asset *asset)
     return asset->map.tones > 0;
 }
 
+bool asset_is_colored(const struct asset *asset)
+{
+    const struct tone_texture *texture = &asset->texture;
+    return asset_is_map(asset) ? asset->map.color
+                               : texture->holds == TONE_TEXTURE_VOLUME && texture->texels.channels >= 3;
+}
+
 float asset_darkest(const struct asset *asset)
 {
     return asset_is_map(asset) ? asset->map.whole.darkest : asset->texture.darkest;

@@ -73,6 +73,7 @@ void asset_read(struct cmd_args *args, const char *path, struct asset *asset);
 /* Properties of the asset, whether it is a map or a texture. The darkest tone, 0 .. 1, of one that is not whole is that
  * of the whole one. */
 bool asset_is_map(const struct asset *asset);
+bool asset_is_colored(const struct asset *asset); /* a map or a volume whose strokes have colours */
 float asset_darkest(const struct asset *asset);
 uint32_t asset_size_px(const struct asset *asset); /* side of the finest level; 0: no asset */
 

@@ -5,13 +5,20 @@
 
 #include "image/color.h"
 
+enum frame_ink_mode frame_ink_mode(const struct frame_inks *inks)
+{
+    if (inks->two)
+        return FRAME_INK_BOTH;
+    return hatch_color_luminance(inks->ink) > hatch_color_luminance(inks->paper) ? FRAME_INK_LIGHTENS
+                                                                                 : FRAME_INK_DARKENS;
+}
+
 void frame_block_set_inks(struct frame_block *block, const struct frame_inks *inks)
 {
     memcpy(block->paper, inks->paper, sizeof inks->paper);
     memcpy(block->ink, inks->ink, sizeof inks->ink);
     memcpy(block->light_ink, inks->light_ink, sizeof inks->light_ink);
-    bool lightens = hatch_color_luminance(inks->ink) > hatch_color_luminance(inks->paper);
-    block->counts[2] = inks->two ? FRAME_INK_BOTH : lightens ? FRAME_INK_LIGHTENS : FRAME_INK_DARKENS;
+    block->counts[2] = (int32_t)frame_ink_mode(inks);
 }
 
 void frame_block_set_curve(struct frame_block *block, const struct frame_curve *curve)

@@ -44,6 +44,9 @@ enum frame_ink_mode {
     FRAME_INK_BOTH = 2      /* two inks on paper of a middle tone */
 };
 
+/* Returns what the inks do on their paper. */
+enum frame_ink_mode frame_ink_mode(const struct frame_inks *inks);
+
 /* Convert inks and curve to the block's members. */
 void frame_block_set_inks(struct frame_block *block, const struct frame_inks *inks);
 void frame_block_set_curve(struct frame_block *block, const struct frame_curve *curve);

@@ -126,12 +126,22 @@ static void check_asset(const struct job *job)
     cmd_die(cmd_input_name(options->map_path), &err);
 }
 
+/* Returns whether strokes are drawn in the colours of their map or volume, if it has some. */
+static bool draws_colors(const struct options *options)
+{
+    const struct asset_kind *kind = technique_asset(options->technique);
+    return !options->probe && !options_paint(options) && (kind == &asset_columns || kind == &asset_volume);
+}
+
 static void read_asset(struct job *job)
 {
-    asset_read(&job->args, job->options->map_path, &job->asset);
+    const struct options *options = job->options;
+    asset_read(&job->args, options->map_path, &job->asset);
     check_asset(job);
     if (asset_is_map(&job->asset))
-        warn_of_map(&job->args, job->options, &job->asset.map);
+        warn_of_map(&job->args, options, &job->asset.map);
+    if (asset_is_colored(&job->asset) && draws_colors(options) && frame_ink_mode(&options->inks) != FRAME_INK_DARKENS)
+        cmd_warn(cmd_input_name(options->map_path), "a light ink draws strokes in its own colour, not in theirs");
     job->assets.asset = &job->asset;
 }
 

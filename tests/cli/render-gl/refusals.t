@@ -214,6 +214,20 @@ try $draw torus.glb --tam colours.exr
 is "drawing a coloured map in grey gives one warning" "$status $(wc -l <.err) $(grep -c "tam-triple" .err)" "0 1 1"
 try $draw torus.glb --tam colours.exr --technique tam-triple
 is "tam-triple draws a coloured map" "$status $(cat .err)" "0 "
+# A light ink would draw the complementary colours.
+tamvol -q colours.exr -o colours.ktx2
+for colours in 'tam-triple --tam colours.exr' 'volume --tam colours.ktx2'; do
+    for ink in '--ink white --paper black' '--ink black,white --paper grey'; do
+        # shellcheck disable=SC2086 # options
+        try $draw torus.glb --technique $colours $ink
+        is "$colours $ink gives one warning" "$status $(wc -l <.err) $(grep -c "light ink" .err)" "0 1 1"
+    done
+done
+for drawn in tam tam-triple; do
+    render-gl -q torus.glb --lines none --technique $drawn --tam colours.exr --ink white --paper black -o $drawn.exr
+done
+rms=$(hatchstat diff tam.exr tam-triple.exr | awk 'NR == 2 {print $4}')
+ok "white strokes of a coloured map are white: $rms" awk -v rms="$rms" 'BEGIN {exit !(rms != "" && rms < .01)}'
 tamgen --size 64 --levels 1 --palette dusk --ids -o ids.exr
 try $draw torus.glb --tam ids.exr --technique strokes
 is "fitted strokes without the map's colours give one warning" "$status $(wc -l <.err) $(grep -c "not drawn" .err)" "0 1 1"
