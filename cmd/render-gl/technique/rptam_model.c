@@ -70,7 +70,7 @@ static void read_stroke(struct cmd_args *args, const char *name, struct rptam_st
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT,
                              "stroke: '%s', want ink, pencil, crayon, charcoal, stipple, round or the file of an image",
                              name),
-                  rptam_options.layers, &err);
+                  cmd_input_name(rptam_options.layers), &err);
     if (kind < HATCH_BRUSH_IMAGE)
         cmd_check(hatch_brush_make((enum hatch_brush_kind)kind, &args->keep, &brush, &err), NULL, &err);
     else

@@ -45,6 +45,10 @@ refuses "a file without layers" 3 "the file has no layer" --layers /dev/null
 refuses "fewer seed sets than layers" 3 "two.seeds: 2 seed sets, but 4 layers in other.layers" --layers other.layers --seeds two.seeds
 printf 'stroke gone.png\n' >gone.layers
 refuses "a missing image of a stroke" 4 "gone.png" --layers gone.layers
+echo 'stroke nosuch' >unknown.layers
+refuses "an unknown stroke" 3 "render-gl: unknown.layers: stroke: 'nosuch'" --layers unknown.layers
+try $draw --layers - -o picture.png <unknown.layers
+is "an unknown stroke in standard input" "$status $(grep -c "^render-gl: standard input: stroke: 'nosuch'" .err)" "3 1"
 printf 'length 900 tile 100\n' >long.layers
 refuses "strokes longer than 8 tiles" 5 \
     "layer 1: strokes of 900 by 1.8 pixels are too large: the limit is 8 tiles of 100 pixels" --layers long.layers
