@@ -137,6 +137,15 @@ static uint32_t count_files(const struct pack_job *job, const struct pack_layout
     return count;
 }
 
+/* Opens the only file of a layout: in a folder it is named after the map. */
+static struct cmd_output *open_single(struct cmd_args *args, const struct pack_layout *how, const char *input)
+{
+    const char *path = args->output;
+    if (path && strcmp(path, "-") != 0 && is_folder(path))
+        path = file_name(args, path, input, "", how->ending);
+    return cmd_open_output(path, how->ending + 1, true);
+}
+
 /* Opens all files, encodes them, then writes them. */
 static void pack(const struct pack_job *job, const struct pack_layout *how, const char *input,
                  struct cmd_output *single)
@@ -149,7 +158,7 @@ static void pack(const struct pack_job *job, const struct pack_layout *how, cons
         files[i].job = job;
         files[i].how = how;
         files[i].output = single       ? single
-                          : count == 1 ? cmd_open_output(job->args->output, how->ending + 1, true)
+                          : count == 1 ? open_single(job->args, how, input)
                                        : open_file(job, how, input, i);
     }
     hatch_parallel_for(cmd_pool(job->args), count, encode, files);
@@ -175,7 +184,7 @@ int main(int argc, char **argv)
     const struct pack_layout *how = &pack_layouts[layout];
     const char *input = args.operand_count ? args.operands[0] : NULL;
     cmd_check_ending(args.output, how->ending + 1);
-    struct cmd_output *single = how->is_single ? cmd_open_output(args.output, how->ending + 1, true) : NULL;
+    struct cmd_output *single = how->is_single ? open_single(&args, how, input) : NULL;
 
     struct pack_job job = {.args = &args, .ink_is_one = ink == 1};
     cmd_read_map(job.args, input, &job.tam);

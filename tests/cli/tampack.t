@@ -31,6 +31,12 @@ cmp -s folder/map.1.ktx2 rgb/map.1.ktx2
 is "the name of the output does not change the bytes" $? 0
 try tampack -q three.exr -o one.ktx2
 is "a single file has exactly the given name" "$status $(find . -name 'one*' | paste -sd' ')" "0 ./one.ktx2"
+mkdir alone
+for layout in rgb array dds; do
+    try tampack -q --layout $layout three.exr -o alone/
+done
+try tampack -q - -o alone <three.exr
+is "in a folder a single file is named after the map" "$(files alone)" "tam.ktx2 three.dds three.ktx2"
 try tampack map.exr
 refused "two files to standard output" 2 2
 
