@@ -92,6 +92,17 @@ static void read_layers(struct cmd_args *args, struct rptam_source *source)
             read_stroke(args, source->layers.lines[i].stroke, &source->layer_strokes[i]);
 }
 
+/* Warns of keys of the style that seed points do not have. All styles have a jitter, of which the manual tells. */
+static void warn_of_style(const struct hatch_style *style)
+{
+    const char *const keys[] = {style->bend_max_rad > 0 ? "bend" : NULL,
+                                style->overlap != HATCH_OVERLAP_DARKENS ? "overlap" : NULL,
+                                style->color_count > 0 ? "color" : NULL};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (keys[i])
+            cmd_warn(NULL, "the key '%s' of the style %s has no effect without a map", keys[i], style->name);
+}
+
 static void read_drawing(struct cmd_args *args, struct rptam_source *source)
 {
     struct hatch_brush brush;
@@ -231,6 +242,8 @@ void rptam_read(struct technique_context *context, struct technique_instance *in
     read_layers(context->args, &state->source);
     read_sets(context->args, &state->source);
     read_drawing(context->args, &state->source);
+    if (!instance->technique->extra) /* else there may be a map, whose strokes have them */
+        warn_of_style(&state->source.drawing);
     cmd_check(rptam_make_model(context->args, state, &err),
               rptam_options.seeds ? cmd_input_name(rptam_options.seeds) : NULL, &err);
 }

@@ -32,6 +32,14 @@ is "a stroke from a picture changes the picture" "$(cmp -s plain.png own.png || 
 ok "a file of layers with given seed sets" $draw --layers folder/own.layers --seeds two.seeds -o two.png
 ok "--seed-layers below the number of layers in the file" $draw --layers folder/own.layers --seed-layers 1 -o one.png
 
+# Keys of a style that strokes at seed points do not have.
+for key in arcs:bend marker:overlap speckle:color; do
+    try $draw --style "${key%:*}" -o style.png
+    is "$key has no effect" "$status $(wc -l <.err) $(grep -c "'${key#*:}' of the style ${key%:*} has no effect" .err)" "0 1 1"
+done
+try $draw --style pencil -o style.png
+is "the keys of other styles have" "$status $(cat .err)" "0 "
+
 # refuses NAME STATUS WORDS OPTION ...: checks that render-gl exits with STATUS and one message with WORDS
 refuses() {
     name=$1 want=$2 words=$3
