@@ -150,6 +150,7 @@ static void warn_of_misses(const struct job *job, const struct hatch_fill_misses
 /* Fills the map with strokes of the style and passes its columns to job->columns. */
 static void fill_map(struct job *job)
 {
+    const struct hatch_progress progress = cmd_progress_of("columns");
     struct hatch_err err;
     struct hatch_fill_options fill = {.style = &job->style,
                                       .brush = &job->brush,
@@ -162,6 +163,7 @@ static void fill_map(struct job *job)
                                       .levels = job->levels,
                                       .method = (enum hatch_fill_method)method,
                                       .seed = job->args.seed,
+                                      .progress = &progress,
                                       .growth = (float)growth,
                                       .color = job->color,
                                       .ids = job->ids};

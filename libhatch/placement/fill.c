@@ -177,6 +177,16 @@ static enum verdict judge(double gain, double room)
     return gain > 1e-9 ? TAKE : FRUITLESS;
 }
 
+/* Reports how far the images are filled, all with the same weight. */
+static void report(const struct filler *f, uint32_t tone, uint32_t level)
+{
+    const struct hatch_fill_options *options = f->options;
+    uint32_t columns = options->needed ? options->needed : options->tones;
+    double share = fmin(f->canvas.darkness[level] / (double)f->targets[tone], 1);
+    double done = (double)tone * options->levels + (options->levels - 1 - level) + share;
+    hatch_progress_report(options->progress, done / ((double)columns * options->levels));
+}
+
 /* Adds strokes to one image until none brings its mean closer to the target. An image that is too dark already,
  * because of the strokes of coarser levels, receives none. */
 static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t level, struct hatch_err *err)
@@ -196,6 +206,7 @@ static enum hatch_status fill_image(struct filler *f, uint32_t tone, uint32_t le
         double room = room_for_stroke(f, level, target);
         if (!(room > 0) || is_shortest_too_dark(f, tone, level, room))
             return HATCH_OK;
+        report(f, tone, level);
         choice.number = f->choices++;
         struct hatch_stroke stroke = place(f, &choice);
         double gain = hatch_canvas_try(&f->canvas, &stroke, level, choice.scale);

@@ -2,6 +2,7 @@
 #ifndef HATCH_PLACEMENT_FILL_H
 #define HATCH_PLACEMENT_FILL_H
 
+#include "base/progress.h"
 #include "base/parallel.h"
 #include "stroke/stroke.h"
 #include "placement/style.h"
@@ -25,13 +26,14 @@ struct hatch_fill_options {
     float tolerance;                 /* that the map names: struct hatch_tam_whole; 0: it is whole, and not rounded */
     uint32_t levels;                 /* number of drawn levels, 1 upwards; the coarsest has at least 32 pixels */
     enum hatch_fill_method method;
-    uint64_t seed; /* random seed */
-    float growth;  /* 0 .. 0.9: at first strokes are shorter by this share, and thinner by half of it; they grow to full
-                      size over a third of the columns (Praun et al. 2001, §8, "stroke growth") */
-    bool color;    /* columns hold R, G and B, strokes have the colours of the style */
-    bool ids;      /* columns also hold the channels id (0: no stroke) and t (0 .. 1 along the stroke); where strokes
-                      cross, the first one drawn keeps the pixel. The last column has the list of the strokes if they
-                      darken one another (tam(5)) */
+    uint64_t seed;                         /* random seed */
+    const struct hatch_progress *progress; /* kept by reference; NULL: nobody is told */
+    float growth; /* 0 .. 0.9: at first strokes are shorter by this share, and thinner by half of it; they grow to full
+                     size over a third of the columns (Praun et al. 2001, §8, "stroke growth") */
+    bool color;   /* columns hold R, G and B, strokes have the colours of the style */
+    bool ids;     /* columns also hold the channels id (0: no stroke) and t (0 .. 1 along the stroke); where strokes
+                     cross, the first one drawn keeps the pixel. The last column has the list of the strokes if they
+                     darken one another (tam(5)) */
 };
 
 /* Difference of a mean tone that is no longer that of the last stroke: the installed styles stay below it. */

@@ -125,11 +125,41 @@ START_TEST(a_pixel_that_is_not_finite_is_rejected)
 }
 END_TEST
 
+/* Shares of the work that were reported. */
+struct shares {
+    uint32_t count, falls;
+    double last;
+};
+
+static void note_share(void *context, double share)
+{
+    struct shares *shares = context;
+    shares->count++;
+    shares->falls += share < shares->last || share > 1;
+    shares->last = share;
+}
+
+/* A column may take minutes: progress is told stroke by stroke. */
+START_TEST(progress_is_told_within_columns)
+{
+    struct shares shares = {0};
+    const struct hatch_progress progress = {note_share, &shares};
+    map_style("ink", NULL, &map);
+    map.options.progress = &progress;
+    map_fill(&map);
+    map.options.progress = NULL;
+    ck_assert_uint_ge(shares.count, map.strokes.count);
+    ck_assert_uint_eq(shares.falls, 0);
+    ck_assert_double_gt(shares.last, 0.9);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("tam parts");
     TCase *tests = tcase_create("parts");
     tcase_add_checked_fixture(tests, begin, map_end);
+    tcase_add_test(tests, progress_is_told_within_columns);
     tcase_add_test(tests, a_map_is_kept_by_reference);
     tcase_add_test(tests, attributes_may_have_their_limits);
     tcase_add_test(tests, part_names_must_be_numbered_without_gaps);
