@@ -89,7 +89,12 @@ static struct hatch_curves make_three(uint32_t many)
                                                            .share = {0.25f / sides[face] * (float)i, 0.5f},
                                                            .threshold = 1 + 1e-5f * (float)(2 * s + i)};
     }
-    return (struct hatch_curves){1, set.count, 2 * set.count, &set, curves, points};
+    return (struct hatch_curves){.set_count = 1,
+                                 .count = set.count,
+                                 .point_count = 2 * set.count,
+                                 .sets = &set,
+                                 .curves = curves,
+                                 .points = points};
 }
 
 START_TEST(components_are_evened_on_their_own)
