@@ -137,11 +137,11 @@ static uint32_t count_files(const struct pack_job *job, const struct pack_layout
     return count;
 }
 
-/* Opens the only file of a layout: in a folder it is named after the map. */
+/* Opens the only file of a layout: where the path ends with /, it is named after the map. */
 static struct cmd_output *open_single(struct cmd_args *args, const struct pack_layout *how, const char *input)
 {
     const char *path = args->output;
-    if (path && strcmp(path, "-") != 0 && is_folder(path))
+    if (path && *path && path[strlen(path) - 1] == '/')
         path = file_name(args, path, input, "", how->ending);
     return cmd_open_output(path, how->ending + 1, true);
 }

@@ -35,7 +35,7 @@ mkdir alone
 for layout in rgb array dds; do
     try tampack -q --layout $layout three.exr -o alone/
 done
-try tampack -q - -o alone <three.exr
+try tampack -q - -o alone/ <three.exr
 is "in a folder a single file is named after the map" "$(files alone)" "tam.ktx2 three.dds three.ktx2"
 try tampack map.exr
 refused "two files to standard output" 2 2

@@ -35,7 +35,7 @@ build() {
     (cd "$TOP" && ls cmd/tamgen/*.c cmd/shared/*.c cmd/shared/rules/*.c cmd/shared/names/*.c cmd/shared/values/*.c cmd/shared/needs/map.c \
         cmd/shared/needs/needs.c libhatch/base/*.c libhatch/image/*.c \
         libhatch/filter/*.c libhatch/stroke/*.c libhatch/tam/*.c libhatch/placement/*.c libhatch/io/exr/*.c \
-        libhatch/io/svg/*.c libhatch/io/png/*.c libhatch/io/foreign/*.c libhatch/curve/stroke_look.c \
+        libhatch/io/svg/*.c libhatch/io/drawing/*.c libhatch/io/png/*.c libhatch/io/foreign/*.c libhatch/curve/stroke_look.c \
         libhatch/curve/width.c libhatch/needs/*.c) |
         grep -vE 'shared/(scene|surface|field|texels)' >files
     TOP=$TOP xargs -P 2 -I{} sh -c '"$0" "$1" -std=c11 -D_POSIX_C_SOURCE=200809L -I"$TOP"/libhatch \
