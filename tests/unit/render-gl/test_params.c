@@ -1,4 +1,7 @@
 /* Parameters whose values change from frame to frame. */
+#include <math.h>
+#include <string.h>
+
 #include "run.h"
 
 #include "render-gl/mode/params.h"
@@ -26,11 +29,44 @@ START_TEST(whole_numbers_are_rounded_to_the_nearest)
 }
 END_TEST
 
+/* The steps of the window's keys, as render-gl(1) tells them. */
+START_TEST(steps_are_those_of_the_manual)
+{
+    static const struct {
+        const char *option;
+        double step;
+    } steps[] = {{"hatch-turn", 5},  {"light", 5},        {"from", 5},          {"fov", 5},
+                 {"stroke-turn", 5}, {"tone-range", .05}, {"grain", .05},       {"dry", .05},
+                 {"wet", .05},       {"stroke-ink", .05}, {"paper-grain", .05}, {"edge-darkening", .05},
+                 {"overlap", .1},    {"wobble", .5},      {"border", .5},       {"bands", 1},
+                 {"seed-layers", 1}, {"overdraw", 1}};
+    static char *words[] = {"render-gl", "scene.glb", "-t", "gouraud", "-o", "picture.png", NULL};
+    static struct cmd_args args;
+    struct param param;
+    size_t found = 0;
+    options_read(6, words, &args);
+    for (uint32_t i = 0; params_at(i, &param); i++) {
+        double want = 1.1;
+        bool by_factor = true;
+        for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
+            if (strcmp(param.option->name, steps[k].option) == 0) {
+                want = steps[k].step;
+                by_factor = false;
+                found++;
+            }
+        ck_assert_msg(param.by_factor == by_factor && fabs(param.step - want) < 1e-12, "%s: %g", param.option->name,
+                      param.step);
+    }
+    ck_assert_uint_eq(found, sizeof steps / sizeof *steps);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("params");
     TCase *tests = tcase_create("params");
     tcase_add_test(tests, a_motion_goes_back_and_forth);
+    tcase_add_test(tests, steps_are_those_of_the_manual);
     tcase_add_test(tests, whole_numbers_are_rounded_to_the_nearest);
     suite_add_tcase(suite, tests);
     return suite;
