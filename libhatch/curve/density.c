@@ -24,14 +24,6 @@ static int compare(const void *a, const void *b)
     return (x->point > y->point) - (x->point < y->point);
 }
 
-static double area_of(const struct hatch_mesh *mesh, uint32_t face)
-{
-    double corners[3][3], normal[3];
-    hatch_mesh_corners(mesh, face, corners);
-    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
-    return hatch_vec_length(normal) / 2;
-}
-
 /* Names the connected components.
  *   component  out: per face: a point of it, below point_count */
 static enum hatch_status find_components(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
@@ -69,7 +61,7 @@ enum hatch_status hatch_curves_group(const struct hatch_curves *curves, const st
     HATCH_TRY(HATCH_ALLOC(arena, &groups->area, groups->count, err));
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         groups->of_face[f] = group[component[f]];
-        groups->area[groups->of_face[f]] += area_of(mesh, f);
+        groups->area[groups->of_face[f]] += hatch_mesh_face_area(mesh, f);
     }
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;

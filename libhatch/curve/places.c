@@ -257,9 +257,9 @@ static enum hatch_status even_level(struct evening *evening, uint32_t level, str
 
 static double area_of(const struct hatch_mesh *mesh)
 {
-    double corner[3][3], sum = 0;
-    for (size_t f = 0; f < mesh->face_count; f++)
-        sum += read_face(mesh, f, corner);
+    double sum = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        sum += hatch_mesh_face_area(mesh, f);
     return sum;
 }
 

@@ -83,6 +83,14 @@ bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double cor
     return hatch_vec_dot(normal, normal) > 0;
 }
 
+double hatch_mesh_face_area(const struct hatch_mesh *mesh, uint32_t face)
+{
+    double corners[3][3], normal[3];
+    hatch_mesh_corners(mesh, face, corners);
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    return hatch_vec_length(normal) / 2;
+}
+
 static enum hatch_status check_positions(const struct hatch_mesh *mesh, struct hatch_err *err)
 {
     const float *positions = mesh->attributes[0].data;

@@ -104,6 +104,9 @@ uint32_t hatch_mesh_target_count(const struct hatch_mesh *mesh);
  * faces with sizes of 1e-30 to 1e30. */
 bool hatch_mesh_corners(const struct hatch_mesh *mesh, uint32_t face, double corners[3][3]);
 
+/* Returns the area of a face. */
+double hatch_mesh_face_area(const struct hatch_mesh *mesh, uint32_t face);
+
 /* Checks a mesh from a file. HATCH_BAD_INPUT for an index out of range, a position that is not finite, no faces, or no
  * face with an area. */
 enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
