@@ -141,7 +141,8 @@ static void read_asset(struct job *job)
     if (asset_is_map(&job->asset))
         warn_of_map(&job->args, options, &job->asset.map);
     if (asset_is_colored(&job->asset) && draws_colors(options) && frame_ink_mode(&options->inks) != FRAME_INK_DARKENS)
-        cmd_warn(cmd_input_name(options->map_path), "a light ink draws strokes in its own colour, not in theirs");
+        cmd_warn(cmd_input_name(options->map_path),
+                 "a light ink draws strokes in its own colour, not in those of the map");
     job->assets.asset = &job->asset;
 }
 
