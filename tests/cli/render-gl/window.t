@@ -16,26 +16,29 @@ soon $server [ -s display ]
 DISPLAY=:$(cat display)
 export DISPLAY
 
-# A rectangle that turns around its centre once in two seconds.
+# A rectangle that turns around its centre once in two seconds, and after 300 seconds is still as at the start, which is
+# seen where its animation plays backward.
 perl -e '
     use MIME::Base64;
-    my $bytes = pack("f<12f<8S<6", -1,-0.4,0, 1,-0.4,0, 1,0.4,0, -1,0.4,0, 0,1, 1,1, 1,0, 0,0,
+    my ($count, $quarter) = (302, atan2(1, 0));
+    my @turns = map { (0, 0, sin($quarter * $_), cos($quarter * $_)) } 0 .. 300, 300;
+    my $data = encode_base64(pack("f<12f<8S<6", -1,-0.4,0, 1,-0.4,0, 1,0.4,0, -1,0.4,0, 0,1, 1,1, 1,0, 0,0,
             0,1,2, 0,2,3) .
-        pack("f<3f<12", 0,1,2, 0,0,0,1, 0,0,1,0, 0,0,0,-1);
-    my $data = encode_base64($bytes, "");
+        pack("f<*", 0 .. 300, 10000, @turns), "");
+    my ($from, $size) = (92 + 4 * $count, 92 + 20 * $count);
     print qq({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
         "nodes":[{"mesh":0,"rotation":[0,0,0,1]}],
         "meshes":[{"primitives":[{"indices":2,"attributes":{"POSITION":0,"TEXCOORD_0":1}}]}],
         "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"rotation"}}],
             "samplers":[{"input":3,"output":4}]}],
-        "buffers":[{"byteLength":152,"uri":"data:application/octet-stream;base64,$data"}],
-        "bufferViews":[{"buffer":0,"byteLength":152}],
+        "buffers":[{"byteLength":$size,"uri":"data:application/octet-stream;base64,$data"}],
+        "bufferViews":[{"buffer":0,"byteLength":$size}],
         "accessors":[
             {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-0.4,0],"max":[1,0.4,0]},
             {"bufferView":0,"byteOffset":48,"componentType":5126,"count":4,"type":"VEC2"},
             {"bufferView":0,"byteOffset":80,"componentType":5123,"count":6,"type":"SCALAR"},
-            {"bufferView":0,"byteOffset":92,"componentType":5126,"count":3,"type":"SCALAR","min":[0],"max":[2]},
-            {"bufferView":0,"byteOffset":104,"componentType":5126,"count":3,"type":"VEC4"}]});' >turning.gltf
+            {"bufferView":0,"byteOffset":92,"componentType":5126,"count":$count,"type":"SCALAR","min":[0],"max":[10000]},
+            {"bufferView":0,"byteOffset":$from,"componentType":5126,"count":$count,"type":"VEC4"}]});' >turning.gltf
 tamgen --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 2000 -o teapot.glb
 
