@@ -1,10 +1,11 @@
 #!/usr/bin/env perl
-# run.pl FOLDER: draws N (80) random mutations of single lines of libhatch and cmd with the seed SEED (1), and tells for
-# each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that gives the
-# same machine code, is replaced by another. A first run of all tests, built with --coverage, finds which of them execute
-# the line; these run nearest first, two at a time (JOBS), and stop at the first failure. Those that need longer than
-# three times what they needed in the first run, and a minute, have failed. Mutations are built with checks of the bounds
-# of arrays; those that all tests pass go through the unit programs once more, built as by make check SANITIZE=1.
+# run.pl FOLDER: draws N (80) random mutations of single lines of libhatch and cmd with the seed SEED (1), and tells
+# for each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that
+# gives the same machine code, is replaced by another. A first run of all tests, with the files of the mutations built
+# with --coverage, finds which tests execute the line; these run nearest first, two at a time (JOBS), and stop at the
+# first failure. Those that need longer than three times what they needed in the first run, and a minute, have failed.
+# Mutations are built with checks of the bounds of arrays; those that all tests pass go through the unit programs once
+# more, built as by make check SANITIZE=1.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that only make an
 # allocated array larger, or that equivalent.tsv explains, are not counted: they cannot change a result. Verdicts are
 # kept in the folder, so that a run that was stopped goes on where it was, if neither code nor tests have changed.
@@ -14,6 +15,7 @@ use Cwd qw(abs_path);
 use Digest::SHA qw(sha1_hex);
 use File::Basename qw(dirname);
 use File::Path qw(make_path remove_tree);
+use List::Util qw(min);
 use POSIX qw(setsid :sys_wait_h);
 use Storable qw(retrieve store);
 use Time::HiRes qw(time sleep);
@@ -26,8 +28,8 @@ my ($wanted, $seed, $jobs) = ($ENV{N} || 80, $ENV{SEED} || 1, $ENV{JOBS} || 2);
 my $processors = () = contents('/proc/cpuinfo') =~ /^processor\b/mg;
 my @make = ('make', '-s', "-j$jobs");
 my %flags = ( # by the folders of the builds
-    build => ['CFLAGS=-O1 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error'],
-    cover => ['CFLAGS=-O1 -g0 --coverage'],
+    build => ['CFLAGS=-O2 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error'],
+    cover => ['CFLAGS=-O2 -g0', 'LDFLAGS=--coverage'],
     sane => ['CFLAGS=-O1 -g0', 'SANITIZE=1'],
 );
 require "$here/reach.pl";
@@ -40,9 +42,11 @@ sub prepare_tree {
     # stopped, go.
     my $git = "git -C '$folder' -c user.name=hatch -c user.email=hatch";
     system("git -C '$folder' reset -q --hard") if -d "$folder/.git";
-    system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0 or die "run.pl: the tree cannot be copied\n";
+    system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0
+        or die "run.pl: the tree cannot be copied\n";
+    my @kept = map { "-e /$_" } qw(cover sane tests.coverage verdicts);
     system("git init -q '$folder' && git ls-files -z | $git add --pathspec-from-file=- --pathspec-file-nul && " .
-        "$git commit -q --allow-empty -m copy && $git clean -fdq -e /cover -e /sane -e /tests.coverage -e /verdicts") == 0
+        "$git commit -q --allow-empty -m copy && $git clean -fdq @kept") == 0
         or die "run.pl: git cannot take the copy\n";
     chdir $folder or die;
     delete @ENV{qw(MAKEFLAGS MAKELEVEL MFLAGS N SEED)}; # pipelines have a SEED of their own
@@ -51,17 +55,30 @@ sub prepare_tree {
     $ENV{ASAN_OPTIONS} ||= 'detect_stack_use_after_return=1:allocator_may_return_null=1';
 }
 
+# Has the build for coverage count the lines of some files; those of all files would cost five times the time.
+sub count_lines_of {
+    my (@files) = @_;
+    my @objects = grep { $_ } map { object_of($_) } @files;
+    my $text = join '', map { "cover/$_: override CFLAGS += --coverage\n" } @objects;
+    return if contents('cover/counted.mk') eq $text;
+    remove_tree('cover');
+    make_path('cover');
+    put('cover/counted.mk', $text);
+}
+
 # Builds targets in a folder, and returns whether they can be built.
 sub build {
     my ($to, @targets) = @_;
     my @words = (@make, "B=$to", @{$flags{$to}}, map { /^(?:all|stage)$/ ? $_ : "$to/$_" } @targets);
+    local $ENV{MAKEFILES} = $to eq 'cover' ? 'cover/counted.mk' : '';
     return system(join(' ', map { "'$_'" } @words) . ' >make.log 2>&1') == 0;
 }
 
 # Starts a test of a build in a session of its own and returns the process; counts of --coverage go to
 # tmp/PROCESS.counts.
+#   place  less than JOBS; tests that run at the same time have different ones
 sub start {
-    my ($of, $test) = @_;
+    my ($of, $test, $place) = @_;
     my $pid = fork // die "run.pl: fork: $!\n";
     return $pid if $pid;
     setsid();
@@ -70,7 +87,7 @@ sub start {
     open STDOUT, '>', "tmp/$$.out" or die;
     open STDERR, '>&', \*STDOUT or die;
     # Threads on several processors would wait for each other at every count.
-    my @on = $of eq 'cover' ? ('taskset', '-c', $$ % $processors) : ();
+    my @on = $of eq 'cover' ? ('taskset', '-c', $place % $processors) : ();
     exec @on, $test =~ /\.t$/ ? ('sh', $test) : ("$of/$test") or die;
 }
 
@@ -88,7 +105,9 @@ sub run_tests {
     while (!$ended && (@waiting || %running)) {
         while (@waiting && keys %running < $jobs) {
             my $test = shift @waiting;
-            $running{start($of, $test)} = [$test, time];
+            my %taken = map { $_->[2] => 1 } values %running;
+            my ($place) = grep { !$taken{$_} } 0 .. $jobs - 1;
+            $running{start($of, $test, $place)} = [$test, time, $place];
         }
         for my $pid (keys %running) {
             my ($test, $since) = @{$running{$pid}};
@@ -119,8 +138,8 @@ sub first_failure {
     return $failed;
 }
 
-# Returns how near a test is to a file, from its path: 2 for a test of the file's own folder, 1 for one whose name shares
-# a word with the file's path, 0 for others.
+# Returns how near a test is to a file, from its path: 2 for a test of the file's own folder, 1 for one whose name
+# shares a word with the file's path, 0 for others.
 sub nearness {
     my ($test, $file) = @_;
     my ($module) = $file =~ m{^(?:libhatch|cmd)/([\w-]+)};
@@ -183,11 +202,11 @@ sub measure_tests {
     return %odd;
 }
 
-# As measure_tests, but keeps the result in the folder, and takes from there what it has for the same code and the same
-# tests.
+# As measure_tests, but keeps the result in the folder, and takes from there what it has for the same code, the same
+# files whose lines are counted and the same tests.
 sub know_tests {
     my ($took, @tests) = @_;
-    my $code = `git rev-parse HEAD:libhatch HEAD:cmd`;
+    my $code = `git rev-parse HEAD:libhatch HEAD:cmd` . contents('cover/counted.mk');
     my %now = map { $_ => scalar `git rev-parse HEAD:$_` } map { /\.t$/ ? $_ : "$_.c" } @tests;
     my $kept = -e 'tests.coverage' ? retrieve('tests.coverage') : {code => ''};
     $kept = {code => $code, took => {}, odd => {}, is => {}} if $kept->{code} ne $code;
@@ -268,6 +287,9 @@ my @drawn = map { chomp; [split /\t/] } do {
     open my $in, '-|', 'perl', "$here/draw.pl", 2 * $wanted, $seed, @sources or die;
     <$in>;
 } or die "run.pl: no mutation was drawn\n";
+# Some are replaced. The few that are drawn after these are judged by all tests.
+my %first = map { $_->[0] => 1 } @drawn[0 .. min($#drawn, int(1.3 * $wanted))];
+count_lines_of(sort keys %first);
 my ($programs, $scripts) = build_tests();
 my $took = {};
 my %odd = know_tests($took, @$programs, @$scripts);
