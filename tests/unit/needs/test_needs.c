@@ -1,6 +1,7 @@
 #include "arenas.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "needs/needs.h"
@@ -123,6 +124,38 @@ START_TEST(a_wrong_file_is_refused_with_its_row)
         ck_assert_msg(strncmp(err.text, cases[i][1], strlen(cases[i][1])) == 0, "%s", err.text);
         ck_assert(needs.darkest > 6);
     }
+}
+END_TEST
+
+/* needs(5): the least and the greatest value of each thing are read, and nothing beyond. */
+START_TEST(ranges_include_their_ends)
+{
+    static const struct {
+        const char *thing, *low, *high, *under, *over;
+    } things[] = {
+        {"tolerance", "1e-6", "1", "9e-7", "1.01"},
+        {"relative", "0", "1", "-.01", "1.01"},
+        {"darkest", "0", "1", "-.01", "1.01"},
+        {"unit-px", "0", "1e30", "-.01", "2e30"},
+        {"texels", "0", "1", "-.01", "1.01"},
+        {"solid-px", "1", "1e6", ".99", "1000001"},
+        {"item-px", "0", "1e30", "-.01", "2e30"},
+        {"region-low", "-1e30", "1e30", "-2e30", "2e30"},
+        {"region-side", "0", "1e30", "-.01", "2e30"},
+        {"region-cells", "0", "32768", "-.01", "32769"},
+        {"region-unit-px", "0", "1e30", "-.01", "2e30"},
+    };
+    for (size_t i = 0; i < sizeof things / sizeof *things; i++)
+        for (int k = 0; k < 4; k++) {
+            const char *values[4] = {things[i].low, things[i].high, things[i].under, things[i].over};
+            char text[600], want[60];
+            struct hatch_needs needs;
+            snprintf(text, sizeof text, HEAD ROWS "%s\t0\t%s\t\n", things[i].thing, values[k]);
+            snprintf(want, sizeof want, "row 12: %s: want a number", things[i].thing);
+            enum hatch_status status = parse(text, &needs); /* a number of rows that is wrong is told after all rows */
+            ck_assert_msg((status == HATCH_BAD_INPUT && strncmp(err.text, want, strlen(want)) == 0) == (k > 1),
+                          "%s %s: %s", things[i].thing, values[k], status ? err.text : "read");
+        }
 }
 END_TEST
 
@@ -339,6 +372,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_file_is_read);
     tcase_add_test(tests, regions_that_nobody_reads_are_passed_over);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
+    tcase_add_test(tests, ranges_include_their_ends);
     tcase_add_test(tests, a_file_that_was_cut_is_refused);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
     tcase_add_test(tests, columns_are_no_closer_than_the_tolerance_asks);
