@@ -133,6 +133,52 @@ START_TEST(multigrid_takes_few_iterations)
 }
 END_TEST
 
+/* to = i^quarters from */
+static void turn(uint32_t quarters, const double from[2], double to[2])
+{
+    static const double unit[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    const double *by = unit[quarters % 4], x = from[0], y = from[1];
+    to[0] = by[0] * x - by[1] * y;
+    to[1] = by[0] * y + by[1] * x;
+}
+
+/* The quarters by which the axes of a node are turned below. */
+static uint32_t quarters_of(uint32_t node)
+{
+    return (uint32_t)(4 * (double)hatch_random_unit(3, 2, node));
+}
+
+/* Axes of nodes are arbitrary. Where those of each node are turned, so are its links and its data; its value turns with
+ * them, and the solver takes as many iterations, or one more or less where a residual is rounded. */
+START_TEST(the_axes_of_nodes_do_not_matter)
+{
+    struct grid *grid = make_grid(SIDE);
+    const struct hatch_field_system *system = &grid->system;
+    struct hatch_field_convergence convergence[2] = {{0}};
+    struct hatch_field_levels *levels;
+    double z[2][2 * NODES], want[2];
+    for (int turned = 0; turned < 2; turned++) {
+        for (uint32_t n = 0; n < NODES; n++) {
+            uint32_t own = turned ? quarters_of(n) : 0;
+            for (uint32_t i = system->first[n]; turned && i < system->first[n + 1]; i++)
+                turn(own + 4 - quarters_of(system->to[i]), &system->link[2 * i], &system->link[2 * i]);
+            turn(own, &system->rhs[2 * n], &system->rhs[2 * n]);
+            turn(own, &grid->z[2 * n], &z[turned][2 * n]);
+        }
+        HATCH_TEST_OK(hatch_field_coarsen(system, &keep, &levels, &err), &err);
+        HATCH_TEST_OK(hatch_field_solve_multigrid(levels, 1e-8, 200, &scratch, z[turned], &convergence[turned], &err),
+                      &err);
+    }
+    ck_assert_uint_le(convergence[1].iterations, convergence[0].iterations + 1);
+    ck_assert_uint_ge(convergence[1].iterations + 1, convergence[0].iterations);
+    for (uint32_t n = 0; n < NODES; n++) {
+        turn(quarters_of(n), &z[0][2 * n], want);
+        ck_assert_double_eq_tol(z[1][2 * n], want[0], 1e-6);
+        ck_assert_double_eq_tol(z[1][2 * n + 1], want[1], 1e-6);
+    }
+}
+END_TEST
+
 START_TEST(all_nodes_take_the_angle_of_the_data)
 {
     struct grid *grid = make_grid(SIDE);
@@ -223,6 +269,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, all_nodes_take_the_value_of_the_data);
     tcase_add_test(tests, multigrid_takes_few_iterations);
+    tcase_add_test(tests, the_axes_of_nodes_do_not_matter);
     tcase_add_test(tests, all_nodes_take_the_angle_of_the_data);
     tcase_add_test(tests, a_descent_ends_where_no_step_lowers_the_energy);
     tcase_add_test(tests, exact_data_does_not_hide_the_rest);
