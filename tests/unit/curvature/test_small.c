@@ -56,6 +56,45 @@ START_TEST(a_support_of_many_points_is_limited)
 }
 END_TEST
 
+/* A flat strip from a point on, with the next points at distances that are powers of 1.25. */
+static struct hatch_mesh strip(uint32_t points)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, points, points - 2, &mesh, &err), &err);
+    for (uint32_t i = 1; i < points; i++) {
+        double away = pow(1.25, i), angle = (i % 2 ? 0.2 : -0.2) * (1 + 0.1 * i);
+        mesh.attributes[0].data[3 * i] = (float)(away * cos(angle));
+        mesh.attributes[0].data[3 * i + 1] = (float)(away * sin(angle));
+    }
+    for (uint32_t i = 0; i < 3 * mesh.face_count; i++)
+        mesh.indices[i] = i / 3 + i % 3;
+    return mesh;
+}
+
+/* Supports grow twelve times by 1.25. From two points of the strip on, each has one point more, so that the last has
+ * 13, fewer than the 21 that a fit of degree 4 takes. If the strip has no more than 8, these have a fit of degree 2.
+ */
+START_TEST(supports_that_go_on_growing_have_no_fit)
+{
+    for (uint32_t points = 8; points <= 30; points += 22) {
+        struct field_case of = case_of(strip(points));
+        struct hatch_curvature_run run;
+        begin_run(&of, &run);
+        const struct hatch_surface *surface = &run.graph.surface;
+        struct hatch_jet_frame frame = {.radius = 0};
+        struct hatch_jet_system system = {.degree = 9};
+        uint32_t end = 0;
+        for (uint32_t p = 0; p < points; p++)
+            end = surface->points[3 * p] < surface->points[3 * end] ? p : end;
+        double radius = pow(1.25, 1.5) / surface->components[0].scale;
+        hatch_curvature_fit(run.supports, end, &run.graph.normals[3 * (size_t)end], radius, 4, &frame, &system);
+        ck_assert_uint_eq(run.supports->count, points == 8 ? 8 : 13);
+        ck_assert_double_eq_tol(frame.radius, points == 8 ? radius * pow(1.25, 7) : 0, 1e-9);
+        ck_assert_uint_eq(system.degree, points == 8 ? 2 : 0);
+    }
+}
+END_TEST
+
 /* Half the last place of a float at the largest coordinate, whichever that is. */
 START_TEST(rounding_errors_grow_with_the_largest_coordinate)
 {
@@ -195,6 +234,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_support_holds_the_points_within_its_radius);
     tcase_add_test(tests, a_support_of_many_points_is_limited);
+    tcase_add_test(tests, supports_that_go_on_growing_have_no_fit);
     tcase_add_test(tests, rounding_errors_grow_with_the_largest_coordinate);
     tcase_add_test(tests, means_of_fits_have_the_curvature_of_the_shape);
     tcase_add_test(tests, each_point_may_have_its_own_fit);
