@@ -110,6 +110,35 @@ START_TEST(growth_fills_the_outline)
 }
 END_TEST
 
+/* The first round takes at most twice as many faces as the outline would contain if all were as large as the seed face,
+ * but 16 in any case: here it is taken to be larger than it is. Patches that begin on one of these later start with
+ * four times the faces of this one. */
+START_TEST(a_first_round_takes_few_faces_around_a_large_one)
+{
+    static const double edges[] = {1, 2, 4, 1e3};
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+        struct grow_case of;
+        struct hatch_patch_notes made;
+        begin_patch(&of, 1);
+        struct hatch_solver solver = {.arena = &keep};
+        uint32_t seed = of.growth.patch.seed_face;
+        of.domain.faces_max = UINT32_MAX;
+        of.domain.target_radius[seed] = 8;
+        of.domain.edge_length[seed] = edges[i];
+        HATCH_TEST_OK(hatch_patch_make(&of.growth, &solver, &LAPPED_DEFAULTS, seed, 0, &made, &err), &err);
+        double radius = 2 * of.outline.reach_max * 8 / edges[i], contained = PI * radius * radius * 4 / sqrt(3);
+        uint32_t first = of.growth.first_attempt_count, later = 4 * of.growth.patch.face_count;
+        if (i == 0)
+            ck_assert_double_lt(first, 1.5 * contained);
+        else
+            ck_assert_double_eq_tol(first, fmax(2 * contained, 16), 0.9 + 0.01 * contained);
+        for (uint32_t f = 0; f < first; f++)
+            ck_assert_uint_eq(of.growth.start_faces_max[of.growth.first_attempt[f]], later);
+        ck_assert_uint_gt(later / 4, 4 * 16);
+    }
+}
+END_TEST
+
 /* Of random triangles: through the corners of an acute one; an obtuse one has the longest side for a diameter. */
 START_TEST(circles_enclose_triangles)
 {
@@ -145,6 +174,7 @@ static Suite *suite(void)
     tcase_add_test(tests, circles_enclose_triangles);
     tcase_add_test(tests, growth_stops_at_its_limit);
     tcase_add_test(tests, growth_fills_the_outline);
+    tcase_add_test(tests, a_first_round_takes_few_faces_around_a_large_one);
     suite_add_tcase(suite, tests);
     return suite;
 }
