@@ -1,5 +1,5 @@
 /* Coarse meshes whose numbers of faces and errors are known. */
-#include "coarse/coarse.h"
+#include "coarse/work.h"
 
 #include "math/triangle.h"
 #include "math/vector.h"
@@ -50,6 +50,33 @@ static struct hatch_mesh sheet(uint32_t n, double height)
     }
     return mesh;
 }
+
+/* Adds the plane at a distance from the origin along an axis. */
+static void add_plane(struct hatch_coarse_quadric *quadric, int axis, double distance, double weight)
+{
+    static const int square[3] = {0, 4, 7}, linear[3] = {3, 6, 8}; /* of x x, y y, z z, and of x, y, z */
+    quadric->terms[square[axis]] += weight;
+    quadric->terms[linear[axis]] -= weight * distance;
+    quadric->terms[9] += weight * distance * distance;
+    quadric->weight += weight;
+}
+
+/* A point at (1, 2, 3) collapses onto one at (4, 6, 3), 5 away. Both have the plane z = 3; then also one each, from
+ * which the second point is 2 and 3 away. */
+START_TEST(a_collapse_costs_squared_distances_from_planes)
+{
+    double at[6] = {1, 2, 3, 4, 6, 3}, tolerance[2] = {7, 0.5};
+    struct hatch_coarse_quadric quadrics[2] = {{.weight = 0}};
+    const struct hatch_coarse_work work = {.at = at, .tolerance = tolerance, .quadric = quadrics};
+    add_plane(&quadrics[0], 2, 3, 8);
+    add_plane(&quadrics[1], 2, 3, 10);
+    /* Where all is flat, the shortest edge goes first. */
+    ck_assert_double_eq_tol(hatch_coarse_cost(&work, 0, 1), 1e-6 * 25 * 8 / 0.25, 1e-12);
+    add_plane(&quadrics[0], 0, 2, 1);
+    add_plane(&quadrics[1], 1, 9, 0.5);
+    ck_assert_double_eq_tol(hatch_coarse_cost(&work, 0, 1), (2 * 2 + 0.5 * 3 * 3 + 1e-6 * 25 * 9) / 0.25, 1e-9);
+}
+END_TEST
 
 START_TEST(a_plane_becomes_two_faces)
 {
@@ -393,6 +420,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("coarse");
     TCase *tests = tcase_create("coarse");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_collapse_costs_squared_distances_from_planes);
     tcase_add_test(tests, a_plane_becomes_two_faces);
     tcase_add_test(tests, a_box_keeps_its_twelve_faces);
     tcase_add_test(tests, a_sphere_follows_the_sagitta);
