@@ -33,6 +33,53 @@ START_TEST(bases_along_z_are_found)
 }
 END_TEST
 
+/* Adds a right-angled triangle with short sides of a length along x and y; it touches the planes of both axes only if
+ * the length is 1. */
+static void add_level(struct hatch_mesh *mesh, double length, double z)
+{
+    size_t face = mesh->face_count++;
+    double low = (1 - length) / 4;
+    const double corners[3][2] = {{low + length, low}, {low, low + length}, {low, low}};
+    for (size_t c = 0; c < 3; c++) {
+        float *p = &mesh->attributes[0].data[3 * (3 * face + c)];
+        p[0] = (float)corners[c][0];
+        p[1] = (float)corners[c][1];
+        p[2] = (float)z;
+        mesh->indices[3 * face + c] = (uint32_t)(3 * face + c);
+    }
+}
+
+/* Returns whether a mesh stands along z whose levels are triangles at the bottom, in the middle and at the top, of
+ * given lengths, and one of length 0.5 at a height that has a corner beside the bottom's edge along x, unless the
+ * height is 0. */
+static bool levels_stand(double bottom, double middle, double top, double beside)
+{
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 12, 4, &mesh, &err), &err);
+    mesh.face_count = 0;
+    add_level(&mesh, bottom, 0);
+    add_level(&mesh, middle, 0.5);
+    add_level(&mesh, top, 1);
+    if (beside > 0) {
+        add_level(&mesh, 0.5, beside);
+        mesh.attributes[0].data[9 * 3 + 1] = 0;
+    }
+    return hatch_mesh_stands_along_z(&mesh);
+}
+
+/* Seen along z, a base covers at least 0.15 of the mesh's rectangle, and twice as much as the top; seen along y, the
+ * lowest points cover at most a quarter of that: here as much as the height of the corner beside the base. */
+START_TEST(bases_are_told_from_others_at_the_limits)
+{
+    ck_assert(levels_stand(0.39, 1, 0.1, 0));
+    ck_assert(!levels_stand(0.38, 1, 0.1, 0));
+    ck_assert(levels_stand(1, 0.5, 0.7, 0));
+    ck_assert(!levels_stand(1, 0.5, 0.72, 0));
+    ck_assert(levels_stand(1, 0.5, 0.5, 0.24));
+    ck_assert(!levels_stand(1, 0.5, 0.5, 0.26));
+}
+END_TEST
+
 START_TEST(no_base_is_no_hint)
 {
     static const enum hatch_shape round[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_ELLIPSOID, HATCH_SHAPE_SUPERQUADRIC,
@@ -111,6 +158,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("up");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, bases_along_z_are_found);
+    tcase_add_test(tests, bases_are_told_from_others_at_the_limits);
     tcase_add_test(tests, no_base_is_no_hint);
     tcase_add_test(tests, borders_of_terrains_are_no_bases);
     tcase_add_test(tests, ends_that_are_alike_are_no_bases);
