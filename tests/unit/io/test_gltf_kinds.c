@@ -178,6 +178,25 @@ START_TEST(required_extensions_are_checked_first)
 }
 END_TEST
 
+/* The names and the commas between them fill the 191 characters; with one more, the last name has no room, but counts.
+ */
+START_TEST(extensions_that_are_left_out_are_named_while_there_is_room)
+{
+    for (int more = 0; more < 2; more++) {
+        char json[400], want[400];
+        snprintf(want, sizeof want, "W, X_%060d, X_%060d, X_%0*d%s", 1, 2, 55 + more, 3, more ? "" : ", Y");
+        snprintf(
+            json, sizeof json,
+            "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"W\",\"X_%060d\",\"X_%060d\",\"X_%0*d\",\"Y\"]}", 1,
+            2, 55 + more, 3);
+        reads(json);
+        ck_assert_uint_eq(notes.extensions_dropped, 5);
+        ck_assert_str_eq(notes.extension_dropped, want);
+        ck_assert_uint_eq(strlen(want), more ? 189 : sizeof notes.extension_dropped - 1);
+    }
+}
+END_TEST
+
 START_TEST(trailing_zeros_are_ignored)
 {
     char json[64] = "{\"asset\":{\"version\":\"2.0\"}}";
@@ -291,6 +310,7 @@ static Suite *suite(void)
     tcase_add_test(tests, instances_are_nodes);
     tcase_add_test(tests, two_keys_may_have_one_time);
     tcase_add_test(tests, required_extensions_are_checked_first);
+    tcase_add_test(tests, extensions_that_are_left_out_are_named_while_there_is_room);
     tcase_add_test(tests, trailing_zeros_are_ignored);
     tcase_add_test(tests, images_of_extensions_are_found);
     tcase_add_test(tests, texture_coordinates_may_be_of_any_set);
