@@ -6,11 +6,12 @@
 #include "surface_check.h"
 #include "surface/nearest.h"
 
-/* Two triangles of different sizes, far apart, and an unused vertex between them. */
+/* Two triangles of different sizes, far apart, of which the face of the last vertices comes first, and an unused vertex
+ * between them. */
 static struct hatch_mesh two_triangles(void)
 {
     static const float at[7][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {50, 0, 0}, {100, 0, 0}, {130, 0, 0}, {100, 40, 0}};
-    static const uint32_t corners[6] = {0, 1, 2, 4, 5, 6};
+    static const uint32_t corners[6] = {4, 5, 6, 0, 1, 2};
     return mesh_of(at[0], 7, corners, 2);
 }
 
@@ -101,7 +102,7 @@ START_TEST(every_used_vertex_has_a_point)
 {
     struct hatch_mesh mesh = two_triangles();
     struct hatch_surface surface = surface_of(&mesh);
-    uint32_t points[7];
+    uint32_t points[7] = {0};
     hatch_surface_vertex_points(&surface, 7, points);
     for (uint32_t v = 0; v < 7; v++) {
         if (v == 3) {
