@@ -98,15 +98,16 @@ static struct hatch_mesh rod(uint32_t sides, float height)
     return mesh_of(positions, 2 * sides, indices, faces);
 }
 
-/* Of 8 sides, each face around them is larger than an end; of 24 and a height of 9, the ends are a tenth of the
- * surface. */
+/* Of 5 sides, whose edges still count as round, an end has only three faces; of 8, each face around them is larger than
+ * an end; of 24 and a height of 9, the ends are a tenth of the surface. */
 START_TEST(ends_of_rods_are_planes_however_long)
 {
-    for (uint32_t sides = 8; sides <= 24; sides += 16)
+    static const uint32_t sides[] = {5, 8, 24};
+    for (int i = 0; i < 3; i++)
         for (float height = 1; height < 2000; height *= 3) {
-            struct hatch_mesh mesh = rod(sides, height);
+            struct hatch_mesh mesh = rod(sides[i], height);
             struct hatch_surface s = cut(&mesh);
-            ck_assert_msg(s.plane_count == 2 && s.component_count == 3, "%u sides, height %g: %u planes", sides,
+            ck_assert_msg(s.plane_count == 2 && s.component_count == 3, "%u sides, height %g: %u planes", sides[i],
                           (double)height, s.plane_count);
         }
 }
