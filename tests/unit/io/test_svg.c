@@ -378,21 +378,6 @@ START_TEST(the_limits_themselves_are_allowed)
 }
 END_TEST
 
-/* Each side is then the unit of its own axis. */
-START_TEST(a_page_is_a_square_to_within_a_thousandth)
-{
-    static const char *const pages[2] = {"<svg viewBox='0 0 999.2 1000'><path stroke='red' d='M0 0 499.6 500'/></svg>",
-                                         "<svg viewBox='0 0 1000 999.2'><path stroke='red' d='M0 0 500 499.6'/></svg>"};
-    for (int i = 0; i < 2; i++) {
-        HATCH_TEST_OK(read_text(pages[i]), &err);
-        ck_assert_uint_eq(list.count, 1);
-        check_ends(0, 0, 0, 50, 50);
-    }
-    ck_assert_int_eq(read_text("<svg viewBox='0 0 998.8 1000'/>"), HATCH_BAD_INPUT);
-    ck_assert_int_eq(read_text("<svg viewBox='0 0 1000 998.8'/>"), HATCH_BAD_INPUT);
-}
-END_TEST
-
 START_TEST(strokes_outside_may_be_wide_or_long)
 {
     read_page("<g stroke='red' fill='none'><path stroke-width='500' d='M-400 0h-90'/>"
@@ -477,7 +462,6 @@ static Suite *suite(void)
     tcase_add_test(tests, ignored_elements_are_counted);
     tcase_add_loop_test(tests, errors_name_their_line, 0, sizeof bad / sizeof *bad);
     tcase_add_test(tests, the_limits_themselves_are_allowed);
-    tcase_add_test(tests, a_page_is_a_square_to_within_a_thousandth);
     tcase_add_test(tests, strokes_outside_may_be_wide_or_long);
     tcase_add_test(tests, a_huge_page_is_refused);
     tcase_add_test(tests, entities_and_units_are_read);

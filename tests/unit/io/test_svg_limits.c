@@ -1,5 +1,38 @@
-/* Drawings that are refused because clones, dashes or rules would take too long or too much memory. */
+/* The limits of drawings: of their page, and of clones, dashes and rules, which would take too long or too much memory.
+ */
 #include "svg/drawing.h"
+
+/* Each side is then the unit of its own axis. */
+START_TEST(a_page_is_a_square_to_within_a_thousandth)
+{
+    static const char *const pages[2] = {"<svg viewBox='0 0 999.2 1000'><path stroke='red' d='M0 0 499.6 500'/></svg>",
+                                         "<svg viewBox='0 0 1000 999.2'><path stroke='red' d='M0 0 500 499.6'/></svg>"};
+    for (int i = 0; i < 2; i++) {
+        HATCH_TEST_OK(read_text(pages[i]), &err);
+        ck_assert_uint_eq(list.count, 1);
+        check_ends(0, 0, 0, 50, 50);
+    }
+    ck_assert_int_eq(read_text("<svg viewBox='0 0 998.8 1000'/>"), HATCH_BAD_INPUT);
+    ck_assert_int_eq(read_text("<svg viewBox='0 0 1000 998.8'/>"), HATCH_BAD_INPUT);
+}
+END_TEST
+
+/* Lines of width 2 along the sides of a page of 128: one that touches its side is drawn, one beyond that is not. */
+START_TEST(a_stroke_that_touches_the_page_is_inside)
+{
+    static const char *const lines[4] = {"M%g 9V20", "M%g 9V20", "M9 %gH20", "M9 %gH20"};
+    for (int i = 0; i < 8; i++) {
+        char path[20], text[200];
+        double beyond = i < 4 ? 1 : 1.125;
+        snprintf(path, sizeof path, lines[i % 4], i % 2 ? 128 + beyond : -beyond);
+        snprintf(text, sizeof text, "<svg viewBox='0 0 128 128'><path stroke='red' stroke-width='2' d='%s'/></svg>",
+                 path);
+        HATCH_TEST_OK(read_text(text), &err);
+        ck_assert_uint_eq(list.count, i < 4);
+        ck_assert_uint_eq(notes.outside, i >= 4);
+    }
+}
+END_TEST
 
 START_TEST(exponential_and_deep_clones_are_refused)
 {
@@ -78,6 +111,8 @@ static Suite *suite(void)
     Suite *suite = suite_create("io svg limits");
     TCase *tests = tcase_create("svg_limits");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, a_page_is_a_square_to_within_a_thousandth);
+    tcase_add_test(tests, a_stroke_that_touches_the_page_is_inside);
     tcase_add_test(tests, exponential_and_deep_clones_are_refused);
     tcase_add_test(tests, a_million_cloned_elements_are_accepted);
     tcase_add_test(tests, dashes_and_gaps_are_fewer_than_a_million);
