@@ -5,6 +5,7 @@
 
 #include "arenas.h"
 #include "io/glb/glb.h"
+#include "io/gltf/check.h"
 #include "io/gltf/gltf.h"
 
 static struct hatch_scene scene;
@@ -197,6 +198,33 @@ START_TEST(extensions_that_are_left_out_are_named_while_there_is_room)
 }
 END_TEST
 
+/* Buffers in files have a URI of their own that holds no data; a fallback may have one or none. */
+START_TEST(buffers_in_files_and_fallbacks_are_listed)
+{
+#define FALLBACK(is) "\"byteLength\":8,\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":" is "}}}"
+    static const char json[] =
+        "{\"images\":[{\"uri\":\"c\"}],\"buffers\":[{\"byteLength\":5},{\"byteLength\":7,"
+        "\"uri\":\"a\"},{\"uri\":\"data:,AAAA\",\"byteLength\":3},{" FALLBACK(
+            "true") ","
+                    "{\"byteLength\":6},{\"uri\":\"b\",\"byteLength\":9,\"extras\":{\"uri\":\"data:,A\"}},"
+                    "{\"uri\":\"d\"," FALLBACK("true") ",{\"uri\":\"e\"," FALLBACK("false") "]}";
+    static const uint64_t lengths[] = {7, 9, 8};
+    static const char *const fallbacks[] = {"{" FALLBACK("true"), "{\"uri\":\"d\"," FALLBACK("true")};
+    struct hatch_gltf_buffers found = {{.arena = &keep}, {.arena = &keep}};
+    const struct hatch_bytes bytes = {(const uint8_t *)json, sizeof json - 1};
+    HATCH_TEST_OK(hatch_gltf_check_json(bytes, &found, &err), &err);
+    ck_assert_uint_eq(found.lengths.size, sizeof lengths);
+    ck_assert_mem_eq(found.lengths.data, lengths, sizeof lengths);
+    ck_assert_uint_eq(found.fallbacks.size, 2 * sizeof(struct hatch_gltf_range));
+    for (size_t i = 0; i < 2; i++) {
+        struct hatch_gltf_range range;
+        memcpy(&range, found.fallbacks.data + i * sizeof range, sizeof range);
+        ck_assert_uint_eq(range.end - range.start, strlen(fallbacks[i]));
+        ck_assert_mem_eq(json + range.start, fallbacks[i], range.end - range.start);
+    }
+}
+END_TEST
+
 START_TEST(trailing_zeros_are_ignored)
 {
     char json[64] = "{\"asset\":{\"version\":\"2.0\"}}";
@@ -311,6 +339,7 @@ static Suite *suite(void)
     tcase_add_test(tests, two_keys_may_have_one_time);
     tcase_add_test(tests, required_extensions_are_checked_first);
     tcase_add_test(tests, extensions_that_are_left_out_are_named_while_there_is_room);
+    tcase_add_test(tests, buffers_in_files_and_fallbacks_are_listed);
     tcase_add_test(tests, trailing_zeros_are_ignored);
     tcase_add_test(tests, images_of_extensions_are_found);
     tcase_add_test(tests, texture_coordinates_may_be_of_any_set);
