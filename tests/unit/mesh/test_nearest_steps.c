@@ -48,6 +48,21 @@ START_TEST(a_search_takes_as_many_steps_among_many_needles)
 }
 END_TEST
 
+/* In each octant as around the origin. */
+START_TEST(a_search_takes_as_many_steps_wherever_the_mesh_lies)
+{
+    struct hatch_mesh middle = bare_shape(HATCH_SHAPE_TORUS, 20000);
+    double here = steps_a_search(&middle);
+    for (uint32_t octant = 0; octant < 8; octant++) {
+        struct hatch_mesh moved = bare_shape(HATCH_SHAPE_TORUS, 20000);
+        for (uint32_t i = 0; i < 3 * moved.vertex_count; i++)
+            moved.attributes[0].data[i] += octant >> i % 3 & 1 ? 2 : -2;
+        double there = steps_a_search(&moved);
+        ck_assert_msg(there < 1.2 * here && here < 1.2 * there, "%g steps, %g in octant %u", here, there, octant);
+    }
+}
+END_TEST
+
 /* Returns the steps per needle of the comparison of a cone with another, in a picture of 1000 x 1000 pixels. */
 static double steps_a_needle(uint32_t count, uint32_t coarse_count)
 {
@@ -81,6 +96,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("steps");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_search_takes_as_many_steps_among_many_needles);
+    tcase_add_test(tests, a_search_takes_as_many_steps_wherever_the_mesh_lies);
     tcase_add_test(tests, a_needle_takes_as_many_steps_beside_many_needles);
     suite_add_tcase(suite, tests);
     return suite;
