@@ -1,7 +1,7 @@
 /* Attributes that keep points of a flat sheet, up to the difference that may vanish. */
 #include <math.h>
 
-#include "coarse/coarse.h"
+#include "coarse/work.h"
 
 #include "meshes.h"
 #include "run.h"
@@ -130,6 +130,39 @@ START_TEST(textures_may_move_by_the_tolerance)
 }
 END_TEST
 
+/* A corner at the origin between a face on which the texture has the lengths of the surface and a flat one on which it
+ * is 2 and 3 times as long along x and y. The weight of either is the square of twice its area over that of its longest
+ * side, whichever of its sides that is. */
+START_TEST(lengths_of_textures_are_means_over_faces)
+{
+    static const float at[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, -3, -0.5f, 0, 3, -0.5f, 0};
+    static const float texcoords[10] = {0, 0, 1, 0, 0, 1, -6, -1.5f, 6, -1.5f};
+    const double weights[2] = {1.0 / 2, 9.0 / 36}, whole = weights[0] + weights[1];
+    const double want[5][2] = {{whole / (weights[0] + 4 * weights[1]), whole / (weights[0] + 9 * weights[1])},
+                               {1, 1},
+                               {1, 1},
+                               {1.0 / 4, 1.0 / 9},
+                               {1.0 / 4, 1.0 / 9}};
+    for (uint32_t turned = 0; turned < 3; turned++) {
+        uint32_t faces[6] = {0, 1, 2};
+        for (uint32_t c = 0; c < 3; c++)
+            faces[3 + (c + turned) % 3] = c > 0 ? 2 + c : 0;
+        struct hatch_mesh mesh = mesh_of(at, 5, faces, 2);
+        memcpy(add(&mesh, "TEXCOORD_0", 2), texcoords, sizeof texcoords);
+        const struct hatch_coarse_part part = {&mesh, &tolerance, NULL};
+        struct hatch_coarse_work work = {.parts = &part, .part_count = 1};
+        HATCH_TEST_OK(hatch_coarse_checks_make(&work, &keep, &err), &err);
+        ck_assert_uint_eq(work.checks[0].count, 1);
+        const float *scale = work.checks[0].attributes[0].scale;
+        for (size_t v = 0; v < 5; v++) {
+            ck_assert_double_eq_tol((double)scale[3 * v], want[v][0], 1e-6);
+            ck_assert_double_eq_tol((double)scale[3 * v + 1], 0, 1e-6);
+            ck_assert_double_eq_tol((double)scale[3 * v + 2], want[v][1], 1e-6);
+        }
+    }
+}
+END_TEST
+
 /* A joint's weight may differ by 0.05, in whichever of the four places it is listed, and however often. */
 START_TEST(weights_may_differ_a_little)
 {
@@ -170,6 +203,7 @@ static Suite *suite(void)
     tcase_add_test(tests, colours_may_differ_a_little);
     tcase_add_test(tests, morph_targets_may_move_by_the_tolerance);
     tcase_add_test(tests, textures_may_move_by_the_tolerance);
+    tcase_add_test(tests, lengths_of_textures_are_means_over_faces);
     tcase_add_test(tests, weights_may_differ_a_little);
     suite_add_tcase(suite, tests);
     return suite;
