@@ -65,6 +65,85 @@ START_TEST(normals_at_a_thin_edge_are_kept)
 }
 END_TEST
 
+/* Returns which side of a point of the finest graph a graph's node has outside; 0: the node does not hold the point. */
+static int side_of(const struct hatch_curvature_graph *graph, uint32_t node, uint32_t point)
+{
+    if (!graph->points)
+        return node == point;
+    for (uint32_t i = graph->first[node]; i < graph->first[node + 1]; i++)
+        if (graph->points[i] == point)
+            return graph->sides[i];
+    return 0;
+}
+
+/* A node lies at the mean of its points, with the mean of their normals. */
+static void check_node(const struct hatch_curvature_graph *finest, const struct hatch_curvature_graph *coarse,
+                       uint32_t node)
+{
+    uint32_t first = coarse->first[node], count = coarse->first[node + 1] - first;
+    double middle[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+    ck_assert_double_eq(coarse->weights[node], count);
+    for (uint32_t i = first; i < first + count; i++) {
+        const double *own = &finest->normals[3 * (size_t)coarse->points[i]];
+        hatch_vec_add_scaled(middle, 1.0 / count, &finest->surface.points[3 * (size_t)coarse->points[i]], middle);
+        hatch_vec_add_scaled(normal, coarse->sides[i], own, normal);
+        ck_assert_double_gt(coarse->sides[i] * hatch_vec_dot(own, &coarse->normals[3 * (size_t)node]), 0.7);
+    }
+    hatch_vec_normalize(normal);
+    ck_assert_double_lt(hatch_vec_distance(middle, &coarse->surface.points[3 * (size_t)node]), 1e-12);
+    ck_assert_double_lt(hatch_vec_distance(normal, &coarse->normals[3 * (size_t)node]), 1e-12);
+}
+
+/* A node has as its neighbours, each once, the parents of those of its own fine nodes. */
+static void check_ring(const struct hatch_curvature_graph *fine, const struct hatch_curvature_graph *coarse,
+                       uint32_t node, uint8_t *neighbours)
+{
+    const struct hatch_surface *ring = &coarse->surface, *below = &fine->surface;
+    memset(neighbours, 0, ring->point_count);
+    for (uint32_t p = 0; p < below->point_count; p++)
+        for (uint32_t i = below->ring_first[p]; i < below->ring_first[p + 1] && coarse->parent[p] == node; i++)
+            neighbours[coarse->parent[below->ring_point[i]]] = 1;
+    neighbours[node] = 0;
+    for (uint32_t i = ring->ring_first[node]; i < ring->ring_first[node + 1]; i++) {
+        uint32_t q = ring->ring_point[i];
+        double cosine = hatch_vec_dot(&coarse->normals[3 * (size_t)node], &coarse->normals[3 * (size_t)q]);
+        ck_assert_uint_eq(neighbours[q]--, 1);
+        ck_assert(ring->ring_turned[i] == (cosine < 0));
+    }
+    for (uint32_t q = 0; q < ring->point_count; q++)
+        ck_assert_uint_eq(neighbours[q], 0);
+}
+
+/* A Möbius strip, halved three times, and a plane beside it. */
+START_TEST(coarse_nodes_are_the_means_of_their_points)
+{
+    struct hatch_mesh strip = band(60, 5, true), plane = bare_shape(HATCH_SHAPE_PLANE, 300);
+    move(&plane, 1, 9);
+    struct field_case of = case_of(both(&strip, &plane));
+    struct hatch_curvature_graph graphs[4], *finest = &graphs[0];
+    uint8_t *neighbours = HATCH_NEW(&keep, uint8_t, of.surface.point_count, &err);
+    HATCH_TEST_OK(hatch_curvature_graph_make(&of.surface, &of.frames, &keep, finest, &err), &err);
+    for (int level = 1; level < 4; level++) {
+        const struct hatch_curvature_graph *fine = &graphs[level - 1], *coarse = &graphs[level];
+        HATCH_TEST_OK(hatch_curvature_graph_coarsen(finest, fine, &keep, &graphs[level], &err), &err);
+        ck_assert_double_lt(coarse->surface.point_count, 0.6 * fine->surface.point_count);
+        ck_assert_uint_ge(coarse->surface.point_count, fine->surface.point_count / 2);
+        ck_assert_uint_eq(coarse->first[coarse->surface.point_count], of.surface.point_count);
+        for (uint32_t n = 0; n < coarse->surface.point_count; n++) {
+            check_node(finest, coarse, n);
+            check_ring(fine, coarse, n, neighbours);
+        }
+        for (uint32_t p = 0; p < of.surface.point_count; p++)
+            for (uint32_t n = 0; n < fine->surface.point_count; n++)
+                if (side_of(fine, n, p) != 0) {
+                    uint32_t parent = coarse->parent[n];
+                    ck_assert_int_eq(side_of(coarse, parent, p), side_of(fine, n, p) * coarse->parent_side[n]);
+                    ck_assert_uint_eq(coarse->surface.point_component[parent], fine->surface.point_component[n]);
+                }
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("curvature graph");
@@ -72,6 +151,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_normal_that_a_sliver_turns_is_repaired);
     tcase_add_test(tests, normals_at_a_thin_edge_are_kept);
+    tcase_add_test(tests, coarse_nodes_are_the_means_of_their_points);
     suite_add_tcase(suite, tests);
     return suite;
 }
