@@ -113,6 +113,64 @@ START_TEST(ends_of_rods_are_planes_however_long)
 }
 END_TEST
 
+enum { TUBE_SIDES = 24, RIM = 2 * TUBE_SIDES };
+
+/* A tube of height 3 whose ends are open, and at some sides of its lower rim flat petals of a length, which come first.
+ */
+static struct hatch_mesh tube(uint32_t petals, double length)
+{
+    struct hatch_mesh closed = rod(TUBE_SIDES, 3), mesh;
+    const double half = 3.14159265358979 / TUBE_SIDES;
+    uint32_t faces = petals;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, RIM + petals, petals + 2 * TUBE_SIDES, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, closed.attributes[0].data, RIM * 12);
+    for (uint32_t i = 0; i < petals; i++) {
+        float *tip = &mesh.attributes[0].data[3 * (RIM + i)];
+        tip[0] = (float)((cos(half) + length) * cos((2 * i + 1) * half));
+        tip[1] = (float)((cos(half) + length) * sin((2 * i + 1) * half));
+        memcpy(&mesh.indices[3 * i], (const uint32_t[3]){2 * ((i + 1) % TUBE_SIDES), 2 * i, RIM + i}, 12);
+    }
+    for (uint32_t f = 0; f < closed.face_count; f++) {
+        const uint32_t *corner = &closed.indices[3 * f];
+        if (corner[0] % 2 != corner[1] % 2 || corner[1] % 2 != corner[2] % 2)
+            memcpy(&mesh.indices[3 * faces++], corner, 12);
+    }
+    ck_assert_uint_eq(faces, mesh.face_count);
+    return mesh;
+}
+
+/* Of a tube with a petal all is curved but this facet, which is dropped. The planes of a box beside it have the numbers
+ * from 0 on. */
+START_TEST(facets_of_curved_bodies_are_dropped)
+{
+    struct hatch_mesh bent = tube(1, 1), beside = box();
+    for (uint32_t v = 0; v < beside.vertex_count; v++)
+        beside.attributes[0].data[3 * v] += 9;
+    struct hatch_mesh mesh = both(&bent, &beside);
+    struct hatch_surface s = cut(&mesh);
+    ck_assert_uint_eq(s.plane_count, 6);
+    ck_assert_uint_eq(s.component_count, 7);
+    for (uint32_t f = 0; f < s.face_count; f++) {
+        uint32_t source = s.face_source[f];
+        bool of_box = source >= bent.face_count;
+        ck_assert_uint_eq(s.face_plane[f], of_box ? (source - bent.face_count) / 2 : HATCH_NO_SIDE);
+    }
+}
+END_TEST
+
+/* A petal of length 28.1 has 8 times the mean area of all 49 faces. Petals all round have 0.3 of the whole area where
+ * they are 18 / 7 long: their area is half their length along the rim, that of the tube 3 times the rim. */
+START_TEST(facets_stay_where_they_are_large_or_many)
+{
+    struct hatch_mesh small = tube(1, 27), large = tube(1, 29);
+    struct hatch_mesh few = tube(TUBE_SIDES, 2.5), many = tube(TUBE_SIDES, 2.65);
+    ck_assert_uint_eq(cut(&small).plane_count, 0);
+    ck_assert_uint_eq(cut(&large).plane_count, 1);
+    ck_assert_uint_eq(cut(&few).plane_count, 0);
+    ck_assert_uint_eq(cut(&many).plane_count, TUBE_SIDES);
+}
+END_TEST
+
 /* A sheet of 2 x 8 by 8 squares, folded in the middle. */
 static struct hatch_surface fold(double degrees)
 {
@@ -282,6 +340,8 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_box_has_six_planes_along_their_longer_edges);
     tcase_add_test(tests, ends_of_rods_are_planes_however_long);
+    tcase_add_test(tests, facets_of_curved_bodies_are_dropped);
+    tcase_add_test(tests, facets_stay_where_they_are_large_or_many);
     tcase_add_test(tests, without_planes_a_box_is_one_component);
     tcase_add_test(tests, curved_shapes_have_no_planes);
     tcase_add_test(tests, creases_around_planes_are_cut);
