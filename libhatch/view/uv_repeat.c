@@ -111,7 +111,6 @@ static double log_pixels_of(const struct survey *survey)
 static void choose_all(struct survey *survey, const struct hatch_uv_repeat *how, struct hatch_item *item)
 {
     double log_pixels = log_pixels_of(survey), largest = 0;
-    item->chart_count = 0;
     for (uint32_t v = 0; v < survey->mesh->vertex_count; v++) {
         uint32_t root = hatch_sets_find(survey->parent, v);
         const struct chart *chart = &survey->charts[root];
@@ -221,6 +220,7 @@ enum hatch_status hatch_uv_repeat_set(struct hatch_unit_scene *scene, const stru
         struct hatch_item *item = &scene->items[i];
         item->repeat[0] = item->repeat[1] = how->repeat > 0 ? (float)how->repeat : 1.0f;
         item->repeats = NULL;
+        item->chart_count = 0;
         if (!(how->repeat > 0) && !scene->meshes[item->mesh].patches)
             status = set_item(scene, how, item, arena, scratch, err);
         hatch_arena_rewind(scratch, mark);
