@@ -45,6 +45,34 @@ START_TEST(as_many_dots_as_wanted_are_drawn_at_any_scale)
 }
 END_TEST
 
+/* The line of a dot is as much shorter than the dot as its pen is wide, whose round ends make the rest; a dot that is
+ * no longer than wide has a line of a tenth of a pixel. None reaches over an end of the stroke, or is farther beside it
+ * than dots scatter. */
+START_TEST(lines_of_dots_are_as_long_as_their_pen_leaves)
+{
+    static const float lengths_px[] = {1, 2, 3, 4};
+    static const double wanted_px[] = {0.1, 0.1, 1, 2};
+    for (int i = 0; i < 4; i++)
+        for (double scale = 0.5; scale < 4; scale *= 3) {
+            struct hatch_stroke_pen pen = dots;
+            const struct hatch_mark *marks;
+            pen.mark_px = lengths_px[i];
+            const double half = 0.5 * (double)pen.mark_px / scale;
+            size_t count = list(&pen, scale, 0.5, 1, &marks);
+            double farthest = 0, reach = (double)pen.scatter * hatch_mark_period_px(&pen, 0.5);
+            for (size_t m = 0; m < count; m++) {
+                ck_assert_double_eq_tol((double)(marks[m].to - marks[m].from) * scale, wanted_px[i], 0.01);
+                ck_assert(middle(&marks[m]) >= half && middle(&marks[m]) <= LENGTH_PX - half);
+                ck_assert(m == 0 || middle(&marks[m]) > middle(&marks[m - 1]));
+                ck_assert_float_eq(marks[m].beside[0], marks[m].beside[1]);
+                farthest = fmax(farthest, fabs((double)marks[m].beside[0]));
+            }
+            ck_assert_double_le(farthest, reach * (1 + 1e-6));
+            ck_assert_double_gt(farthest, 0.95 * reach);
+        }
+}
+END_TEST
+
 /* Dots make the share of whole strokes that has their tone, HATCH_DOT_LAYERS times, as far apart along strokes as
  * across where the gap is sqrt(2) - 1 of their length. */
 START_TEST(dots_have_their_tone)
@@ -137,6 +165,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("marks");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, as_many_dots_as_wanted_are_drawn_at_any_scale);
+    tcase_add_test(tests, lines_of_dots_are_as_long_as_their_pen_leaves);
     tcase_add_test(tests, dots_have_their_tone);
     tcase_add_test(tests, marks_stay_while_the_scale_changes);
     tcase_add_test(tests, gaps_are_as_long_as_wanted_and_vary);

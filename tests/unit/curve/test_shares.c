@@ -72,6 +72,24 @@ START_TEST(thin_faces_have_places)
 }
 END_TEST
 
+/* A small face far from the origin, along each axis: rounding moves positions off it by a millionth of its coordinates,
+ * which is many times its size, and no farther. */
+START_TEST(rounding_grows_with_coordinates)
+{
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            const float size = 0x1p-9f, share[2] = {0.25f, 0.5f};
+            float corners[9] = {0, 0, 0, size, 0, 0, 0, size, 0}, found[2];
+            for (int c = 0; c < 3; c++)
+                corners[3 * c + axis] += (float)sign * 1024;
+            ck_assert(find_again(corners, share, 0.0009f, found));
+            ck_assert(!find_again(corners, share, 0.0013f, found));
+            for (int k = 0; k < 2; k++)
+                ck_assert_float_eq_tol(found[k], share[k], 0.1f);
+        }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("shares");
@@ -80,6 +98,7 @@ static Suite *suite(void)
     tcase_add_test(tests, shares_follow_from_positions);
     tcase_add_test(tests, rounded_positions_in_needles_have_places);
     tcase_add_test(tests, thin_faces_have_places);
+    tcase_add_test(tests, rounding_grows_with_coordinates);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -215,6 +215,29 @@ START_TEST(a_blank_part_is_neither_visible_nor_hidden)
 }
 END_TEST
 
+/* A square, of which a face hides the left half, is blank on the right. None of it is visible, and what is hidden is no
+ * closed path: it ends where the blank part begins, which is in the middle of the list of pieces or at its end. */
+START_TEST(a_blank_part_opens_a_closed_curve)
+{
+    struct hatch_mesh face = square(0.5, -0.5, 0.1);
+    static const double ring[][18] = {
+        {-0.4, 0, 0, -0.4, 0.4, 0, 0.1, 0.4, 0, 0.1, -0.4, 0, -0.4, -0.4, 0, -0.4, 0, 0},
+        {0, -0.4, 0, -0.4, -0.4, 0, -0.4, 0.4, 0, 0, 0.4, 0, 0.1, 0.4, 0, 0.1, -0.4, 0},
+    };
+    static const bool blanks[][6] = {{false, true, true, true, false, false}, {false, false, false, true, true, true}};
+    for (int i = 0; i < 2; i++) {
+        struct hatch_vector_curve curve = {.count = 6, .closed = true};
+        const struct hatch_vector_curves curves = {.count = 1, .curves = &curve, .points = ring[i], .blank = blanks[i]};
+        hide_behind(&face, &view_facing);
+        see(&curves, &visible, &hidden);
+        ck_assert_uint_eq(visible.count, 0);
+        ck_assert_double_eq_tol(total(&hidden), 1.6 / PIXEL, 1e-3);
+        for (uint32_t k = 0; k < hidden.count; k++)
+            ck_assert(!hidden.paths[k].closed);
+    }
+}
+END_TEST
+
 /* A line just behind the outline of a face is visible if it may move sideways. */
 START_TEST(reach_moves_a_line_past_an_outline)
 {
@@ -311,6 +334,7 @@ static Suite *suite(void)
     tcase_add_test(tests, short_gaps_are_closed_and_short_specks_dropped);
     tcase_add_test(tests, slack_and_own_faces_keep_a_line_on_its_surface);
     tcase_add_test(tests, a_blank_part_is_neither_visible_nor_hidden);
+    tcase_add_test(tests, a_blank_part_opens_a_closed_curve);
     tcase_add_test(tests, reach_moves_a_line_past_an_outline);
     tcase_add_test(tests, culled_and_cut_out_faces_hide_nothing);
     tcase_add_test(tests, the_order_of_faces_does_not_matter);

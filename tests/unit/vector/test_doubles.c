@@ -106,7 +106,8 @@ START_TEST(a_flat_ellipse_is_one_line)
 END_TEST
 
 /* Shapes whose sides are near each other at corners and bends alone, or that are no longer than a few reaches: circles
- * from half a reach to 200 reaches across, a star, a jagged line with the angles of a saw, steps, and a wide strip. */
+ * from half a reach to 200 reaches across, a star, a jagged line with the angles of a saw, steps, a wide strip, and a
+ * hook, whose end is three reaches from the turn. */
 START_TEST(corners_and_small_shapes_stay_whole)
 {
     struct hatch_vector_paths from, to;
@@ -131,9 +132,10 @@ START_TEST(corners_and_small_shapes_stay_whole)
     add(12, steps, 50, false);
     add(13, (const double[]){0, 400, 100, 400, 100, 400.6, 0, 400.6}, 4, true);
     add(14, (const double[]){0, 450, 40, 450, 0, 450 + 40 * tan(0.3)}, 3, false); /* a corner of 17 degrees */
+    add(15, (const double[]){0, 600, 20, 600, 20, 600.3, 18.5, 600.3}, 4, false);
     from = hatch_vector_built(&builder);
     HATCH_TEST_OK(hatch_vector_drop_doubles(&from, NULL, 0.5, &keep, &scratch, &to, &err), &err);
-    ck_assert_uint_eq(to.count, 15);
+    ck_assert_uint_eq(to.count, 16);
     for (uint32_t i = 0; i < to.count; i++) {
         const struct hatch_vector_path *path = &from.paths[to.paths[i].id];
         ck_assert(to.paths[i].closed == path->closed);

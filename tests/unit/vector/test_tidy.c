@@ -90,11 +90,15 @@ START_TEST(short_paths_that_meet_no_other_are_dropped)
     add_line(4, 50, 20, 59, 20);                               /* alone, but long */
     add(5, (const double[]){50, 30, 51, 30, 51, 31}, 3, true); /* alone and closed */
     add(6, (const double[]){70, 1, 71, 2, 69, 2}, 3, true);    /* beside the first one */
+    add(7, (const double[]){0, 60, 100, 60, 100, 90, 200, 90}, 4, false);
+    add_line(8, 150, 91, 150, 94);                              /* beside the last part of that */
+    add(9, (const double[]){50, 40, 51, 40, 51, 42}, 3, false); /* beside itself alone */
     struct hatch_vector_paths paths = hatch_vector_built(&builder);
     HATCH_TEST_OK(hatch_vector_drop_specks(&paths, 8, 1.25, &scratch, &err), &err);
-    ck_assert_uint_eq(paths.count, 4);
+    static const uint32_t kept[] = {1, 2, 4, 6, 7, 8};
+    ck_assert_uint_eq(paths.count, sizeof kept / sizeof *kept);
     for (uint32_t i = 0; i < paths.count; i++)
-        ck_assert(paths.paths[i].id != 3 && paths.paths[i].id != 5);
+        ck_assert_uint_eq(paths.paths[i].id, kept[i]);
 }
 END_TEST
 

@@ -67,6 +67,7 @@ START_TEST(a_point_light_is_scaled_with_the_scene)
     /* The light at a distance stays: lengths shrink by the radius, 5, strengths by its square. */
     ck_assert_float_eq_tol(lights[0].direction[3], 3 * 50 / 25.0f, 1e-5f);
     ck_assert_float_eq_tol(lights[0].cone[2], 1 / (2 * 2.0f), 1e-6f);
+    ck_assert_float_eq_tol(lights[0].cone[3], 0.001f * 0.001f, 1e-12f); /* nearer than that it gets no stronger */
     ck_assert_double_eq_tol(hatch_lights_strongest(&unit.pose, &bounds), 50 / 25.0, 1e-6);
     scene.lights[0].intensity = 5;
     ck_assert_double_eq_tol(hatch_lights_strongest(&unit.pose, &bounds), 5 / 25.0, 1e-6);
