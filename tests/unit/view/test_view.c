@@ -164,7 +164,6 @@ START_TEST(tiles_are_parts_of_the_picture)
 }
 END_TEST
 
-/* The scene turns with the view: a point and the view that are turned alike give the same picture. */
 /* A camera's near plane moves closer for views that move, and may then be moved where a face is near; that of an
  * orthographic view stays. */
 START_TEST(near_planes_of_perspective_views_become_automatic)
@@ -181,6 +180,7 @@ START_TEST(near_planes_of_perspective_views_become_automatic)
 }
 END_TEST
 
+/* The scene turns with the view: a point and the view that are turned alike give the same picture. */
 START_TEST(a_view_turns_about_the_vertical)
 {
     struct hatch_view view = view_at(1, 2, 5, false), turned = view;
