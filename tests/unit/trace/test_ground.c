@@ -83,64 +83,6 @@ START_TEST(a_face_keeps_its_form)
 }
 END_TEST
 
-/* The end of a rectangle is its border. Ways along edges are as long as straight ones, or a little longer. */
-START_TEST(ends_are_as_far_as_the_border)
-{
-    struct field_case plane = case_of_shape(HATCH_SHAPE_PLANE, 800, 0);
-    struct hatch_trace_ground ground = lay_out(&plane, 0, PI);
-    const double *points = plane.surface.points;
-    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-    for (uint32_t p = 0; p < plane.surface.point_count; p++)
-        for (uint32_t k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], points[3 * p + k]);
-            high[k] = fmax(high[k], points[3 * p + k]);
-        }
-    double length = 2 * (high[0] - low[0] + high[1] - low[1]), farthest = 0;
-    for (uint32_t p = 0; p < plane.surface.point_count; p++) {
-        const double *at = &points[3 * (size_t)p];
-        double straight = fmin(fmin(at[0] - low[0], high[0] - at[0]), fmin(at[1] - low[1], high[1] - at[1]));
-        double distance = (double)ground.ends[p].distance;
-        ck_assert_double_ge(distance, straight - 1e-6);
-        ck_assert_double_le(distance, 1.5 * straight + 1e-6);
-        ck_assert_double_eq_tol((double)ground.ends[p].length, length - distance, 1e-5 * length);
-        farthest = fmax(farthest, distance);
-    }
-    ck_assert_double_gt(farthest, length / 10);
-    for (uint32_t f = 0; f < plane.surface.face_count; f++) {
-        struct hatch_trace_end near = hatch_trace_end_near(&ground, f);
-        for (uint32_t c = 0; c < 3; c++) {
-            const struct hatch_trace_end *end = &ground.ends[plane.surface.corners[3 * ground.source[f] + c]];
-            ck_assert_float_le(near.distance, end->distance);
-            ck_assert_float_ge(near.length, end->length);
-        }
-    }
-}
-END_TEST
-
-/* Of the ends of a pyramid, each edge counts once. Around a ball there are none. */
-START_TEST(hard_edges_are_ends)
-{
-    static const float corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-    static const uint32_t indices[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-    struct field_case pyramid = case_of(mesh_of(corners, 4, indices, 4));
-    struct hatch_trace_ground ground = lay_out(&pyramid, 0, PI / 3);
-    double edges = 0;
-    for (uint32_t a = 0; a < 4; a++)
-        for (uint32_t b = 0; b < a; b++)
-            edges += hatch_vec_distance(&pyramid.surface.points[3 * (size_t)a], &pyramid.surface.points[3 * (size_t)b]);
-    for (uint32_t p = 0; p < pyramid.surface.point_count; p++) {
-        ck_assert_float_eq(ground.ends[p].distance, 0);
-        ck_assert_double_eq_tol((double)ground.ends[p].length, edges, 1e-5 * edges);
-    }
-    struct field_case ball = case_of_shape(HATCH_SHAPE_SPHERE, 300, 0);
-    ground = lay_out(&ball, 0, PI);
-    for (uint32_t p = 0; p < ball.surface.point_count; p++) {
-        ck_assert_float_eq(ground.ends[p].distance, HUGE_VALF);
-        ck_assert_float_eq(ground.ends[p].length, 0);
-    }
-}
-END_TEST
-
 /* Returns how many sides end the ground of 16 by 16 squares over dyadic x and y, so that nothing is rounded.
  *   rise  slope along x that the half of greater x has more than the other */
 static uint32_t count_ends(double rise, double hard_rad)
@@ -443,8 +385,6 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, successive_faces_are_near);
     tcase_add_test(tests, a_face_keeps_its_form);
-    tcase_add_test(tests, ends_are_as_far_as_the_border);
-    tcase_add_test(tests, hard_edges_are_ends);
     tcase_add_test(tests, only_larger_angles_are_hard);
     tcase_add_test(tests, the_direction_is_the_field_turned);
     tcase_add_test(tests, a_singularity_has_no_direction);
