@@ -49,7 +49,7 @@ START_TEST(marks_are_no_more_than_there_is_room_for)
     struct hatch_marks marks;
     float *directions;
     uint32_t beyond[2] = {0, 0};
-    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 200);
+    struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 2);
     HATCH_TEST_OK(hatch_mesh_add(&keep, &plane, "_HATCH_DIR", 4, &directions, &err), &err);
     for (size_t v = 0; v < plane.vertex_count; v++)
         directions[4 * v] = 1;
