@@ -378,6 +378,34 @@ START_TEST(the_number_of_threads_does_not_matter)
 }
 END_TEST
 
+/* Two equal squares, one above the other, seen in perspective from 3 above the upper one: that hides the other, where
+ * no finer strokes are wanted. */
+START_TEST(hidden_faces_want_no_finer_strokes)
+{
+    static const uint32_t indices[12] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    static const float positions[24] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1};
+    static const double matrix[16] = {5, 0, 0, 0, 0, 5, 0, 0, 0, 0, 0, -1, 0, 0, 0.1, 4};
+    struct finer_case squares;
+    struct hatch_trace_options options = with_gap(0.1, 3);
+    struct field_case field = case_of(mesh_of(positions, 8, indices, 4));
+    uint32_t finer_ones = 0;
+    set_direction(&field, 1, 0, 0);
+    make_case(&squares, field, &options);
+    struct hatch_finer *finer = open_finer(&squares);
+    struct hatch_finer_view view = view_of(0, 0, 1.2, 0.01);
+    memcpy(view.clip_from_mesh, matrix, sizeof matrix);
+    struct hatch_finer_found found = find(finer, &view);
+    for (uint32_t s = 0; s < found.curves.set_count; s++)
+        for (uint32_t c = 0; c < found.curves.sets[s].count && found.curves.sets[s].level >= 3; c++, finer_ones++) {
+            const struct hatch_curve *curve = &found.curves.curves[found.curves.sets[s].first + c];
+            for (uint32_t i = 0; i < curve->count; i++)
+                ck_assert_uint_ge(found.curves.points[curve->first + i].face, 2);
+        }
+    ck_assert_uint_gt(finer_ones, 30);
+    hatch_finer_free(finer);
+}
+END_TEST
+
 START_TEST(a_mesh_without_a_field_is_refused)
 {
     struct finer_case plane;
@@ -407,6 +435,10 @@ static Suite *suite(void)
     tcase_add_test(tests, the_number_of_threads_does_not_matter);
     tcase_add_test(tests, a_mesh_without_a_field_is_refused);
     suite_add_tcase(suite, tests);
+    TCase *sight = tcase_create("sight");
+    tcase_add_checked_fixture(sight, begin, end);
+    tcase_add_test(sight, hidden_faces_want_no_finer_strokes);
+    suite_add_tcase(suite, sight);
     return suite;
 }
 HATCH_TEST_MAIN(suite)
