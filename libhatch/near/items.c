@@ -132,7 +132,6 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
     struct hatch_near_frame frame = frame_of(near, scene, options, view);
     near->items = NULL;
     near->vertex_count = 0;
-    near->plane = view->near;
     if (!touches_any(&frame))
         return HATCH_OK;
     begin_frame(near, scene, options->max_memory);
@@ -142,7 +141,7 @@ enum hatch_status hatch_near_find(struct hatch_near *near, const struct hatch_un
     HATCH_TRY(HATCH_ALLOC(&near->frame, &choices, HATCH_NEAR_LISTS * (size_t)scene->item_count, err));
     HATCH_TRY(choose(&frame, choices, err));
     if (view->near_is_automatic && !view->orthographic)
-        view->near = near->plane = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);
+        view->near = fmax(fmin(HATCH_VIEW_NEAR, frame.nearest / 8), NEAREST);
     return options->places != HATCH_NEAR_NONE ? cut_all(&frame, choices, err) : HATCH_OK;
 }
 

@@ -44,7 +44,6 @@ struct hatch_near {
     struct hatch_near_item *items;         /* per item, of the last frame; NULL: no pieces */
     struct hatch_near_vertex *vertices;    /* of the pieces of the last frame */
     size_t vertex_count;
-    double plane; /* distance of the near plane in the last frame */
 };
 
 /* Where a vertex lies in the texture. */

@@ -91,8 +91,10 @@ static void zoom(struct window *window, double factor)
 {
     struct hatch_orbit *orbit = &window->orbit;
     const struct gpu_target *samples = &window->canvas.samples;
+    const struct hatch_view *drawn = &window->job->frame.view;
+    double shift = hatch_view_depth_shift(drawn);
     double depth = (double)gpu_target_read_depth(samples, samples->form.width / 2, samples->form.height / 2);
-    double distance = depth > 0 ? window->job->frame.near.found.plane / depth : INFINITY;
+    double distance = depth > 0 ? (1 + shift) * drawn->near / (depth + shift) : INFINITY;
     if (!orbit->view.orthographic && distance < 0.5 * orbit->distance)
         hatch_orbit_set_distance(orbit, distance);
     hatch_orbit_zoom(orbit, factor);
