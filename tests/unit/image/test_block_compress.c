@@ -97,6 +97,24 @@ START_TEST(paper_and_ink_are_kept_exactly)
 }
 END_TEST
 
+/* Each block has two greys of its own beside paper and ink, some blocks only one: they are the values that it stores.
+ */
+START_TEST(paper_ink_and_two_greys_are_kept_exactly)
+{
+    struct hatch_block_figures figures;
+    struct hatch_texels plain = texture(64, 64, 0, 0, 1);
+    size_t bytes;
+    for (uint32_t i = 0; i < 64 * 64; i++) {
+        uint64_t block = i / 256 * 16 + i % 64 / 4, pick = hatch_random_u64(1, 0, i) % 4;
+        uint64_t grey = hatch_random_u64(1, 1, block) % 256, other = hatch_random_u64(1, 2, block) % 256;
+        other = block % 2 ? other : grey;
+        plain.texels[0][i] = (uint8_t)(pick == 0 ? 0 : pick == 1 ? 255 : pick == 2 ? grey : other);
+    }
+    struct hatch_texels back = round_trip(&plain, &figures, &bytes);
+    ck_assert_mem_eq(back.texels[0], plain.texels[0], 64 * 64);
+}
+END_TEST
+
 START_TEST(greys_are_approximated)
 {
     struct hatch_block_figures figures;
@@ -292,6 +310,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, bc4_blocks_are_decoded_as_specified, 0, 2);
     tcase_add_test(tests, paper_and_ink_are_kept_exactly);
+    tcase_add_test(tests, paper_ink_and_two_greys_are_kept_exactly);
     tcase_add_loop_test(tests, greys_are_approximated, 0, 2);
     tcase_add_loop_test(tests, colours_are_approximated, 0, 2);
     tcase_add_loop_test(tests, bc1_blocks_are_decoded_as_specified, 0, 2);
