@@ -65,6 +65,43 @@ START_TEST(a_raised_square_is_displaced_by_its_height)
 }
 END_TEST
 
+/* Large faces have long rows of places. Beside few faces a row has lists of those near its parts, beside many it has
+ * none, or some: the distance is the same. */
+START_TEST(large_faces_are_as_far_from_few_faces_as_from_many)
+{
+    for (uint32_t n = 1; n <= 24; n++) {
+        struct hatch_mesh large = square(1, 0, 0.03, 0), parts = square(n, 0, 0, 0);
+        struct hatch_mesh *const meshes[2] = {&large, &parts};
+        for (uint32_t i = 0; i < 2; i++)
+            for (uint32_t v = 0; v < meshes[i]->vertex_count; v++)
+                for (uint32_t k = 0; k < 2; k++)
+                    meshes[i]->attributes[0].data[3 * v + k] *= 8;
+        struct hatch_coarse_figures figures = figures_of(&large, &parts, NULL);
+        ck_assert_double_eq_tol(figures.displacement_px, 0.03 * PIXELS, 1e-5);
+    }
+}
+END_TEST
+
+/* Places of either mesh count that are far from the other: a small square that only one of them has, beside the large
+ * one that both have. Its far side is a quarter of a unit away. */
+START_TEST(both_meshes_are_measured)
+{
+    struct hatch_mesh large = square(2, 0, 0, 0), small = square(1, 0, 0, 0);
+    for (uint32_t v = 0; v < small.vertex_count; v++) {
+        float *at = &small.attributes[0].data[3 * v];
+        at[0] = 0.6875f + at[0] / 8;
+        at[1] /= 8;
+    }
+    struct hatch_mesh more = both(&large, &small);
+    for (int side = 0; side < 2; side++) {
+        struct hatch_coarse_figures figures = figures_of(side ? &more : &large, side ? &large : &more, NULL);
+        ck_assert_double_eq_tol(figures.displacement_px, 0.25 * PIXELS, 1e-5);
+        ck_assert_double_eq(figures.outline_px, 0.25 * PIXELS);
+        ck_assert_double_eq(figures.outline_p999_px, 0.25 * PIXELS);
+    }
+}
+END_TEST
+
 /* A square whose side moves by 4 eighths of a pixel: half of its outline moves, and all of that as far. */
 START_TEST(a_square_that_moves_aside_moves_its_outline)
 {
@@ -198,6 +235,8 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_mesh_does_not_differ_from_itself);
     tcase_add_test(tests, a_raised_square_is_displaced_by_its_height);
+    tcase_add_test(tests, large_faces_are_as_far_from_few_faces_as_from_many);
+    tcase_add_test(tests, both_meshes_are_measured);
     tcase_add_test(tests, a_square_that_moves_aside_moves_its_outline);
     tcase_add_test(tests, far_places_count_as_the_farthest);
     tcase_add_test(tests, normals_of_vertices_come_before_those_of_faces);
