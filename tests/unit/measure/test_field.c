@@ -181,6 +181,32 @@ START_TEST(points_are_matched_by_position_else_by_number)
 }
 END_TEST
 
+/* The angle of the lines rises along x. The other mesh has the same vertices in reverse order. */
+START_TEST(the_order_of_the_vertices_does_not_matter)
+{
+    struct hatch_mesh a = plane(0), b = plane(0);
+    float *field = hatch_mesh_find(&a, "_HATCH_DIR", 4), *other = hatch_mesh_find(&b, "_HATCH_DIR", 4);
+    const float *at = a.attributes[0].data;
+    uint32_t last = a.vertex_count - 1;
+    for (uint32_t v = 0; v <= last; v++) {
+        field[4 * v] = cosf(at[3 * v]);
+        field[4 * v + 1] = sinf(at[3 * v]);
+        memcpy(&other[4 * (last - v)], &field[4 * v], 4 * sizeof *field);
+        memcpy(&b.attributes[0].data[3 * (last - v)], &at[3 * v], 3 * sizeof *at);
+    }
+    for (uint32_t i = 0; i < 3 * b.face_count; i++)
+        b.indices[i] = last - b.indices[i];
+    struct hatch_field_figures f = measure(&b, &a, 1);
+    ck_assert_uint_eq(f.compared, f.points);
+    ck_assert_double_eq_tol(f.degrees[3], 0, 1e-4);
+    for (uint32_t v = 0; v <= last; v++) /* by number, lines of other places are compared */
+        a.attributes[0].data[3 * v + 2] += 1;
+    f = measure(&b, &a, 1);
+    ck_assert_uint_eq(f.compared, f.points);
+    ck_assert_double_gt(f.degrees[3], 10);
+}
+END_TEST
+
 START_TEST(a_mesh_without_a_field_is_refused)
 {
     struct hatch_mesh mesh = shape(HATCH_SHAPE_PLANE, false), with_field = plane(0);
@@ -222,6 +248,7 @@ static Suite *suite(void)
     tcase_add_test(tests, only_the_most_confident_share_is_compared);
     tcase_add_test(tests, equal_confidences_all_count_and_axes_are_interchangeable);
     tcase_add_test(tests, points_are_matched_by_position_else_by_number);
+    tcase_add_test(tests, the_order_of_the_vertices_does_not_matter);
     tcase_add_test(tests, a_mesh_without_a_field_is_refused);
     tcase_add_test(tests, figures_survive_every_failed_allocation);
     suite_add_tcase(made, tests);
