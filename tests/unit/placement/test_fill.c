@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "fail_alloc.h"
-#include "filter/pyramid.h"
 #include "placement/place.h"
 #include "tam/sheet.h"
 #include "tam_map.h"
@@ -125,67 +124,6 @@ START_TEST(a_random_seed_determines_the_drawing)
     map.options.seed = 2;
     map_fill(&map);
     ck_assert_mem_ne(map.strokes.items, first.items, sizeof *first.items);
-}
-END_TEST
-
-/* On a tile whose left half is black every stroke is placed in the right half. */
-START_TEST(the_exhaustive_method_places_strokes_on_paper)
-{
-    struct hatch_canvas canvas;
-    float *pyramids[1][HATCH_MIP_LEVELS_MAX];
-    struct hatch_image levels[HATCH_MIP_LEVELS_MAX] = {{.width = 64, .height = 64, .channel_count = 1}};
-    struct hatch_mipmap chain = {.levels = levels};
-    map_style(NULL, "jitter 0\ndirection 90 0 1\nlength 0.1 0.3", &map);
-    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
-    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
-    for (uint32_t i = 0; i < 64 * 64; i++)
-        canvas.paper[0][i] = i % 64 >= 32;
-    levels[0].pixels = canvas.paper[0];
-    HATCH_TEST_OK(hatch_mipmap_complete(&chain, 1, &map_arena, &map_err), &map_err);
-    for (uint32_t p = 0; p < 7; p++)
-        pyramids[0][p] = levels[p].pixels;
-    for (uint64_t i = 0; i < 30; i++) {
-        struct hatch_choice choice = {.seed = 5,
-                                      .number = i,
-                                      .candidates = 40,
-                                      .length_max = 0.3f,
-                                      .scale = 1,
-                                      .direction_count = 1,
-                                      .directions = {1.5707963f}};
-        struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
-        ck_assert(best.x > 0.5f && best.x < 1 && best.length >= 0.1f && best.length <= 0.3f);
-    }
-}
-END_TEST
-
-/* The paper is a sine wave along the strokes, so that the stroke whose middle is nearest to its crest adds most. */
-START_TEST(the_exhaustive_method_rates_the_whole_stroke)
-{
-    const double turn = 2 * acos(-1);
-    struct hatch_canvas canvas;
-    static float texels[64 * 64], means[6][64 * 64];
-    float *pyramids[1][HATCH_MIP_LEVELS_MAX] = {{texels, means[0], means[1], means[2], means[3], means[4], means[5]}};
-    map_style(NULL, "jitter 0\ndirection 0 0 1\nlength 0.25 0.25", &map);
-    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
-    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
-    for (uint32_t i = 0; i < 64 * 64; i++)
-        texels[i] = (float)(0.5 + 0.5 * sin(turn * (i % 64 + 0.5) / 64));
-    for (uint64_t i = 0; i < 20; i++) {
-        struct hatch_choice choice = {.seed = 5,
-                                      .number = i,
-                                      .candidates = 40,
-                                      .length_max = 0.25f,
-                                      .scale = 1,
-                                      .direction_count = 1,
-                                      .directions = {(float)(i % 2) * 3.14159265f}};
-        struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
-        double highest = -2;
-        for (uint32_t c = 0; c < choice.candidates; c++) {
-            struct hatch_stroke other = hatch_choice_candidate(&map.style, &choice, c);
-            highest = fmax(highest, sin(turn * (double)other.x));
-        }
-        ck_assert_double_ge(sin(turn * (double)best.x), highest - 0.02);
-    }
 }
 END_TEST
 
@@ -480,8 +418,6 @@ static Suite *suite(void)
     tcase_add_test(tests, a_tone_without_directions_uses_all_of_them);
     tcase_add_test(tests, ids_are_those_of_the_strokes_that_cover_the_pixels);
     tcase_add_test(tests, a_random_seed_determines_the_drawing);
-    tcase_add_test(tests, the_exhaustive_method_places_strokes_on_paper);
-    tcase_add_test(tests, the_exhaustive_method_rates_the_whole_stroke);
     tcase_add_loop_test(tests, lines_keep_their_distance, 0, 2);
     tcase_add_test(tests, growing_strokes_start_small);
     tcase_add_test(tests, growing_strokes_end_at_their_full_size);

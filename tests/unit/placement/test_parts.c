@@ -97,7 +97,7 @@ END_TEST
 START_TEST(targets_must_exist_and_rise)
 {
     hatch_mipmap_set_number(&map.columns[4], HATCH_TAM_ATTR_TONE, 0.1, HATCH_ATTRIBUTE_FLOAT);
-    check_rejected(6, "tone.004: tone 0.1 is lighter than the column before it");
+    check_rejected(6, "tone.004: tone 0.1 is lighter than the column before it, 0.6");
     hatch_mipmap_set_number(&map.columns[4], HATCH_TAM_ATTR_TONE, NAN, HATCH_ATTRIBUTE_FLOAT);
     check_rejected(6, "tone.004: hatch:tone nan, want 0 to 1");
     hatch_mipmap_set_text(&map.columns[4], HATCH_TAM_ATTR_TONE, "dark");
