@@ -82,6 +82,20 @@ START_TEST(large_faces_are_as_far_from_few_faces_as_from_many)
 }
 END_TEST
 
+/* A triangle between two walls, with rows of places from one to the other. The places know which wall is nearer, so
+ * that none is farther away than the middle. The walls are nearer to the triangle than that. */
+START_TEST(no_place_is_farther_than_half_way_between_two_walls)
+{
+    static const float corners[9] = {-8, 0, 0, 8, 0, 0, 0, 4, 0};
+    static const float walls_at[24] = {-9, 0, -1, -9, 4, -1, -9, 0, 1, -9, 4, 1, 9, 0, -1, 9, 4, -1, 9, 0, 1, 9, 4, 1};
+    static const uint32_t wall_faces[12] = {0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6};
+    struct hatch_mesh full = mesh_of(corners, 3, wall_faces, 1), coarse = mesh_of(walls_at, 8, wall_faces, 4);
+    struct hatch_coarse_figures figures = figures_of(&full, &coarse, NULL);
+    ck_assert_double_le(figures.displacement_px, 9 * PIXELS + 1e-6);
+    ck_assert_double_ge(figures.displacement_px, 9 * PIXELS - 2);
+}
+END_TEST
+
 /* Places of either mesh count that are far from the other: a small square that only one of them has, beside the large
  * one that both have. Its far side is a quarter of a unit away. */
 START_TEST(both_meshes_are_measured)
@@ -236,6 +250,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_mesh_does_not_differ_from_itself);
     tcase_add_test(tests, a_raised_square_is_displaced_by_its_height);
     tcase_add_test(tests, large_faces_are_as_far_from_few_faces_as_from_many);
+    tcase_add_test(tests, no_place_is_farther_than_half_way_between_two_walls);
     tcase_add_test(tests, both_meshes_are_measured);
     tcase_add_test(tests, a_square_that_moves_aside_moves_its_outline);
     tcase_add_test(tests, far_places_count_as_the_farthest);
