@@ -333,27 +333,6 @@ START_TEST(exact_runs_equal_the_map)
 }
 END_TEST
 
-/* A texel whose runs begin where those of the texel before do has none; they do not begin before these. */
-START_TEST(an_index_that_falls_is_damage)
-{
-    struct hatch_tam tam = made_map(64, 40, 1, "Y", two_strokes);
-    struct hatch_exact got;
-    make_exact(&tam);
-    uint8_t *index = exact.texels.texels[0] + 4 * (8 + 7 + 40); /* of the finest level */
-    for (size_t texel = 1; texel < 64 * 64; texel += 61) {
-        uint8_t *at = index + 4 * texel;
-        uint32_t before = at[-4] | (uint32_t)at[-3] << 8, kept = at[0] | (uint32_t)at[1] << 8;
-        for (uint32_t less = 0; less < 2 && less <= before; less++) {
-            at[0] = (uint8_t)(before - less);
-            at[1] = (uint8_t)((before - less) >> 8);
-            ck_assert_int_eq(hatch_exact_from_texels(&exact.texels, &got, &map_err), less ? HATCH_BAD_INPUT : HATCH_OK);
-        }
-        at[0] = (uint8_t)kept;
-        at[1] = (uint8_t)(kept >> 8);
-    }
-}
-END_TEST
-
 START_TEST(exact_runs_are_read_back_and_damage_is_detected)
 {
     struct hatch_tam tam = made_map(64, 40, 1, "Y", two_strokes);
@@ -479,7 +458,6 @@ static Suite *suite(void)
     tcase_add_test(tests, a_colour_that_gets_lighter_is_named);
     tcase_add_test(tests, a_map_in_colour_is_rejected);
     tcase_add_loop_test(tests, exact_runs_equal_the_map, 0, 2);
-    tcase_add_test(tests, an_index_that_falls_is_damage);
     tcase_add_test(tests, exact_runs_are_read_back_and_damage_is_detected);
     tcase_add_test(tests, borders_are_read_from_the_file);
     tcase_add_test(tests, any_number_of_threads_gives_the_same_result);
