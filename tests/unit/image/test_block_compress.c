@@ -1,10 +1,12 @@
 #include "run.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/random.h"
 #include "fail_alloc.h"
+#include "image/block_codes.h"
 #include "image/block_compress.h"
 
 static struct hatch_arena keep;
@@ -112,6 +114,53 @@ START_TEST(paper_ink_and_two_greys_are_kept_exactly)
     }
     struct hatch_texels back = round_trip(&plain, &figures, &bytes);
     ck_assert_mem_eq(back.texels[0], plain.texels[0], 64 * 64);
+}
+END_TEST
+
+/* Returns the sum of the squared errors of a block with two end points, from the numbers of the specification. */
+static unsigned bc4_squares(uint8_t texels[16][4], int first, int second)
+{
+    int numbers[8] = {first, second, [6] = 0, [7] = 255}, steps = first > second ? 7 : 5;
+    unsigned sum = 0;
+    for (int i = 1; i < steps; i++)
+        numbers[i + 1] = (int)lround(first + (double)(second - first) * i / steps);
+    for (int t = 0; t < 16; t++) {
+        int least = 255;
+        for (int i = 0; i < 8; i++)
+            least = abs(texels[t][0] - numbers[i]) < least ? abs(texels[t][0] - numbers[i]) : least;
+        sum += (unsigned)(least * least);
+    }
+    return sum;
+}
+
+/* Of both modes a block has the one with the smaller error, and each texel its nearest number. Bits that lay in the
+ * block before do not matter. */
+START_TEST(bc4_blocks_have_the_better_mode)
+{
+    uint32_t with_ends = 0;
+    for (uint64_t n = 0; n < 3000; n++) {
+        uint8_t texels[16][4] = {{0}}, back[16][4], block[8];
+        uint64_t base = hatch_random_u64(n, 0, 0) % 200, range = 1 + hatch_random_u64(n, 0, 1) % 56;
+        int low = 255, high = 0, inner_low = 255, inner_high = 0;
+        for (int t = 0; t < 16; t++) {
+            uint64_t pick = hatch_random_u64(n, 1, (uint64_t)t), grey = base + (pick >> 8) % range;
+            int value = (int)(pick % 8 == 0 ? 0 : pick % 8 == 1 ? 255 : grey);
+            texels[t][0] = (uint8_t)value;
+            low = value < low ? value : low;
+            high = value > high ? value : high;
+            inner_low = value > 0 && value < inner_low ? value : inner_low;
+            inner_high = value < 255 && value > inner_high ? value : inner_high;
+        }
+        unsigned without = bc4_squares(texels, high, low), with = bc4_squares(texels, inner_low, inner_high), sum = 0;
+        memset(block, 0xff, sizeof block);
+        hatch_bc4_encode(texels, block);
+        hatch_bc4_decode(block, back);
+        for (int t = 0; t < 16; t++)
+            sum += (unsigned)((texels[t][0] - back[t][0]) * (texels[t][0] - back[t][0]));
+        ck_assert_uint_eq(sum, with < without ? with : without);
+        with_ends += with < without;
+    }
+    ck_assert(with_ends > 300 && with_ends < 2700);
 }
 END_TEST
 
@@ -311,6 +360,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, bc4_blocks_are_decoded_as_specified, 0, 2);
     tcase_add_test(tests, paper_and_ink_are_kept_exactly);
     tcase_add_test(tests, paper_ink_and_two_greys_are_kept_exactly);
+    tcase_add_test(tests, bc4_blocks_have_the_better_mode);
     tcase_add_loop_test(tests, greys_are_approximated, 0, 2);
     tcase_add_loop_test(tests, colours_are_approximated, 0, 2);
     tcase_add_loop_test(tests, bc1_blocks_are_decoded_as_specified, 0, 2);
