@@ -88,12 +88,42 @@ START_TEST(the_match_is_the_first_of_the_cheapest)
 }
 END_TEST
 
+/* Nine cells of 4x4 neighbourhoods, the last three with one row. Matches of two axes count: half of them lie in the
+ * first cell, ten in the second, the others in the last. */
+START_TEST(cells_that_many_matches_lie_in_get_dearer)
+{
+    static uint32_t counts[HATCH_CELLS];
+    make(8, false);
+    ck_assert(exemplar.across == 12 && exemplar.down == 9);
+    volume.axes = 3;
+    for (uint32_t n = 0; n < SIZE * SIZE * SIZE; n++) {
+        volume.matches[0][n] = (uint16_t)(n / 4 % 4 * HATCH_EXEMPLAR_PITCH + n % 4);
+        volume.matches[1][n] = (uint16_t)(n < 10 ? 4 + n % 4 : 8 * HATCH_EXEMPLAR_PITCH + 8 + n % 4);
+        volume.matches[2][n] = 4 * HATCH_EXEMPLAR_PITCH;
+    }
+    for (int times = 1; times <= 20; times++) {
+        hatch_search_price(&volume, &exemplar, counts, prices);
+        for (uint32_t cell = 0; cell < 9; cell++) {
+            const uint32_t at = cell / 3 * HATCH_CELLS_ACROSS + cell % 3;
+            const uint32_t used = cell == 0 ? 125 : cell == 1 ? 10 : cell == 8 ? 115 : 0;
+            double fair = 250 * (cell < 6 ? 16 : 4) / (12.0 * 9);
+            double change = fmin(fmax(sqrt((used + 0.1 * fair) / (1.1 * fair)), 0.5), 2);
+            double price = fmin(fmax(pow(change, times), 0.02), 50);
+            ck_assert_uint_eq(counts[at], used);
+            ck_assert_double_eq_tol((double)prices[at], price, 1e-4 * price);
+        }
+        ck_assert_float_eq(prices[3], 1); /* the exemplar has no fourth column of cells */
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("synthesis search");
     TCase *tests = tcase_create("search");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, the_match_is_the_first_of_the_cheapest, 0, 8);
+    tcase_add_test(tests, cells_that_many_matches_lie_in_get_dearer);
     suite_add_tcase(suite, tests);
     return suite;
 }
