@@ -256,6 +256,23 @@ START_TEST(a_constant_map_has_one_step)
 }
 END_TEST
 
+static float paper(float u, float v, uint32_t level, float tone, uint32_t channel)
+{
+    (void)u, (void)v, (void)level, (void)tone, (void)channel;
+    return 1;
+}
+
+START_TEST(paper_has_no_steps)
+{
+    struct hatch_tam tam = made_map(64, 16, 1, "Y", paper);
+    make(&tam, 7, NULL);
+    ck_assert_double_eq(figures->steps, 0);
+    ck_assert_double_eq(figures->merged, 0);
+    ck_assert_double_eq(figures->error, 0);
+    ck_assert_float_eq(hatch_thresholds_sample(&made, 0.1f, 0.2f, 1, 0), 1);
+}
+END_TEST
+
 START_TEST(pictures_are_stored_in_the_spare_channels)
 {
     struct hatch_tam tam = made_map(64, 4, 1, "Y", two_strokes);
@@ -453,6 +470,7 @@ static Suite *suite(void)
     tcase_add_test(tests, crossing_strokes_use_one_random_number);
     tcase_add_test(tests, the_error_is_the_area_between);
     tcase_add_test(tests, a_constant_map_has_one_step);
+    tcase_add_test(tests, paper_has_no_steps);
     tcase_add_test(tests, pictures_are_stored_in_the_spare_channels);
     tcase_add_test(tests, a_pixel_that_gets_lighter_is_named);
     tcase_add_test(tests, a_colour_that_gets_lighter_is_named);
