@@ -19,19 +19,26 @@ static void begin_seeds(void)
         stroke.pixels[i] = 1;
 }
 
-static enum hatch_status make_model(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
-                                    struct hatch_err *error)
+/* Two layers, the second of which begins where the first is complete or later. */
+static struct hatch_rptam_style style_of(double second)
 {
     struct hatch_rptam_style style = {.overlap = 0.3, .layer_count = 2};
     for (int i = 0; i < 2; i++)
-        style.layers[i] = (struct hatch_rptam_layer_style){.low = 0.5 * i,
-                                                           .high = 0.5 * i + 0.5,
+        style.layers[i] = (struct hatch_rptam_layer_style){.low = second * i,
+                                                           .high = i ? 1 : 0.5,
                                                            .angle_rad = 0.3 + 1.5 * i,
                                                            .length_px = 10,
                                                            .width_px = 2,
                                                            .tile_px = 32,
                                                            .ink = 1,
                                                            .stroke = &stroke};
+    return style;
+}
+
+static enum hatch_status make_model(void *context, struct hatch_arena *to, struct hatch_arena *temporary,
+                                    struct hatch_err *error)
+{
+    struct hatch_rptam_style style = style_of(0.5);
     return hatch_rptam_make(&seeds, &style, to, temporary, context, error);
 }
 
@@ -54,6 +61,22 @@ START_TEST(every_failed_allocation_is_a_status)
     ck_assert_uint_eq(rptam.layer_count, 2);
     hatch_test_fail_alloc(make_coverage, &coverage, &coverage, sizeof coverage);
     ck_assert_uint_eq(coverage.side, 8);
+}
+END_TEST
+
+/* Nothing is drawn between the end of the first layer and the beginning of the second: no tone lies there. */
+START_TEST(tones_lie_within_layers)
+{
+    struct hatch_rptam_style style = style_of(0.75);
+    struct hatch_rptam rptam;
+    uint32_t in_first = 0;
+    HATCH_TEST_OK(hatch_rptam_make(&seeds, &style, &keep, &scratch, &rptam, &err), &err);
+    for (uint32_t step = 0; step <= HATCH_RPTAM_TONE_STEPS; step++) {
+        bool first = rptam.progress[step] <= 0.5 + 1e-9;
+        ck_assert(first || rptam.progress[step] >= 0.75 - 1e-9);
+        in_first += first;
+    }
+    ck_assert(in_first > HATCH_RPTAM_TONE_STEPS / 4 && in_first < HATCH_RPTAM_TONE_STEPS);
 }
 END_TEST
 
@@ -101,14 +124,15 @@ START_TEST(strokes_differ)
 }
 END_TEST
 
-/* Without grain each texel is the mean of the texels under it, here two by two, and the border is paper. */
+/* Without grain all strokes share one image. Each texel is the mean of the texels under it, here two by two, and the
+ * border is paper. */
 START_TEST(images_of_strokes_are_box_filtered)
 {
     float pixels[32];
     for (int i = 0; i < 32; i++)
         pixels[i] = (float)(i * i % 32) / 31;
     const struct hatch_image from = {.width = 8, .height = 4, .channel_count = 1, .pixels = pixels};
-    const struct hatch_rptam_layer_style style = {.stroke = &from, .length_px = 2, .width_px = 1};
+    const struct hatch_rptam_layer_style style = {.stroke = &from, .length_px = 2, .width_px = 1, .varied = true};
     struct hatch_image made;
     uint32_t images;
     HATCH_TEST_OK(hatch_rptam_stroke_images(&style, &keep, &scratch, &made, &images, &err), &err);
@@ -129,6 +153,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("memory");
     tcase_add_checked_fixture(tests, begin_seeds, end);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
+    tcase_add_test(tests, tones_lie_within_layers);
     tcase_add_test(tests, images_of_strokes_are_box_filtered);
     tcase_add_loop_test(tests, a_stroke_keeps_its_variant_over_levels, 2, 40);
     tcase_add_test(tests, strokes_differ);
