@@ -385,6 +385,22 @@ tamgen -q --size 256 --tones 12 --strokes whole.tsv -o /dev/null
 tamgen -q --replay whole.tsv --size 256 --tones 12 --needs dim.needs --strokes cut.tsv -o cut.exr
 ok "the strokes of a drawing whose columns and levels are cut" hatchstat tam cut.exr --strokes cut.tsv
 is "which are fewer" "$(awk 'END {print NR < whole}' whole="$(wc -l <whole.tsv)" cut.tsv)" 1
+# Of each stroke, the part has the columns in which it enters the coarser levels, as far as it has these columns.
+drawing="--replay $TOP/pipelines/hatching.svg --keep .5 --size 256 --tones 12"
+# shellcheck disable=SC2086 # options are words
+tamgen -q $drawing --strokes whole.tsv -o whole.exr
+# shellcheck disable=SC2086
+tamgen -v $drawing --needs small.needs --strokes cut.tsv -o cut.exr 2>said
+is "the finest level is left out, and some columns" "$(grep -c 'levels finer than 128 pixels\|of 12 columns left out' said)" 2
+awk -F'\t' -v tones="$(sed -n 's/^tamgen: \(.*\) of 12 columns left out.*/\1/p' said)" 'NR > 1 {
+    split($14, column, ",")
+    for (level = 0; column[level + 2] != "" && column[level + 2] < 12 - tones; level++)
+        enters = enters (level ? "," : "\t") column[level + 2]
+    if (enters) print $10, column[2], level - 1 enters
+    enters = ""}' whole.tsv >want
+awk -F'\t' 'NR > 1 {print $10, $11, $12 "\t" $14}' cut.tsv >got
+ok "strokes enter the levels of the part where they enter those of the whole" cmp got want
+ok "of which many enter one later than the next" test "$(awk -F'[\t,]' '$2 < $3' want | wc -l)" -gt 20
 tamgen -q --size 64 --tones 24 --ids --needs dim.needs -o ids.exr
 is "a map with ids has its strokes" "$(strings ids.exr | grep -c hatch:strokes)" 1
 printf 'vertex\tdx\tdy\tdz\n1\t1\t0\t0\n' >vertex.tsv
