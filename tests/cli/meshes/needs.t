@@ -98,6 +98,24 @@ regions two.needs >two.regions
 regions ground.needs >ground.regions
 ok "a ground has no regions" cmp ground.regions two.regions
 ok "and its needs are those of the scene" dirfield -q --needs ground.needs two.gltf -o ground.glb
+# Regions lie in the scene as the file has it, whichever of its axes points up: seen from above, they are its upper half.
+meshgen ellipsoid --faces 2000 -o egg.glb
+unpack egg.glb egg
+# shellcheck disable=SC2016
+edit egg.gltf '$s->{nodes}[0]{scale} = [1, 2, 3]; $s->{nodes}[0]{translation} = [4, 50, 600]' >far.gltf
+for axis in y x z; do
+    render-gl far.gltf --size 160x120 --up $axis --from 0:90 --needs -o $axis.needs
+    # The three numbers of a cell, from 0 to 31, of which the upper half of an axis has the last 16.
+    regions $axis.needs unit-px | awk -v axis=$axis '{
+            at["x"] = $2 % 32; at["y"] = int($2 / 32) % 32; at["z"] = int($2 / 1024)
+            n++; upper += at[axis] >= 15
+            for (other in at) if (other != axis) {half += at[other] < 16; total++}
+        }
+        END {print (n > 100), (upper == n), (half > .4 * total && half < .6 * total)}' >$axis.seen
+    is "--up $axis: the upper half of the scene is seen" "$(cat $axis.seen)" "1 1 1"
+    is "in the same box" "$(regions $axis.needs low) $(regions $axis.needs side)" \
+        "$(regions y.needs low) $(regions y.needs side)"
+done
 # shellcheck disable=SC2016
 edit two.gltf '$s->{meshes}[1]{primitives}[0]{material} = 0;
     $s->{materials} = [{alphaMode => "MASK", pbrMetallicRoughness => {baseColorFactor => [1, 1, 1, .1]}}]' >clear.gltf
