@@ -272,6 +272,20 @@ head -c 3000 wood.exr >cut.exr
 try $draw --solid cut.exr -o picture.png
 is "slices that are cut off" "$status $(grep -c '^render-gl: cut.exr: .' .err) $(wc -l <.err)" "3 1 1"
 
+# A second object takes a second texture, which draws as the first if it is a copy; textures in colours have three tables.
+awk 'BEGIN {
+    print "P3\n8 8\n255"
+    for (i = 0; i < 192; i++) print i * 73 % 256
+}' >colors.ppm
+solidgen -q --exemplar colors.ppm --size 16 -o colors.ktx2
+for look in plain collage; do
+    $draw torus.glb --solid colors.ktx2 --look $look --zoom 3 -o one.png
+    for copies in colors.ktx2,colors.ktx2 colors.ktx2,colors.ktx2,colors.ktx2; do
+        $draw torus.glb --solid $copies --look $look --zoom 3 -o copies.png
+        ok "$look: the picture with copies is the same, $copies" cmp one.png copies.png
+    done
+done
+
 # The inks of objects, the pipeline, and a lapped surface with a 2D texture.
 try render-gl torus.glb bare.obj -t solid --solid waves.ktx2 --inks red,nocolor -o picture.png
 is "an ink that is no colour" "$status $(head -n 1 .err)" \

@@ -132,6 +132,9 @@ near "an outline of pale ink" "$(ink)" "$(awk -v plain="$plain" 'BEGIN {print .5
 draw plane.glb --size 64x64 --camera 0,0,3:0,0,0 --paper grey --ink black,white --tone-range 0:1 --light 0:0
 is "the light ink draws lit parts" "$(awk -v ink="$(ink)" 'BEGIN {print (ink < .5)}')" 1
 
+ok "all that changes the light at once" render-gl -q ball.glb -t traced --size 64x48 --shadows .1 --specular .5:8 \
+    --pixel-light --paper grey --ink black,white -o light.png
+
 # A tile of a picture is the same part of the picture drawn at once.
 draw ball.glb --size 2200x20
 cp $file wide.exr
