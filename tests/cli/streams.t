@@ -138,6 +138,15 @@ if command -v script >/dev/null; then
     is "seed sets on a terminal" "$(on_terminal 'seedgen -n 4' | cut -c1-21)" "0 # seedgen --count 4"
     is "a plot on a terminal" "$(on_terminal 'seedgen -n 4 -o a.seeds --plot -' | cut -c1-6)" "0 <svg"
     is "a report on a terminal" "$(on_terminal 'hatchstat mesh plane.glb' | cut -c1-10)" "0 vertices"
+    # A scene that comes late: work that takes over a second tells how far it is, in a line that is gone at the end.
+    mkfifo late
+    for seconds in 1.5 6 30; do # longer where the command is slow to start
+        { sleep $seconds; cat plane.glb; } >late &
+        script -qec 'render-gl - -t gouraud --size 8x8 -o late.png <late' typed </dev/null >shown
+        [ ! -s shown ] || break
+    done
+    ok "progress on a terminal" perl -0777 -ne \
+        'exit !/\A(?:\rrender-gl: drawing \d+ %)+\r\e\[K\z/' shown
 else
     skip "what a terminal gets" "no script(1)"
 fi
