@@ -134,7 +134,7 @@ static unsigned bc4_squares(uint8_t texels[16][4], int first, int second)
 }
 
 /* Of both modes a block has the one with the smaller error, and each texel its nearest number. Bits that lay in the
- * block before do not matter. */
+ * block before do not matter. Each second block has texels of 0 or 255. */
 START_TEST(bc4_blocks_have_the_better_mode)
 {
     uint32_t with_ends = 0;
@@ -144,7 +144,7 @@ START_TEST(bc4_blocks_have_the_better_mode)
         int low = 255, high = 0, inner_low = 255, inner_high = 0;
         for (int t = 0; t < 16; t++) {
             uint64_t pick = hatch_random_u64(n, 1, (uint64_t)t), grey = base + (pick >> 8) % range;
-            int value = (int)(pick % 8 == 0 ? 0 : pick % 8 == 1 ? 255 : grey);
+            int value = (int)(n % 2 && pick % 8 == 0 ? 0 : n % 2 && pick % 8 == 1 ? 255 : grey);
             texels[t][0] = (uint8_t)value;
             low = value < low ? value : low;
             high = value > high ? value : high;
@@ -160,7 +160,7 @@ START_TEST(bc4_blocks_have_the_better_mode)
         ck_assert_uint_eq(sum, with < without ? with : without);
         with_ends += with < without;
     }
-    ck_assert(with_ends > 300 && with_ends < 2700);
+    ck_assert(with_ends > 1000 && with_ends < 2000);
 }
 END_TEST
 
