@@ -6,7 +6,9 @@
 
 #include "fail_alloc.h"
 #include "stroke/footprint.h"
+#include "stroke/path.h"
 #include "cover/cover.h"
+#include "cover/strokes.h"
 
 static struct test_map map;
 static struct hatch_cover cover;
@@ -187,6 +189,36 @@ START_TEST(lists_of_other_strokes_do_no_harm)
 }
 END_TEST
 
+/* A straight stroke and an arc, by bend: both are as long as the list says, whose unit is a tile, and pass through the
+ * places of hatch_stroke_place, up to whole tiles. */
+START_TEST(listed_strokes_have_their_length_and_place)
+{
+    struct hatch_stroke listed[] = {{.id = 3, .length = 0.5f, .x = 0.9f, .y = 0.2f, .angle_rad = 0.3f, .column = 4},
+                                    {.id = 5, .length = 0.75f, .x = 0.1f, .y = 0.6f, .angle_rad = 2, .bend_rad = 0.4f},
+                                    {.id = 2, .length = 0.25f, .x = 0.5f, .y = 0.5f}};
+    const struct hatch_stroke_list list = {listed, 3, 0};
+    struct hatch_cover_stroke strokes[6] = {[2] = {.is_there = true, .length = 7}};
+    hatch_cover_add_listed(&list, 128, 5, strokes);
+    for (int i = 0; i < 2; i++) {
+        const struct hatch_cover_stroke *stroke = &strokes[listed[i].id];
+        ck_assert(stroke->is_there && stroke->original == &listed[i] && stroke->column == listed[i].column);
+        ck_assert_float_eq_tol(stroke->length, 128 * listed[i].length, 0.1f);
+        for (int k = 0; k <= 4; k++) {
+            float place[2], want[2];
+            hatch_cover_stroke_at(stroke, (float)k / 4, place);
+            hatch_stroke_place(&listed[i], (float)k / 4, want);
+            for (int axis = 0; axis < 2; axis++) {
+                float tiles = (place[axis] - 128 * want[axis]) / 128;
+                ck_assert_float_eq_tol(tiles, rintf(tiles), 1e-3f);
+                ck_assert(k != 2 || (place[axis] >= 0 && place[axis] < 128));
+            }
+        }
+    }
+    ck_assert(strokes[2].original == &listed[2] && strokes[2].length == 7); /* its curve is of the texels */
+    ck_assert(!strokes[1].is_there && !strokes[4].is_there);
+}
+END_TEST
+
 START_TEST(refuses_ids_without_texels)
 {
     make("ink", 64);
@@ -236,6 +268,7 @@ static Suite *suite(void)
     tcase_add_test(tests, as_many_ids_are_allowed_as_there_may_be_strokes);
     tcase_add_test(tests, strokes_below_others_are_known_from_the_list);
     tcase_add_test(tests, lists_of_other_strokes_do_no_harm);
+    tcase_add_test(tests, listed_strokes_have_their_length_and_place);
     tcase_add_test(tests, refuses_ids_without_texels);
     tcase_add_test(tests, survives_failed_allocations);
     suite_add_tcase(suite, tests);
