@@ -110,15 +110,21 @@ dirfield -q posed.gltf --constraints own.tsv -o own.glb
 is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
 
-# Two small squares, at (6, 0.5) and (3, 1.5) in a plane, which a node turns by a half right angle about x and then
-# stretches tenfold along y: (i, j) is at (i, 7.07 j, 0.707 j) in the scene. A position at (3, 0.5) in the plane is nearer
-# to the second in the plane, and to the first in the scene. The direction is (1, 0, 0) and the normal in the scene.
-printf 'OFF\n8 4 0\n5.9 .4 0\n6.1 .4 0\n6.1 .6 0\n5.9 .6 0\n2.9 1.4 0\n3.1 1.4 0\n3.1 1.6 0\n2.9 1.6 0\n%s' \
-    '3 0 1 2
-3 0 2 3
-3 4 5 6
-3 4 6 7
-' >squares.off
+# Small squares in a plane, a row from (6, 0.5) on along x and one from (3, 1.5) on along y. A node turns the plane by a
+# half right angle about x and then stretches it tenfold along y: (i, j) is at (i, 7.07 j, 0.707 j) in the scene. A position
+# at (3, 0.5) in the plane is nearest to the second row there, and to the first square, which has vertex 0, in the scene:
+# the search must not end within the half of the plane in which it begins. The direction is (1, 0, 0) and the normal in the
+# scene.
+awk 'function square(x, y) {
+        v = v sprintf("%g %g 0\n%g %g 0\n", x - .1, y - .1, x + .1, y - .1)
+        v = v sprintf("%g %g 0\n%g %g 0\n", x + .1, y + .1, x - .1, y + .1)
+        f = f sprintf("3 %d %d %d\n3 %d %d %d\n", n, n + 1, n + 2, n, n + 2, n + 3)
+        n += 4
+    }
+    BEGIN {
+        for (i = 0; i < 8; i++) square(6 + 2 * i, .5)
+        for (i = 0; i < 24; i++) square(3, 1.5 + .3 * i)
+        printf "OFF\n%d %d 0\n%s%s", n, n / 2, v, f }' >squares.off
 dirfield -q squares.off -o squares.glb
 unpack squares.glb squares
 sed 's/"nodes":\[{[^]]*"mesh":0[^]]*}\]/"nodes":[{"scale":[1,10,1],"children":[1]},{"mesh":0,"rotation":[0.3826834,0,0,0.9238795]}]/' \
@@ -130,8 +136,9 @@ dirfield -q stretched.gltf --constraints own.tsv -o own.glb
 is "the nearest point of a stretched node, and the direction that is tangent there" \
     "$status $(awk -F'\t' '
         NR == 1 {for (i = 1; i <= NF; i++) if ($i == "confidence_p50") c = i}
-        $1 == "component" {printf "%.1f ", $c}' report.tsv)$(hatchstat field hand.glb --reference own.glb |
-        column deg_max | awk '{print ($1 < 0.01)}')" "0 1.0 0.0 1"
+        $1 == "component" {first = n++ ? first : $c; sum += $c}
+        END {printf "%.1f of %.1f in %d ", first, sum, n}' report.tsv)$(hatchstat field hand.glb --reference own.glb |
+        column deg_max | awk '{print ($1 < 0.01)}')" "0 1.0 of 1.0 in 32 1"
 
 # A cube: its surface is cut at all edges, and three sides meet at vertex 0. The direction is given to those sides that it
 # runs along, and the others keep their confidence of 0.
