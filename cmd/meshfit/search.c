@@ -7,7 +7,9 @@
 #define TRIES 12      /* runs for one error */
 #define LOCAL_TRIES 5 /* those of them after which the tolerance is lowered only near places with a larger error */
 #define LOWER 0.7     /* factor of the tolerance everywhere after each later run */
-#define FACE_TRIES 14 /* tolerances for one number of faces */
+#define FACE_TRIES 18 /* tolerances for one number of faces */
+#define ESTIMATES 7   /* those of them that are estimated while none has been large enough */
+#define LEAP 8        /* factor of later ones until one is */
 #define CLOSE 0.97    /* share of the number of faces that is near enough */
 #define CAUTION 0.85  /* factor of the tolerance that should lead to the error */
 #define NO_ERROR 1e-3 /* displacement in pixels of which nobody wants less */
@@ -167,8 +169,10 @@ void meshfit_by_faces(struct meshfit *fit, uint64_t faces, struct meshfit_level 
             break;
         if (same && is_exact(fit, level))
             break;
-        /* The number of faces falls about as the tolerance grows. */
+        /* The number of faces falls about as the tolerance grows, or more slowly. */
         double next = tolerance * (double)level->faces / (double)faces;
+        if (isinf(high) && i >= ESTIMATES)
+            next = LEAP * low;
         if (!(next > low && next < high))
             next = low == 0 ? high / 4 : isinf(high) ? 4 * low : sqrt(low * high);
         tolerance = fmin(next, ERROR_MAX);

@@ -73,6 +73,13 @@ meshgen plane --faces 3000 -o flat.glb
 is "a plane has no more than two" "$(meshfit $small --faces 4 flat.glb | hatchstat mesh | column faces)" 2
 used=$(milliseconds 4000 meshfit $small --faces 4 flat.glb -o /dev/null)
 ok "which are found in under 4 seconds ($used ms)" test "$used" -le 4000
+# In these pictures, faces of a torus of 204 are so large that a tolerance of several pixels leaves none out.
+meshgen torus --faces 200 -o big.glb
+for count in 60 150 200; do
+    is "--faces $count of a mesh that no small tolerance makes coarser is nearly reached" \
+        "$(meshfit --size 4096x2304 --faces $count big.glb | hatchstat mesh -q | column faces |
+            awk -v most=$count '{print ($1 <= most && $1 >= .97 * most) ? "yes" : $1}')" yes
+done
 meshfit $small --faces 5000 torus.glb -q -o same.glb
 is "more faces than there are: all are kept" "$(faces same.glb)" "$(faces torus.glb)"
 try meshfit $small --faces 4 torus.glb -o /dev/null
@@ -139,6 +146,11 @@ END
 is "a small part is drawn as fine as the whole scene" \
     "$(meshfit $small -q --levels 2 two.gltf -o two.glb && json two.glb | grep -o '"MSFT_screencoverage":[^}]*' | xargs)" \
     "MSFT_screencoverage:[0.212500006,0] MSFT_screencoverage:[0.00212500012,0]"
+meshfit $small -q --levels 5 two.gltf -o five.glb
+is "and each further level is drawn from a quarter of the picture on" \
+    "$(json five.glb | grep -o '"MSFT_screencoverage":\[[^]]*' | sed 's/.*\[//' | awk -F, '{
+        for (i = 1; i < 5; i++) printf "%.4g ", $i * 4 ^ i
+        print $5 }' | paste -sd';')" "0.85 0.85 0.85 0.85 0;0.0085 0.0085 0.0085 0.0085 0"
 is "and names the extension" "$(json levels.glb | grep -c '"extensionsUsed":\["MSFT_lod"\]')" 1
 meshfit $small torus.glb -o first.glb
 is "others read the first level" "$(faces levels.glb)" "$(faces first.glb)"
