@@ -124,6 +124,12 @@ is "an atlas has every face, none of them mirrored or degenerate" \
     "$(mesh_column faces torus.glb) $(mesh_column points torus.glb) 1 0 0"
 try lapped-param atlas.glb -o /dev/null
 is "an atlas can be lapped" $status 0
+# atlas_side FILE: the side that -v tells
+atlas_side() {
+    lapped-param -v --atlas "$1" 2>&1 >/dev/null | sed -n 's/.*the side of its atlas is \(.*\) long in the scene$/\1/p'
+}
+is "the side of an atlas is that in the scene: twice as long under a node that scales by 2" \
+    "$(echo "$(atlas_side large.gltf) $(atlas_side torus.glb)" | awk '{printf "%.4f", $1 / $2}')" 2.0000
 # alpha NAME ALPHA MODE TEXTURE: makes NAME.glb, an atlas of a torus with this alpha, alpha mode and texture
 alpha() {
     sed 's/"primitives":\[{/&"material":0,/
