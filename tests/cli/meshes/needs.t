@@ -83,6 +83,40 @@ is "with two fields, both stay" "$(faces both.glb)" "200 800"
 dirfield -q --needs none.needs full.glb -o anew.glb
 is "dirfield lets them become coarser" "$(faces anew.glb)" "2 2"
 
+# Parts that no view shows get no patches. Their texture coordinates are places on the mesh, in tiles.
+lapped-param -q --needs none.needs --tile .5 two.gltf -o unseen.glb
+unpack unseen.glb unseen
+# shellcheck disable=SC2016
+is "texture coordinates of what is not seen" "$(edit unseen.gltf '
+    open my $file, "<:raw", "unseen.bin" or die;
+    my $data = <$file>;
+    sub floats {
+        my ($index) = @_;
+        my ($a, $width) = ($s->{accessors}[$index], {VEC2 => 2, VEC3 => 3}->{$s->{accessors}[$index]{type}});
+        my $view = $s->{bufferViews}[$a->{bufferView}];
+        my $stride = $view->{byteStride} // 4 * $width;
+        return map {[unpack "f<$width", substr $data, ($view->{byteOffset} // 0) + ($a->{byteOffset} // 0) + $stride * $_]}
+            0 .. $a->{count} - 1;
+    }
+    my ($points, $wrong) = (0, 0);
+    for (map {$_->{attributes}} map {@{$_->{primitives}}} @{$s->{meshes}}) {
+        my @at = floats($_->{POSITION});
+        my @uv = floats($_->{TEXCOORD_0});
+        for my $i (0 .. $#at) {
+            $points++;
+            $wrong += abs(.5 * $uv[$i][$_] - $at[$i][$_]) > 1e-6 for 0, 1;
+        }
+    }
+    print STDERR "$wrong of $points"' 2>&1 >/dev/null)" "0 of 8"
+
+# An item of 500 pixels, with at least four patches side by side, has none of over 125.
+sed 's/^relative/item-px\t0\t500\t\n&/' none.needs >item.needs
+for needs in item none; do
+    tamgen -v --size 512 --tones 1 --needs $needs.needs -o /dev/null 2>$needs.said
+done
+is "a smaller tile is told" "$(grep -h ' a tile of' item.said none.said)" \
+    "tamgen: a tile of 128 pixels, not 512: no patch is larger in the pictures"
+
 # Needs are those of a scene whose faces have the same box, whatever render-gl adds or leaves out.
 [ -x "$BIN/render-gl" ] || { skip "needs of views" "no render-gl"; finish; }
 view='--size 160x120 --from 0:20'
