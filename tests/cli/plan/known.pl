@@ -1,7 +1,7 @@
 #!/usr/bin/env perl
 # In place of render-gl, for search.t: draws pictures of one tone in times that are known.
 #   $KNOWN  a file with a line for each candidate, as in "rptam 20x1 | 50 .08 | 48,52 .07": its time in ms and error of
-#           tone in small pictures, and in full ones. Of several times, each run takes the next; "-": it cannot be drawn.
+#           tone in small pictures, and in full ones. Of several times, each run takes the next; "-": it cannot be drawn
 #   $RUNS   a file to which each run appends: small or full, the candidate, how often each picture is drawn, and of a
 #           film the pictures and their rate
 use strict;
@@ -45,11 +45,13 @@ sub attribute {
 sub picture {
     my ($light) = @_;
     my $window = pack 'l<4', 0, 0, $width - 1, $height - 1;
-    my $header = pack('V2', 20000630, 2) . attribute('channels', 'chlist', "Y\0" . pack('V2 V2', 2, 0, 1, 1) . "\0") .
+    my $channel = "Y\0" . pack 'V4', 2, 0, 1, 1; # floats
+    my $header = pack('V2', 20000630, 2) . attribute('channels', 'chlist', "$channel\0") .
         attribute('compression', 'compression', "\0") . attribute('dataWindow', 'box2i', $window) .
         attribute('displayWindow', 'box2i', $window) . attribute('lineOrder', 'lineOrder', "\0") .
         attribute('pixelAspectRatio', 'float', pack 'f<', 1) .
-        attribute('screenWindowCenter', 'v2f', pack 'f<2', 0, 0) . attribute('screenWindowWidth', 'float', pack 'f<', 1) . "\0";
+        attribute('screenWindowCenter', 'v2f', pack 'f<2', 0, 0) .
+        attribute('screenWindowWidth', 'float', pack 'f<', 1) . "\0";
     my $row = pack('f<', $light) x $width;
     my ($first, $bytes) = (length($header) + 8 * $height, 8 + length $row);
     return join '', $header, (map { pack 'Q<', $first + $bytes * $_ } 0 .. $height - 1),
