@@ -162,6 +162,10 @@ column() {
 is "the torus is covered" "$(column covered alone.glb)" 1
 is "no face is flipped" "$(column flipped alone.glb)" 0
 is "the number of faces is that of the mesh" "$(column faces alone.glb)" "$(hatchstat mesh torus.glb | tail -n 1 | cut -f2)"
+unpack alone.glb second
+sed 's/"materials":\[/&{"name":"other"},/; s/"material":0/"material":1/g' second.gltf >t.gltf && mv t.gltf second.gltf
+is "a material before that of the patches changes no figure" "$(grep -c '"other"' second.gltf) $(hatchstat lapped second.gltf)" \
+    "1 $(hatchstat lapped alone.glb)"
 try hatchstat lapped torus.glb
 refused "a file without patches" 3 1
 try hatchstat lapped alone.glb --samples 0

@@ -8,9 +8,9 @@ KNOWN=$WORK/candidates RUNS=$WORK/runs
 export KNOWN RUNS
 meshgen plane --faces 2 -o plane.glb
 
-# plan OPTION ...: runs hatchplan with the candidates of standard input, for known.pl. Prints the runs: s and f for small
-# and full pictures of rptam, S and F for those of strokes; the length of strokes, and b if they are blended; and how
-# often each picture is drawn.
+# plan OPTION ...: runs hatchplan with the candidates of standard input, for known.pl. Prints the runs: s and f for
+# small and full pictures of rptam, S and F for those of strokes; the length of strokes, and b if they are blended; and
+# how often each picture is drawn.
 plan() {
     : >"$RUNS"
     cat >"$KNOWN"
