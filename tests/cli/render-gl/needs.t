@@ -71,8 +71,11 @@ is "no patch, and no figure that is not a number" \
 is "one level of strokes" "$(strokegen -v --needs none.needs plane.glb 2>&1 >none.glb | grep -o '^.* levels')" \
     "strokegen: 1 of 6 levels"
 meshgen plane --faces 2 -o two.glb
-render-gl two.glb --camera .9,0,.1:.9,0,0 --size 64x64 --needs -o triangle.needs
-is "a view of one triangle sees one" "$(row triangle.needs faces-seen 0) of $(row triangle.needs faces 0)" "1 of 2"
+for x in -.9 .9; do
+    render-gl two.glb --camera $x,0,.1:$x,0,0 --size 64x64 --needs -o triangle.needs
+    is "a view of one triangle sees one" "$(row triangle.needs faces-seen 0) of $(row triangle.needs faces 0)" "1 of 2"
+    is "the cells of its box, which is that of both, are the regions seen" "$(row triangle.needs region-cells 0)" 1024
+done
 echo '{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"x"}]}' >empty.gltf
 try render-gl -q empty.gltf --needs -o x.needs
 refused "an empty scene is refused" 3 1
