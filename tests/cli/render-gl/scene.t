@@ -114,6 +114,8 @@ draw solid.glb solid.png
 is "opacity survives dirfield and lapped-param" "$(inked glass.png)$(apart solid.png still.png)" 00
 try render-gl glass.gltf -t gouraud --size 32x24 -o glass.png
 is "transparent meshes that are left out are warned of" "$(grep -c '1 transparent mesh is left out' .err)" 1
+try render-gl solid.gltf glass.gltf glass.gltf -t gouraud --size 32x24 -o row.png
+is "those of a row, too, whichever its place" "$(grep -c '2 transparent meshes are left out' .err)" 1
 
 # holes NAME INDEX: a square that is all hole behind a smaller one without holes, whose textures are 0 and INDEX
 clear=data:image/png\;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAAC0lEQVR42mNgAAIAAAUAAen63NgAAAAASUVORK5CYII=
