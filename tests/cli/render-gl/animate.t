@@ -45,6 +45,14 @@ done
 same_as_still border border 6 3 0 -t solid --solid waves.ktx2 --look collage
 same_as_still "deep zoom" zoom 1 256 65536 -t rptam
 
+# All frames have the repeats of the map that the first view asks for; that of the last asks for larger tiles.
+near="render-gl teapot.glb --size 64x48 --samples 1 -t tam --tam map.exr --camera 1,2,6:0,0,0"
+$near --frames 2 --animate fov=20..60 -o map%d.png
+$near --fov 20 -o first.png
+$near --fov 60 -o last.png
+ok "the map repeats over the first frame as over its picture" cmp map0.png first.png
+ok "and over the last one more often" sh -c '! cmp -s map1.png last.png'
+
 # Two options at once, on a turntable.
 render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --animate zoom=1..4 --animate overlap=0..1 -o both%d.png
 render-gl teapot.glb -t rptam --size 64x48 --frames 2 --turntable --zoom 4 --overlap 1 -o turn%d.png
