@@ -152,9 +152,35 @@ is "no other message is printed" "$(grep -vE '^render-gl: ([0-9]+ [a-z]|saved sh
 
 open_window turning.gltf turn --tam map.exr
 plays "animations play" "space pauses animations" turn
-xdotool key Escape
+xdotool keydown Escape
 closed
-is "escape closes" $? 0
+is "escape closes as it is pressed" $? 0
+xdotool keyup Escape
+
+# still_of NAME OPTION ...: whether the picture of the window is that of render-gl with these options
+still_of() {
+    name=$1
+    shift
+    render-gl teapot.glb -t gouraud --lines none --samples 1 -o still.png "$@"
+    hatchstat diff "$name.png" still.png | awk 'NR == 2 {same = $6 < 0.001} END {exit !same}'
+}
+open_window teapot.glb at -t gouraud --lines none --camera 0,0,4:0,0,0
+shot at1
+ok "the first view is that of the options" still_of at1 --size 320x240 --camera 0,0,4:0,0,0
+xdotool key Right Right Right shift+Left Up
+shot at2
+ok "an arrow turns by a tenth of a radian, and by a fifth of it with shift" \
+    still_of at2 --size 320x240 --camera 1.0999,.39933,3.82502:0,0,0
+xdotool key f
+shots=2
+for size in 200x240 200x100; do
+    xdotool search --name '^render-gl: ' windowsize ${size%x*} ${size#*x}
+    shots=$((shots + 1))
+    shot at$shots
+    ok "a window of $size pixels shows a picture of that size" still_of at$shots --size $size --camera 0,0,4:0,0,0
+done
+xdotool key q
+closed
 
 # Parameters: the window shows them in its title.
 # titled NAME TITLE: waits until the title, without the milliseconds, is TITLE
