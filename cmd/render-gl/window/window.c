@@ -22,8 +22,6 @@ static void resize(struct window *window)
     struct hatch_err err;
     canvas_free(&window->canvas);
     cmd_check(canvas_make(wide, high, job->options->side, &job->frame.programs, &window->canvas, &err), NULL, &err);
-    job->options->width = wide;
-    job->options->height = high;
     window->stale = true;
 }
 
