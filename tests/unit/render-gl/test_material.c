@@ -14,7 +14,7 @@ struct use {
     uint32_t same; /* index of the first item that uses it in the same way */
 };
 
-enum { USES = 10, SIDE = 16, KEPT = 6 };
+enum { USES = 12, SIDE = 16, KEPT = 6 };
 
 static const struct use uses[USES] = {
     {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0}, {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 1},
@@ -22,6 +22,7 @@ static const struct use uses[USES] = {
     {1, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 4}, {HATCH_NONE, {HATCH_WRAP_REPEAT}, false, 5},
     {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 0}, {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, true, 1},
     {0, {HATCH_WRAP_REPEAT, HATCH_WRAP_CLAMP}, false, 3},  {1, {HATCH_WRAP_REPEAT, HATCH_WRAP_REPEAT}, false, 4},
+    {1, {HATCH_WRAP_MIRROR, HATCH_WRAP_CLAMP}, false, 10}, {1, {HATCH_WRAP_MIRROR, HATCH_WRAP_CLAMP}, false, 10},
 };
 
 static struct test_frame frame;
