@@ -132,6 +132,29 @@ START_TEST(a_close_up_moves_with_the_surface)
 }
 END_TEST
 
+/* The larger texture coordinates are, the farther away their rounding is seen. Those of a thousand tiles are rounded a
+ * thousand times as coarsely as those of the first. */
+START_TEST(texture_coordinates_of_far_tiles_are_near_from_farther_away)
+{
+    struct hatch_image picture;
+    begin();
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 700);
+    float *texcoord = hatch_mesh_find(&plane, "TEXCOORD_0", 2);
+    for (int far = 0; far < 2; far++) {
+        for (size_t i = 0; far && i < 2 * (size_t)plane.vertex_count; i++)
+            texcoord[i] += 1000;
+        frame_open(&plane, &frame_unit, NULL, &frame);
+        make_model();
+        const struct hatch_view view = view_near(&plane, 0x1p-4, nowhere);
+        frame_draw(&frame, "rptam", &view, WIDE, HIGH, 1, &picture);
+        ck_assert_int_eq(hatch_near_item_at(&frame.shown.near.found, 0) != NULL, far);
+        if (!far)
+            frame_close(&frame);
+    }
+    frame_finish(&frame);
+}
+END_TEST
+
 /* Joints and eye move together. Derivatives by texture coordinates are kept per vertex only for static surfaces; on a
  * plane they are constant either way. */
 START_TEST(a_close_up_of_a_skinned_plane_equals_an_unskinned_one)
@@ -195,6 +218,7 @@ static Suite *suite(void)
     tcase_add_loop_test(tests, a_close_up_of_patches_shows_the_top_patch, 0, 4);
     tcase_add_test(tests, a_close_up_of_patches_has_the_strokes_of_the_top_patch);
     tcase_add_test(tests, a_close_up_moves_with_the_surface);
+    tcase_add_test(tests, texture_coordinates_of_far_tiles_are_near_from_farther_away);
     tcase_add_loop_test(tests, a_close_up_of_a_skinned_plane_equals_an_unskinned_one, 0, 4);
     tcase_add_test(tests, too_little_memory_is_a_limit);
     suite_add_tcase(suite, tests);
