@@ -124,6 +124,26 @@ END
 $(echo "$draw" | sed 's/squares/boards/') --hidden dash -o boards.svg
 is "no dash runs along a line" "$(measure boards.svg | cut -d' ' -f 1-5)" "hidden 0 0.00 outlines 1"
 
+# Two boards of 50 by 80 pixels, less a gap of 0.8 or 1.2 between them: two of their sides, which the pen of 2 pixels
+# would draw over one another, are one line if they are at most half a pen apart.
+for gap in 0.008 0.012; do
+    cat >beside.obj <<END
+v -0.5 -0.4 0
+v 0 -0.4 0
+v 0 0.4 0
+v -0.5 0.4 0
+v $gap -0.4 0
+v 0.5 -0.4 0
+v 0.5 0.4 0
+v $gap 0.4 0
+f 1 2 3 4
+f 5 6 7 8
+END
+    $(echo "$draw" | sed 's/squares/beside/') -o beside.svg
+    measure beside.svg | awk '{printf "%.0f ", $3 * 96 / 25.4}'
+done >lengths
+is "lines at most half a pen apart are one" "$(cat lengths)" "438 518 " # 520 - 2 * 0.8 - 80, 520 - 2 * 1.2
+
 # Bars before the fold, at z = 1, hide 1.5 and 2.5 pixels of its line. The pen is 2 pixels wide, and its round caps fill
 # the gap of the first one.
 for width in 0.0135 0.0225; do
