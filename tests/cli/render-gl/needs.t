@@ -50,6 +50,28 @@ render-gl plane.glb $front --size 300x300 --tone-range .5:.5 --frames 2 --animat
 is "both views count" "$(row zoom.needs views 0)" 2
 near "the nearer one needs twice the pixels" "$(row zoom.needs unit-px 32)" 300 .05
 
+# The plane grows from nothing to twice its size in a second, and in half of one is as large as above. Lengths are those
+# at rest, or where they are 0 there, those of the largest scale that is set.
+for scale in 0 0.5 2; do
+    perl -MJSON::PP -MMIME::Base64 -0e '
+        my ($rest, $scene) = (shift, decode_json <>);
+        my $data = encode_base64(pack("f<8", 0, 1, 0, 0, 0, 2, 2, 2), "");
+        my ($buffer, $view, $at) = map { scalar @{$scene->{$_}} } qw(buffers bufferViews accessors);
+        push @{$scene->{buffers}}, {byteLength => 32, uri => "data:application/octet-stream;base64,$data"};
+        push @{$scene->{bufferViews}}, {buffer => $buffer, byteLength => 32};
+        push @{$scene->{accessors}},
+            {bufferView => $view, componentType => 5126, count => 2, type => "SCALAR", min => [0], max => [1]},
+            {bufferView => $view, byteOffset => 8, componentType => 5126, count => 2, type => "VEC3"};
+        $scene->{animations} = [{channels => [{sampler => 0, target => {node => 0, path => "scale"}}],
+            samplers => [{input => $at, output => $at + 1}]}];
+        $scene->{nodes}[0]{scale} = [map { 0 + $rest } 1 .. 3];
+        print encode_json $scene' $scale plane.gltf >growing.gltf
+    # shellcheck disable=SC2086
+    render-gl -q growing.gltf $front --animation 0 --time-s 0.5 --size 300x300 --tone-range .5:.5 --needs \
+        -o growing.needs
+    near "grown from $scale" "$(row growing.needs unit-px 32)" "$(awk "BEGIN {print $scale ? 150 / $scale : 75}")" .01
+done
+
 # In tiles; with more threads; as JSON.
 render-gl plane.glb --camera 0,0,3.7320508:0,0,0 --fov 30 --size 8192x32 --needs -o wide.needs
 near "a plane on both of two tiles of a picture is seen on both" "$(row wide.needs drawn 0)" "$(awk 'BEGIN {print 32 / 8192}')" .0001
