@@ -75,6 +75,12 @@ check_manual() {
     synopsis=$(sed -n '/^SYNOPSIS/,/^[A-Z]/p' manual.txt | sed '/^[A-Z]/d' | tr -s ' \n' '  ')
     usage=$("$1" --help | sed -n '1{s/usage://;p;};2,${/^       /!q;p;}' | tr -s ' \n' '  ')
     is "$1's usage is its manual's synopsis" "$usage" "$synopsis"
+    "$1" --help | sed '/^examples:/,$d' >help.txt
+    is "$1 --help names each option once, with its value" "$(tail -n +2 options.tsv | perl -F'\t' -ane '
+        BEGIN {open my $file, "<", "help.txt"; local $/; $help = <$file>}
+        my $names = ($F[0] ? "-$F[0], " : "") . "--$F[1]" . ($F[5] ? " $F[5]" : "");
+        my $count = () = $help =~ /(?:^ {2,6}| {3})\Q$names\E(?= |$)/mg;
+        print "$names: $count\n" if $F[1] && $count != ($F[1] ne "options-table")')" ""
     tail -n +2 options.tsv | awk -F'\t' '
         {printf "%s--%s%s%s\n", $1 == "" ? "" : "-" $1 " ", $2, $6 == "" ? "" : " ", $6}' |
         sort >program.list
