@@ -69,6 +69,15 @@ edit two.gltf '$m = $s->{meshes};
 dirfield -q --needs none.needs primitives.gltf -o primitives.glb
 is "primitives of one mesh, whose borders may touch, stay together" "$(faces primitives.glb)" "1000 2"
 
+# OBJ files have none, and get them: two squares of 200 faces.
+perl -e 'for my $x (0, 4) {
+        printf "v %g %g 0\n", $x - 1 + .2 * ($_ % 11), .2 * int($_ / 11) - 1 for 0 .. 120;
+        printf "f %d %d %d %d\n", map { $_ - 121 } $_, $_ + 1, $_ + 12, $_ + 11 for grep { $_ % 11 < 10 } 0 .. 109;
+    }' >two.obj
+is "an OBJ file" "$(dirfield -q two.obj -o obj.glb && faces obj.glb)" 400
+dirfield -q --needs none.needs two.obj -o obj.glb
+is "becomes coarser with the normals that it gets" "$(faces obj.glb)" 4
+
 # Meshes with a direction field stay as fine as they are; dirfield computes it anew.
 unpack full.glb full
 for mesh in 0 1; do
