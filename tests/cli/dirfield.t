@@ -162,7 +162,8 @@ for row in '0 0 1 2' '0 1 0 2' '1 0 0 2' '0 1 1 1' '1 1 1 3'; do
     ok "the same at the vertex as at its position" cmp hand.glb near.glb
 done
 
-# The first square twice, the second time for its back; of two squares with one material, only this one has a back.
+# Four squares, of which the second and the last are given twice, the second time for their backs. The second shares
+# its material with the first, which has no back: it gets a copy. That of the third has a back already.
 sides=$({
     floats -1 -1 0 1 -1 0 1 1 0 -1 1 0
     printf '\000\000\001\000\002\000\000\000\002\000\003\000\002\000\001\000\000\000\003\000\002\000\000\000'
@@ -170,7 +171,8 @@ sides=$({
 cat >sides.gltf <<EOF
 {"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0},
-{"attributes":{"POSITION":0},"indices":2,"material":0}]}],"materials":[{"name":"leaf"}],
+{"attributes":{"POSITION":0},"indices":2,"material":0},{"attributes":{"POSITION":0},"indices":1,"material":1},
+{"attributes":{"POSITION":0},"indices":2,"material":2}]}],"materials":[{"name":"leaf"},{"name":"bark","doubleSided":true},{"name":"petal"}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
 {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
 {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],
@@ -181,9 +183,9 @@ for command in dirfield lapped-param strokegen; do
     $command sides.gltf -o sides.glb 2>.err
     unpack sides.glb sides.made
     is "faces given for both sides stay visible from both, $command" "$(grep -o '"material":[0-9]' sides.made.gltf |
-        paste -sd' ') $(grep -o '"materials":.*' sides.made.gltf | grep -o doubleSided | wc -l) $(grep -c \
-            '2 faces given twice left out, 1 mesh whose faces are given for both sides made double-sided' .err)" \
-        '"material":0 "material":1 1 1'
+        paste -sd' ') $(grep -o '"materials":.*' sides.made.gltf | grep -oE 'leaf|bark|petal|doubleSided' | paste -sd' ') $(
+        grep -c '4 faces given twice left out, 2 meshes whose faces are given for both sides made double-sided' .err)" \
+        '"material":0 "material":3 "material":1 "material":2 leaf bark doubleSided petal doubleSided leaf doubleSided 1'
 done
 dirfield -q sides.gltf | dirfield -o again.glb 2>.err
 is "a mesh that is double-sided already is not changed" "$(grep -c 'double-sided' .err)" 0
