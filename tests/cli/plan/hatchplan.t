@@ -104,7 +104,25 @@ cp "$BIN/hatchplan" alone/bin
 try env PATH=/usr/bin:/bin alone/bin/hatchplan $small torus.glb
 is "without the other commands" "$status $(cat .err)" \
     "4 hatchplan: render-gl: cannot run this command of hatch: no such file or directory"
+# In place of another command, a script that counts the descriptors which lead to the folder of temporary files: its
+# standard error is a file there, and no other descriptor is handed down.
+cat >alone/bin/render-gl <<'END'
+#!/bin/sh
+echo "$(readlink /proc/$$/fd/* | grep -c /hatchplan-)" >&2
+exit 3
+END
+chmod +x alone/bin/render-gl
+try alone/bin/hatchplan $small torus.glb
+is "a command has no descriptors of others" "$(sed 's/.* //' .err)" 1
 is "nothing is left of all these" "$(ls -A own)" ""
+
+# The folder is that of the system where TMPDIR is not set, or empty.
+if unprivileged test -x "$BIN/hatchplan" 2>/dev/null; then
+    for unset in "-u TMPDIR" TMPDIR=; do
+        try unprivileged env $unset "$BIN/hatchplan" $small short.glb
+        is "a damaged scene, with $unset" "$status $(cut -d: -f 1-2 .err)" "3 hatchplan: short.glb"
+    done
+fi
 
 # Signals end the command that runs, too, and leave nothing; also where the caller of this test ignores them.
 for signal in HUP TERM; do
