@@ -65,6 +65,10 @@ is "frames: the pop at the second frame" "$(field pop <frames.tsv | cut -c 1-5 |
     "nan 0.568 nan 0.568"
 is "frames: the largest drift" "$(field drift <frames.tsv | tail -n 1)" 1
 
+# Files that have been read are closed.
+many=$(yes grey.ppm | head -n 40 | xargs)
+is "frames: more pictures than descriptors" "$(ulimit -n 20; hatchstat frames $many | wc -l)" 42
+
 # A sequence of grey and coloured pictures is measured in RGBA: opacity, which is 1, counts as a fourth channel.
 perl -e 'print pack("a2 V3 V3 v2 V6", "BM", 78, 0, 54, 40, 4, 2, 1, 24, 0, 24, 0, 0, 0, 0),
     pack("C*", map { (30 * $_) x 3 } 4 .. 7, 0 .. 3)' >steps.bmp
