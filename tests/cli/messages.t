@@ -56,6 +56,9 @@ mkdir -p one/bin one/share/hatch/styles
 cp "$BIN/tamgen" one/bin
 says "a style where none is installed" 2 2 "no style 'penci': it is no file, and " one/bin/tamgen --style penci
 cp "$BUILD/share/hatch/styles/pencil.style" one/share/hatch/styles
+for other in README .style pencil.style.bak; do
+    : >one/share/hatch/styles/$other
+done
 says "a style where one is installed" 2 2 "style: 'penci' is not one of pencil, and not a file; perhaps pencil" \
     one/bin/tamgen --style penci
 for i in $(seq 70); do
