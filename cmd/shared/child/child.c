@@ -244,7 +244,6 @@ void cmd_child_run(const struct cmd_child_words *words, double limit_s, struct c
 {
     char text[HATCH_ERR_TEXT_MAX];
     struct hatch_err err;
-    *end = (struct cmd_child_end){.status = -1};
     int descriptor = openat(folder_descriptor, "words", O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
     if (descriptor < 0)
         cmd_check(cmd_fail_errno(&err, "cannot write", errno), folder, &err);
