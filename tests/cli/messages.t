@@ -31,6 +31,8 @@ says "a scene without size" 3 1 "flat.gltf: the size of a mesh in the scene is z
 says "too many levels" 2 2 "--levels 3: the coarsest would be under 32 pixels wide; want 2 at most" \
     tamgen --size 64 --levels 3
 says "--ink with a layout that ignores it" 2 2 "--ink needs --layout rgb, array, dds or png: in OpenEXR ink is always 0" tampack --layout exr --ink 1
+says "too many tones between bins" 2 2 "--bins '.1,.2,.3,.4,.5,.6,.7': want 6 tones at most" \
+    tamthresh --bins .1,.2,.3,.4,.5,.6,.7 map.exr
 says "bins that are no number" 2 2 "--bins 'x': want 1 to 7, or tones as in .4,.7,.9" tamthresh --bins x map.exr
 says "a subject that is unknown" 2 2 "SUBJECT: 'bunny' is not one of coarse, diff, field, frames, ink, lapped, mesh, seeds, solid, tam, tones" \
     hatchstat bunny
