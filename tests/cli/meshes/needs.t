@@ -125,6 +125,28 @@ for needs in item none; do
 done
 is "a smaller tile is told" "$(grep -h ' a tile of' item.said none.said)" \
     "tamgen: a tile of 128 pixels, not 512: no patch is larger in the pictures"
+# Of a mesh that a film deforms, render-gl traces no finer strokes: it gets up to 9 levels, others up to 6. Its middle
+# covers so many pixels that any number would be too few.
+{
+    sed '/^region/d' none.needs
+    printf 'unit-px\t31\t1e5\t\n'
+    printf 'region-low\t0\t-1\t\nregion-low\t1\t-1\t\nregion-low\t2\t0\t\n'
+    printf 'region-side\t0\t.0625\t\nregion-side\t1\t.0625\t\nregion-side\t2\t0\t\n'
+    printf 'region-cells\t0\t1\t\nregion-unit-px\t528\t1e5\t\n'
+} >near.needs
+# shellcheck disable=SC2016
+edit small.gltf '$p = $s->{meshes}[0]{primitives}[0];
+    $p->{targets} = [{POSITION => $p->{attributes}{POSITION}}];
+    push @{$s->{buffers}}, {byteLength => 8, uri => "data:application/octet-stream;base64,AAAAAAAAgD8="}; # 0 and 1
+    push @{$s->{bufferViews}}, {buffer => 1, byteLength => 8};
+    push @{$s->{accessors}}, {bufferView => $#{$s->{bufferViews}}, componentType => 5126, count => 2, type => "SCALAR",
+        min => [0], max => [1]};
+    $s->{animations} = [{samplers => [{input => $#{$s->{accessors}}, output => $#{$s->{accessors}}}],
+        channels => [{sampler => 0, target => {node => 0, path => "weights"}}]}]' >film.gltf
+for file in "small.glb 6" "film.gltf 9"; do
+    is "levels of ${file% *}" "$(strokegen -v --needs near.needs --gap 1 --angles 0 ${file% *} 2>&1 >/dev/null |
+        grep levels)" "strokegen: ${file#* } of ${file#* } levels are needed"
+done
 
 # Needs are those of a scene whose faces have the same box, whatever render-gl adds or leaves out.
 [ -x "$BIN/render-gl" ] || { skip "needs of views" "no render-gl"; finish; }
