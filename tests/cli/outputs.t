@@ -30,6 +30,13 @@ refused "two pictures come from standard input" 2 2
 try sh -c 'hatchstat frames - sheet.png - <sheet.png'
 refused "two of a sequence come from standard input" 2 2
 
+# New files have the mode that the mask of the process leaves, and the mask stays for the next one.
+for mask in 027 000; do
+    (umask $mask && tamgen --size 64 --levels 1 --tones 1 -o "new$mask.exr" --strokes "new$mask.tsv")
+done
+is "new files are for those whom the mask lets" "$(stat -c %a new027.exr new027.tsv new000.exr new000.tsv | xargs)" \
+    "640 640 666 666"
+
 # Either all files of a set are replaced or none.
 echo old >tiles.000.00.png
 ln -s /dev/full tiles.005.01.png
