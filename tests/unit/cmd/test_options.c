@@ -64,6 +64,29 @@ START_TEST(an_option_may_be_repeated)
 }
 END_TEST
 
+static void repeat(int times)
+{
+    struct cmd_args args;
+    char *words[CMD_TEXTS_MAX + 3] = {"tested"};
+    for (int i = 1; i <= times; i++)
+        words[i] = "--texts=a";
+    parse(&args, words);
+}
+
+START_TEST(an_option_may_be_repeated_64_times)
+{
+    repeat(64);
+    ck_assert_int_eq(texts.count, 64);
+    ck_assert_str_eq(texts.at[63], "a");
+}
+END_TEST
+
+START_TEST(but_not_more_often)
+{
+    repeat(65);
+}
+END_TEST
+
 START_TEST(values_of_every_type_are_parsed)
 {
     struct cmd_args args;
@@ -199,6 +222,8 @@ static Suite *suite(void)
     Suite *suite = suite_create("cmd options");
     TCase *tests = tcase_create("options");
     tcase_add_test(tests, an_option_may_be_repeated);
+    tcase_add_test(tests, an_option_may_be_repeated_64_times);
+    tcase_add_exit_test(tests, but_not_more_often, HATCH_USAGE);
     tcase_add_test(tests, values_of_every_type_are_parsed);
     tcase_add_test(tests, common_options_have_defaults);
     tcase_add_test(tests, operands_keep_their_order);
