@@ -13,6 +13,7 @@
 #include "render-gl/scene/pose.h"
 #include "render-gl/technique/list.h"
 #include "render-gl/technique/rptam.h"
+#include "gpu/alive.h"
 #include "run.h"
 #include "shapes/shapes.h"
 #include "views.h"
@@ -261,11 +262,13 @@ static inline void frame_reset(struct test_frame *frame)
     hatch_arena_init(&frame->shown.programs.keep, (size_t)1 << 30);
 }
 
-/* Releases the context and the scene on the GPU; the arenas stay for the next frame_open. */
+/* Releases the context and the scene on the GPU, of which nothing is to be left; the arenas stay for the next
+ * frame_open. */
 static inline void frame_close(struct test_frame *frame)
 {
     frame_reset(frame);
     scene_free(&frame->on_gpu);
+    check_none_alive();
     gpu_context_close(&frame->context);
 }
 
