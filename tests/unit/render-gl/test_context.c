@@ -2,6 +2,7 @@
  * replaced; those that open a context are the driver's. */
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "render-gl/gpu/context.h"
@@ -119,6 +120,20 @@ START_TEST(no_device_is_needed)
 }
 END_TEST
 
+/* A user may ask EGL for its messages; of Mesa's threads there are as many as the command has. */
+START_TEST(only_the_number_of_threads_replaces_a_variable)
+{
+    setenv("LP_NUM_THREADS", "7", 1);
+    unsetenv("EGL_LOG_LEVEL");
+    open_context(1, 1);
+    ck_assert_str_eq(getenv("EGL_LOG_LEVEL"), "fatal");
+    ck_assert_str_eq(getenv("LP_NUM_THREADS"), "1");
+    setenv("EGL_LOG_LEVEL", "warning", 1);
+    open_context(1, 1);
+    ck_assert_str_eq(getenv("EGL_LOG_LEVEL"), "warning");
+}
+END_TEST
+
 START_TEST(sixteen_devices_are_looked_at)
 {
     open_context(LISTED_MAX, _i);
@@ -232,6 +247,7 @@ static Suite *suite(void)
     tcase_add_test(tests, software_devices_are_not_opened);
     tcase_add_test(tests, no_device_is_needed);
     tcase_add_loop_test(tests, sixteen_devices_are_looked_at, 15, 17);
+    tcase_add_test(tests, only_the_number_of_threads_replaces_a_variable);
     tcase_add_test(tests, opengl_before_4_5_is_refused);
     tcase_add_test(tests, pictures_keep_to_the_least_of_the_limits);
     tcase_add_test(tests, either_extension_means_anisotropic_filters);
