@@ -304,6 +304,35 @@ START_TEST(shadows_follow_lights_and_poses)
 }
 END_TEST
 
+/* A map is as large as 13 texels in the least width of a soft edge need, from 512 to 2048 pixels; its side
+ * is a width of 2. It is kept while lights and poses stay: when it is emptied, there are no shadows. */
+START_TEST(maps_have_room_for_soft_edges_and_are_kept)
+{
+    static const float far = 1;
+    static const struct {
+        double width;
+        uint32_t size_px;
+    } cases[] = {{0.1, 512}, {0.051, 512}, {0.0505, 1024}, {0.026, 1024}, {0.025, 2048}, {0.001, 2048}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct hatch_image drawn, emptied, bare;
+        frame_arenas(&frame);
+        struct hatch_mesh mesh = plane_and_square();
+        frame_open(&mesh, &frame_unit, NULL, &frame);
+        frame.shown.style.light = (struct hatch_key_light){.replaces = true, .azimuth_rad = atan(1)};
+        set_shadows(cases[i].width);
+        frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &drawn);
+        ck_assert_uint_eq(frame.shown.shadow.size_px, cases[i].size_px);
+        glClearTexImage(frame.shown.shadow.maps, 0, GL_DEPTH_COMPONENT, GL_FLOAT, &far);
+        frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &emptied);
+        set_shadows(0);
+        frame_draw(&frame, "gouraud", &view_facing, SIZE, SIZE, 1, &bare);
+        ck_assert_double_gt(frame_difference(&drawn, &bare), 0.2);
+        ck_assert_double_le(frame_difference(&emptied, &bare), 1e-6);
+        frame_finish(&frame);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render shadow");
@@ -315,6 +344,7 @@ static Suite *suite(void)
     tcase_add_test(tests, lit_surfaces_do_not_shadow_themselves);
     tcase_add_test(tests, tiled_and_whole_pictures_are_equal);
     tcase_add_test(tests, shadows_follow_lights_and_poses);
+    tcase_add_test(tests, maps_have_room_for_soft_edges_and_are_kept);
     suite_add_tcase(made, tests);
     return made;
 }
