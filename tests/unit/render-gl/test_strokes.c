@@ -294,23 +294,25 @@ static uint32_t check_lasting(uint32_t film, uint32_t other)
 }
 
 /* The frame in the middle is turned: of its strokes, those alone are drawn that the others have, too. The other frames
- * are those that are drawn alone. If it is turned by much, it is another picture, and also drawn as if alone. */
+ * are those that are drawn alone. If it is turned by much, it is another picture, and also drawn as if alone. The last
+ * frame of the longer film is found in the buffers that were those of the turned frame. */
 START_TEST(strokes_of_a_single_frame_are_not_drawn)
 {
-    enum { COUNT = 5, MIDDLE = 2 };
+    enum { LONGER = 8, MIDDLE = 2 };
     begin_torus();
     const struct hatch_view view = frame_view(&frame, 1);
     const bool jumps = _i == 2;
-    struct hatch_view views[COUNT];
-    struct hatch_image images[COUNT], alone, other;
-    for (int i = 0; i < COUNT; i++)
+    const uint32_t count = jumps ? LONGER : 5;
+    struct hatch_view views[LONGER];
+    struct hatch_image images[LONGER], alone, other;
+    for (uint32_t i = 0; i < count; i++)
         views[i] = i == MIDDLE ? turned(view, (jumps ? 150 : 10) * HATCH_RADIANS) : view;
     if (_i == 1)
         frame.shown.size_max_px = TILE; /* in tiles */
     frame_draw(&frame, "strokes", &view, TILED, TILED, 1, &alone);
     frame_draw(&frame, "strokes", &views[MIDDLE], TILED, TILED, 1, &other);
-    draw_film(views, COUNT, images);
-    for (int i = 0; i < COUNT; i++)
+    draw_film(views, count, images);
+    for (uint32_t i = 0; i < count; i++)
         if (i != MIDDLE)
             ck_assert_double_le(frame_difference(&images[i], &alone), 0);
     if (jumps)
