@@ -101,6 +101,13 @@ START_TEST(both_laws_of_width_are_the_same)
 }
 END_TEST
 
+static void set_width(double px)
+{
+    for (const struct cmd_option *row = technique_traced.options; row->name; row++)
+        if (strcmp(row->name, "stroke-width") == 0)
+            *(double *)row->value = px;
+}
+
 /* Opens a torus with strokes along its field, and the technique with a pen of width 2. */
 static void begin_strokes(void)
 {
@@ -118,9 +125,7 @@ static void begin_strokes(void)
     frame.scene.meshes[0].curves = curves;
     const struct hatch_bounds bounds = {.radius = 1.5};
     frame_open_scene(NULL, &bounds, NULL, &frame);
-    for (const struct cmd_option *row = technique_traced.options; row->name; row++)
-        if (strcmp(row->name, "stroke-width") == 0)
-            *(double *)row->value = 2;
+    set_width(2);
     frame_picture(&frame, "traced");
     struct traced_state *state = frame.instances[0].state;
     state->style.width_px = 2;
@@ -156,6 +161,47 @@ START_TEST(tiles_make_the_whole_picture)
 }
 END_TEST
 
+/* Strokes along the side of a face of a plane, which fills the picture: each has its ink, that of the last in the order
+ * of drawing, too. Far fewer than are wanted, they have 2.4 widths of the pen; of strokes of one threshold, a share of
+ * 1/1.4 - 1/2 is drawn (curve/width.h). */
+START_TEST(the_ink_of_each_stroke_is_drawn)
+{
+    enum { STROKES = 3, SIZE = 200, PEN_PX = 4 };
+    for (uint32_t count = 1; count <= STROKES; count++) {
+        struct hatch_curve_point points[2 * STROKES];
+        struct hatch_curve lines[STROKES];
+        struct hatch_curve_set set = {.gap = 0.01f, .count = count};
+        double length_px = 0;
+        struct hatch_image image;
+        for (uint32_t i = 0; i < count; i++) {
+            const float at = 0.2f + 0.15f * (float)i, end = 0.9f - at;
+            lines[i] = (struct hatch_curve){.first = 2 * i, .count = 2, .id = i};
+            points[2 * i] = (struct hatch_curve_point){.share = {0.1f, at}, .threshold = 0.01f};
+            points[2 * i + 1] = (struct hatch_curve_point){.share = {end, at}, .threshold = 0.01f};
+            length_px += SIZE * ((double)end - 0.1);
+        }
+        frame_arenas(&frame);
+        struct hatch_mesh plane = frame_plane(&frame, 2);
+        HATCH_TEST_OK(hatch_scene_of_mesh(&plane, &frame.args.keep, &frame.scene, &err), &err);
+        frame.scene.meshes[0].curves = (struct hatch_curves){1, count, 2 * count, &set, lines, points, 0, 0};
+        frame_open_scene(NULL, &frame_unit, NULL, &frame);
+        frame.shown.style.curve.low = 1;
+        set_width(PEN_PX);
+        frame_picture(&frame, "traced");
+        struct traced_state *state = frame.instances[0].state;
+        state->style.width_px = PEN_PX;
+        state->style.ink = 1;
+        state->style.pen =
+            (struct hatch_stroke_pen){.thin = 1, .response = {0.12f, 0.24f, 0.36f, 0.48f, 0.58f, 0.66f, 0.74f, 0.8f}};
+        frame_draw(&frame, "traced", &view_facing, SIZE, SIZE, SIDE, &image);
+        double got = frame_ink(&image) * SIZE * SIZE,
+               want = length_px * PEN_PX * HATCH_STROKE_WIDEST * (1 / HATCH_STROKE_SPARE - 0.5);
+        ck_assert_msg(fabs(got - want) < 0.05 * want, "%u strokes: %g, not %g", count, got, want);
+        frame_finish(&frame);
+    }
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("render traced");
@@ -163,6 +209,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, both_laws_of_width_are_the_same);
     tcase_add_test(tests, tiles_make_the_whole_picture);
+    tcase_add_test(tests, the_ink_of_each_stroke_is_drawn);
     suite_add_tcase(made, tests);
     return made;
 }
