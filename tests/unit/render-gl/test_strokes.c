@@ -114,12 +114,10 @@ START_TEST(shaders_fit_as_the_library_does)
 }
 END_TEST
 
-/* Opens a torus, and the technique with strokes of 40 by 2 pixels. */
-static void begin_torus(void)
+/* Opens a mesh, and the technique with strokes of 40 by 2 pixels. */
+static void begin_mesh(const struct hatch_mesh *mesh)
 {
-    frame_arenas(&frame);
-    struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 5000);
-    frame_open(&mesh, &frame_unit, NULL, &frame);
+    frame_open(mesh, &frame_unit, NULL, &frame);
     frame.shown.style.curve.high = 0.6;
     const struct model_how how = {
         .layers = 2, .tile_px = 120, .length_px = 40, .width_px = 2, .angle_rad = {0, 1.2}, .overlap = 0.3};
@@ -135,6 +133,42 @@ static void begin_torus(void)
     state->seeds.source.drawing.width_px = 2;
     state->seeds.source.drawing.pen.wobble_px = 1;
 }
+
+static void begin_torus(void)
+{
+    frame_arenas(&frame);
+    const struct hatch_mesh mesh = frame_shape(&frame, HATCH_SHAPE_TORUS, 5000);
+    begin_mesh(&mesh);
+}
+
+/* The normals of a plane lean aside by 60 degrees at both sides, where the light has a half. In the middle it has all,
+ * but only if it is computed there. */
+START_TEST(light_per_pixel_leaves_its_middle_blank)
+{
+    double ink[2] = {0, 0};
+    struct hatch_image image;
+    for (int pixels = 0; pixels < 2; pixels++) {
+        frame_arenas(&frame);
+        struct hatch_mesh plane = frame_plane(&frame, 2);
+        const float *position = hatch_mesh_find(&plane, "POSITION", 3);
+        float *normal = hatch_mesh_find(&plane, "NORMAL", 3);
+        for (size_t v = 0; v < plane.vertex_count; v++) {
+            const float leaning[3] = {position[3 * v] * sqrtf(0.75f), 0, 0.5f};
+            memcpy(normal + 3 * v, leaning, sizeof leaning);
+        }
+        begin_mesh(&plane);
+        frame.shown.style.light.replaces = true;
+        frame.shown.style.curve.exposure = 1;
+        frame.shown.style.pixel_light = pixels;
+        frame_draw(&frame, "strokes", &view_facing, HEIGHT, HEIGHT, 1, &image);
+        for (size_t y = 0; y < HEIGHT; y++)
+            for (size_t x = HEIGHT / 2 - 5; x < HEIGHT / 2 + 5; x++)
+                ink[pixels] += (1 - (double)image.pixels[3 * (y * HEIGHT + x)]) / (10 * HEIGHT);
+        frame_finish(&frame);
+    }
+    ck_assert_msg(ink[0] > 0.1 && ink[1] < 0.02, "ink of %g and %g", ink[0], ink[1]);
+}
+END_TEST
 
 START_TEST(tiles_make_the_whole_picture)
 {
@@ -331,6 +365,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("strokes");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, shaders_fit_as_the_library_does);
+    tcase_add_test(tests, light_per_pixel_leaves_its_middle_blank);
     tcase_add_test(tests, tiles_make_the_whole_picture);
     tcase_add_test(tests, strokes_keep_their_ids);
     tcase_add_loop_test(tests, strokes_of_a_single_frame_are_not_drawn, 0, 3);
