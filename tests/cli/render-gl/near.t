@@ -31,6 +31,14 @@ same() {
 }
 same "a face from very near" -t gouraud
 same "a face with light per pixel" -t gouraud --pixel-light
+# A picture of the face, which is as light as the face everywhere, multiplies its light.
+render-gl -q box.obj $view --zoom 1e4 -t gouraud -o light.png
+for texture in "" "--modulate light.png"; do
+    render-gl -q box.obj $view --zoom 1e7 -t gouraud $texture -o face.exr
+    hatchstat frames face.exr face.exr | awk 'NR == 2 {print $2}'
+done >lights
+is "a face whose light a texture multiplies" "$(awk '{light[NR] = $1}
+    END {print (light[1] > .2 && light[1] < .9 && (light[2] - light[1] ^ 2) ^ 2 < .01 ^ 2)}' lights)" 1
 same "a face with strokes of a map" -t tam -T map.exr
 same "a face with two inks" -t gouraud --ink '#222,#eee' --paper '#999'
 same "a face with a volume" -t volume -T volume.ktx2
