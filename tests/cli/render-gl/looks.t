@@ -63,14 +63,14 @@ for colors in ffff00:.66667 00ffff:.66667 00ff00:.33333 000000:0; do
     is "watercolor: tones of #$ink on white" "$wrong" ""
 done
 
-# A square of 16 by 16 pixels in the middle of 32 by 32, as dark as the paper: its border, 3 pixels wide on all sides, is
-# as light as the lightest channel of the paper, but at least 0.9.
-for paper in 000000:0 ff0000:.33333; do
-    dark=${paper#*:}
+# A square of 16 by 16 pixels in the middle of 32 by 32, as dark as the paper: its border, 3 pixels wide on all sides,
+# is as light as the lightest channel of the paper, but at least 0.9.
+for case in 000000:0 ff0000:.33333; do
+    paper=${case%:*}
     render-gl -q plane.glb --camera 0,0,4:0,0,0 --size 32x32 --fov 53.1301 --samples 1 --lines none -t solid \
-        --solid one.ktx2 --look collage --bands 1 --wobble 0 --grain 0 --border 3 --paper "#${paper%:*}" --ink "#${paper%:*}" \
-        -o border.exr
-    echo "$(grey border.exr) $dark"
+        --solid one.ktx2 --look collage --bands 1 --wobble 0 --grain 0 --border 3 \
+        --paper "#$paper" --ink "#$paper" -o border.exr
+    echo "$(grey border.exr) ${case#*:}"
 done | awk '{
     share = (16 * 16 - 10 * 10) / (32 * 32)
     want = $2 + share * ((NR == 1 ? .9 : 1) - $2)
