@@ -21,7 +21,7 @@ struct stroke {
     float thick[2]; /* widths there, in mean widths */
 };
 
-/* What is found of a stroke. */
+/* A stroke as the shader leaves it. */
 struct found {
     float ends[2];
     float elsewhere; /* 1: its middle is beyond the patch */
@@ -145,7 +145,7 @@ START_TEST(strokes_go_on_as_far_as_the_surface)
 }
 END_TEST
 
-/* Adds to the depth of the pixels that lie at least so many pixels to the right of the middle, and `slant` per pixel.
+/* Adds to the depth of the pixels that lie at least so many pixels to the right of the middle, `slant` per pixel, too.
  */
 static void lower_beyond(uint32_t from_px, float depth, float slant)
 {
@@ -239,9 +239,7 @@ START_TEST(some_strokes_keep_to_their_patch)
 }
 END_TEST
 
-/* The middle is at t 0.5, where u is 1.5 or -1.5. Such a stroke is that of another patch, if the surface goes on so
- * far.
- */
+/* The middle is at t 0.5, where u is 1.5 or -1.5. Such a stroke is another patch's, if the surface goes on so far. */
 START_TEST(a_middle_beyond_the_patch_is_elsewhere)
 {
     static const float left[2] = {-1, 0};

@@ -7,6 +7,18 @@
 
 static struct test_map map;
 
+/* Returns the choice among 40 candidates for a stroke of one direction. */
+static struct hatch_choice choice_of(uint64_t number, float length_max, float direction_rad)
+{
+    return (struct hatch_choice){.seed = 5,
+                                 .number = number,
+                                 .candidates = 40,
+                                 .length_max = length_max,
+                                 .scale = 1,
+                                 .direction_count = 1,
+                                 .directions = {direction_rad}};
+}
+
 /* On a tile whose left half is black every stroke is placed in the right half. */
 START_TEST(the_exhaustive_method_places_strokes_on_paper)
 {
@@ -24,13 +36,7 @@ START_TEST(the_exhaustive_method_places_strokes_on_paper)
     for (uint32_t p = 0; p < 7; p++)
         pyramids[0][p] = levels[p].pixels;
     for (uint64_t i = 0; i < 30; i++) {
-        struct hatch_choice choice = {.seed = 5,
-                                      .number = i,
-                                      .candidates = 40,
-                                      .length_max = 0.3f,
-                                      .scale = 1,
-                                      .direction_count = 1,
-                                      .directions = {1.5707963f}};
+        const struct hatch_choice choice = choice_of(i, 0.3f, 1.5707963f);
         struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
         ck_assert(best.x > 0.5f && best.x < 1 && best.length >= 0.1f && best.length <= 0.3f);
     }
@@ -50,13 +56,7 @@ START_TEST(the_exhaustive_method_rates_the_whole_stroke)
     for (uint32_t i = 0; i < 64 * 64; i++)
         texels[i] = (float)(0.5 + 0.5 * sin(turn * (i % 64 + 0.5) / 64));
     for (uint64_t i = 0; i < 20; i++) {
-        struct hatch_choice choice = {.seed = 5,
-                                      .number = i,
-                                      .candidates = 40,
-                                      .length_max = 0.25f,
-                                      .scale = 1,
-                                      .direction_count = 1,
-                                      .directions = {(float)(i % 2) * 3.14159265f}};
+        const struct hatch_choice choice = choice_of(i, 0.25f, (float)(i % 2) * 3.14159265f);
         struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
         double highest = -2;
         for (uint32_t c = 0; c < choice.candidates; c++) {
