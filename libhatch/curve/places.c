@@ -1,9 +1,8 @@
 #include "curve/places.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "base/random.h"
+#include "curve/cells.h"
 #include "curve/width.h"
 #include "math/vector.h"
 
@@ -13,22 +12,6 @@
 #define MOST 1.5 /* greatest factor of a correction */
 #define PARTS_MAX 256  /* of a line, and of a face along each of two axes */
 #define CELLS_MAX 16.0 /* per point: a level whose cells would be more is as good as empty */
-#define SLOTS_MIN 1024u
-
-/* A cell: the ink of the strokes in it, if they were one unit wide, and the area of the surface. */
-struct cell {
-    int32_t at[3];
-    bool used;
-    float ink, area;
-};
-
-/* The cells of a level that are not empty, by hashes of their places. */
-struct cells {
-    struct cell *slots;
-    uint32_t slot_count, used;
-    double side;
-    struct hatch_arena *arena;
-};
 
 /* The strokes of a mesh while their thresholds are corrected. Arrays have an entry for each point. */
 struct evening {
@@ -40,72 +23,13 @@ struct evening {
     float *correction; /* a logarithm */
     double wanted;     /* strokes per mesh unit: those of the level */
     bool coarsest, finest;
-    struct cells cells;
+    struct hatch_cells cells;
 };
-
-static struct cell *find_cell(const struct cells *cells, const int32_t at[3])
-{
-    uint64_t key = (uint64_t)(uint32_t)at[0] << 42 ^ (uint64_t)(uint32_t)at[1] << 21 ^ (uint64_t)(uint32_t)at[2];
-    uint32_t slot = (uint32_t)hatch_random_mix(key) & (cells->slot_count - 1);
-    while (cells->slots[slot].used && memcmp(cells->slots[slot].at, at, sizeof cells->slots[slot].at) != 0)
-        slot = (slot + 1) & (cells->slot_count - 1);
-    return &cells->slots[slot];
-}
-
-/* Makes room for eight cells more. */
-static enum hatch_status reserve(struct cells *cells, struct hatch_err *err)
-{
-    const struct cells old = *cells;
-    if (2 * (cells->used + 8) <= cells->slot_count)
-        return HATCH_OK;
-    cells->slot_count = old.slot_count > 0 ? 2 * old.slot_count : SLOTS_MIN;
-    HATCH_TRY(HATCH_ALLOC(cells->arena, &cells->slots, cells->slot_count, err));
-    for (uint32_t i = 0; i < old.slot_count; i++)
-        if (old.slots[i].used)
-            *find_cell(cells, old.slots[i].at) = old.slots[i];
-    return HATCH_OK;
-}
-
-/* Finds the eight cells whose middles are around a place, and how near it is to them. */
-static void find_corners(const struct cells *cells, const double at[3], int32_t place[8][3], double weight[8])
-{
-    int32_t low[3];
-    double part[3];
-    for (int k = 0; k < 3; k++) {
-        double along = at[k] / cells->side, whole = floor(along);
-        low[k] = (int32_t)fmin(fmax(whole, -0x1p30), 0x1p30);
-        part[k] = along - whole;
-    }
-    for (int corner = 0; corner < 8; corner++) {
-        weight[corner] = 1;
-        for (int k = 0; k < 3; k++) {
-            place[corner][k] = low[k] + (corner >> k & 1);
-            weight[corner] *= corner >> k & 1 ? part[k] : 1 - part[k];
-        }
-    }
-}
-
-/* Divides ink and area among the cells around a place. */
-static enum hatch_status add(struct cells *cells, const double at[3], double ink, double area, struct hatch_err *err)
-{
-    int32_t place[8][3];
-    double weight[8];
-    HATCH_TRY(reserve(cells, err));
-    find_corners(cells, at, place, weight);
-    for (int corner = 0; corner < 8; corner++) {
-        struct cell *cell = find_cell(cells, place[corner]);
-        cells->used += !cell->used;
-        memcpy(cell->at, place[corner], sizeof place[corner]);
-        cell->used = true;
-        cell->ink += (float)(weight[corner] * ink);
-        cell->area += (float)(weight[corner] * area);
-    }
-    return HATCH_OK;
-}
 
 static int parts_of(double length, double side)
 {
-    return (int)fmin(fmax(ceil(length / side), 1), PARTS_MAX);
+    double parts = ceil(length / side);
+    return parts > 1 ? parts < PARTS_MAX ? (int)parts : PARTS_MAX : 1;
 }
 
 /* Reads the corners of a face, so that the side from the first to the second is the longest. Returns its area. */
@@ -128,7 +52,7 @@ static double read_face(const struct hatch_mesh *mesh, size_t face, double corne
     return hatch_vec_length(normal) / 2;
 }
 
-static enum hatch_status add_face(struct cells *cells, const struct hatch_mesh *mesh, size_t face,
+static enum hatch_status add_face(struct hatch_cells *cells, const struct hatch_mesh *mesh, size_t face,
                                   struct hatch_err *err)
 {
     double corner[3][3], area = read_face(mesh, face, corner);
@@ -141,22 +65,22 @@ static enum hatch_status add_face(struct cells *cells, const struct hatch_mesh *
             for (int k = 0; k < 3; k++)
                 at[k] = corner[0][k] + (beyond ? 1 - share[0] : share[0]) * (corner[1][k] - corner[0][k]) +
                         (beyond ? 1 - share[1] : share[1]) * (corner[2][k] - corner[0][k]);
-            HATCH_TRY(add(cells, at, 0, area / along / across, err));
+            HATCH_TRY(hatch_cells_add(cells, at, 0, area / along / across, err));
         }
     return HATCH_OK;
 }
 
 /* Adds the area of the surface, from the cells of a finer level where there are some.
  *   finer  may be empty */
-static enum hatch_status add_surface(struct evening *evening, const struct cells *finer, struct hatch_err *err)
+static enum hatch_status add_surface(struct evening *evening, const struct hatch_cells *finer, struct hatch_err *err)
 {
-    for (size_t f = 0; f < evening->mesh->face_count && finer->used == 0; f++)
+    for (size_t f = 0; f < evening->mesh->face_count && finer->keys.count == 0; f++)
         HATCH_TRY(add_face(&evening->cells, evening->mesh, f, err));
-    for (uint32_t i = 0; i < finer->slot_count; i++) {
-        const struct cell *cell = &finer->slots[i];
-        const double at[3] = {cell->at[0] * finer->side, cell->at[1] * finer->side, cell->at[2] * finer->side};
-        if (cell->area > 0)
-            HATCH_TRY(add(&evening->cells, at, 0, (double)cell->area, err));
+    for (uint32_t i = 0; i < finer->keys.count; i++) {
+        double at[3], area = (double)finer->cells[i].area;
+        hatch_cells_middle(finer, i, at);
+        if (area > 0)
+            HATCH_TRY(hatch_cells_add(&evening->cells, at, 0, area, err));
     }
     return HATCH_OK;
 }
@@ -164,33 +88,44 @@ static enum hatch_status add_surface(struct evening *evening, const struct cells
 /* Adds the ink of the line that leads to a point from the one before it. */
 static enum hatch_status add_line(struct evening *evening, uint32_t point, struct hatch_err *err)
 {
-    const double *from = evening->at[point - 1], *to = evening->at[point];
     double before = (double)evening->thresholds[point - 1], after = (double)evening->thresholds[point];
+    double most = HATCH_STROKE_FADE * evening->wanted;
+    if (before >= most && after >= most)
+        return HATCH_OK;
+    const double *from = evening->at[point - 1], *to = evening->at[point];
     double length = hatch_vec_distance(from, to), ink = length * (double)evening->drawn[point];
-    if (!(ink > 0) || fmin(before, after) >= HATCH_STROKE_FADE * evening->wanted)
+    if (!(ink > 0))
         return HATCH_OK;
     int parts = parts_of(length, evening->cells.side);
     for (int i = 0; i < parts; i++) {
         double share = (i + 0.5) / parts, at[3], threshold = before + share * (after - before);
         for (int k = 0; k < 3; k++)
             at[k] = from[k] + share * (to[k] - from[k]);
-        HATCH_TRY(add(&evening->cells, at, ink / parts * hatch_stroke_share(evening->wanted / threshold), 0, err));
+        HATCH_TRY(hatch_cells_add(&evening->cells, at, ink / parts * hatch_stroke_share(evening->wanted / threshold), 0,
+                                  err));
     }
     return HATCH_OK;
 }
 
-/* Returns the ink around a place, as a share of what the thresholds promise. */
-static double ink_at(const struct evening *evening, const double at[3])
+/* Adds the correction of the level at a point: the logarithm of the ink around it, as a share of what the thresholds
+ * promise. */
+static enum hatch_status correct(struct evening *evening, uint32_t point, struct hatch_err *err)
 {
-    int32_t place[8][3];
-    double weight[8], ink = 0, area = 0;
-    find_corners(&evening->cells, at, place, weight);
-    for (int corner = 0; corner < 8; corner++) {
-        const struct cell *cell = find_cell(&evening->cells, place[corner]);
-        ink += weight[corner] * (double)cell->ink;
-        area += weight[corner] * (double)cell->area;
+    double ratio = (double)evening->thresholds[point] / evening->wanted, octaves, ink = 0, area = 0, weight[8];
+    uint32_t corner[8];
+    if ((ratio > 2 && !evening->finest) || (ratio < 0.5 && !evening->coarsest))
+        return HATCH_OK;
+    octaves = log2(ratio);
+    if ((octaves > 0 && evening->finest) || (octaves < 0 && evening->coarsest))
+        octaves = 0;
+    HATCH_TRY(hatch_cells_around(&evening->cells, evening->at[point], corner, weight, err));
+    for (int i = 0; i < 8; i++) {
+        ink += weight[i] * (double)evening->cells.cells[corner[i]].ink;
+        area += weight[i] * (double)evening->cells.cells[corner[i]].area;
     }
-    return area > 0 ? ink / (area * HATCH_STROKE_GAIN * evening->wanted) : 1;
+    double share = area > 0 ? ink / (area * HATCH_STROKE_GAIN * evening->wanted) : 1;
+    evening->correction[point] += (float)((1 - fabs(octaves)) * log(fmax(share, 1e-3)));
+    return HATCH_OK;
 }
 
 /* Adds the corrections of a level for the sets of a family, from `first` on to `end`. */
@@ -198,20 +133,15 @@ static enum hatch_status even_family(struct evening *evening, uint32_t first, ui
 {
     const struct hatch_curve_set *sets = evening->curves->sets;
     const struct hatch_curve *curves = evening->curves->curves;
-    for (uint32_t i = 0; i < evening->cells.slot_count; i++)
-        evening->cells.slots[i].ink = 0;
-    for (uint32_t c = sets[first].first; c < sets[end - 1].first + sets[end - 1].count; c++)
+    uint32_t low = sets[first].first, high = sets[end - 1].first + sets[end - 1].count;
+    for (uint32_t i = 0; i < evening->cells.keys.count; i++)
+        evening->cells.cells[i].ink = 0;
+    for (uint32_t c = low; c < high; c++)
         for (uint32_t i = curves[c].first + 1; i < curves[c].first + curves[c].count; i++)
             HATCH_TRY(add_line(evening, i, err));
-    for (uint32_t c = sets[first].first; c < sets[end - 1].first + sets[end - 1].count; c++)
-        for (uint32_t i = curves[c].first; i < curves[c].first + curves[c].count; i++) {
-            double octaves = log2((double)evening->thresholds[i] / evening->wanted);
-            if ((octaves > 0 && evening->finest) || (octaves < 0 && evening->coarsest))
-                octaves = 0;
-            if (fabs(octaves) < 1)
-                evening->correction[i] +=
-                    (float)((1 - fabs(octaves)) * log(fmax(ink_at(evening, evening->at[i]), 1e-3)));
-        }
+    for (uint32_t c = low; c < high; c++)
+        for (uint32_t i = curves[c].first; i < curves[c].first + curves[c].count; i++)
+            HATCH_TRY(correct(evening, i, err));
     return HATCH_OK;
 }
 
@@ -240,11 +170,12 @@ static void measure_curve(struct evening *evening, const struct hatch_curve *cur
 /* Corrects by one level of all families.
  *   level  a set whose gap is that of the level
  *   finer  in, out: the cells of the level before, then of this one */
-static enum hatch_status even_level(struct evening *evening, uint32_t level, struct cells *finer, struct hatch_err *err)
+static enum hatch_status even_level(struct evening *evening, uint32_t level, struct hatch_cells *finer,
+                                    struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_curves *curves = evening->curves;
     evening->wanted = 1 / (double)curves->sets[level].gap;
-    evening->cells = (struct cells){.side = CELL_GAPS / evening->wanted, .arena = finer->arena};
+    HATCH_TRY(hatch_cells_make(CELL_GAPS / evening->wanted, scratch, &evening->cells, err));
     HATCH_TRY(add_surface(evening, finer, err));
     for (uint32_t s = 0, next; s < curves->set_count; s = next) {
         for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family;)
@@ -268,7 +199,7 @@ enum hatch_status hatch_curves_even_places(const struct hatch_curves *curves, co
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct evening evening = {.curves = curves, .mesh = mesh, .thresholds = thresholds, .finest = true};
-    struct cells finer = {.arena = scratch};
+    struct hatch_cells finer = {.side = 0};
     double least_side = sqrt(area_of(mesh) / (CELLS_MAX * curves->point_count));
     uint32_t levels = 0;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &evening.at, curves->point_count, err));
@@ -283,7 +214,7 @@ enum hatch_status hatch_curves_even_places(const struct hatch_curves *curves, co
         evening.coarsest = level == 0;
         if (CELL_GAPS * (double)curves->sets[level].gap < least_side)
             continue;
-        HATCH_TRY(even_level(&evening, level, &finer, err));
+        HATCH_TRY(even_level(&evening, level, &finer, scratch, err));
         evening.finest = false;
     }
     for (uint32_t i = 0; i < curves->point_count; i++)
