@@ -271,8 +271,8 @@ no_litter() {
     [ "$*" = 'signals/kept signals/.[!.]*' ]
 }
 
-# Interrupts the command at twenty moments over its duration and a little beyond, the same ones in every run of the
-# test.
+# Interrupts the command at six moments over its duration and a little beyond, twenty with LONG=1, the same ones in every
+# run of the test.
 check_signals() {
     slow=${slow_arguments:-$arguments}
     [ -z "$SANITIZE${GCOV_PREFIX:-}" ] || slow=$arguments # instrumented programs are slow enough
@@ -284,8 +284,10 @@ check_signals() {
     try with_input "$slow" -o whole
     length_ms=$((($(date +%s%N) - from) / 1000000))
     bad=""
-    for moment in $(awk -v length_ms=$length_ms 'BEGIN {
-            srand(7); for (i = 0; i < 20; i++) printf "%.4f ", rand() * 1.1e-3 * length_ms }'); do
+    moments=6
+    [ -z "${LONG:-}" ] || moments=20
+    for moment in $(awk -v length_ms=$length_ms -v moments=$moments 'BEGIN {
+            srand(7); for (i = 0; i < moments; i++) printf "%.4f ", rand() * 1.1e-3 * length_ms }'); do
         for signal in INT TERM; do
             echo old >signals/kept
             (through="timeout -s $signal $moment" && with_input "$slow" -o signals/kept) 2>.err
@@ -298,7 +300,7 @@ check_signals() {
             [ ! -s .err ] || bad="$bad $signal@$moment:words"
         done
     done
-    is "$label: SIGINT and SIGTERM at 20 moments of $length_ms ms" "$bad" ""
+    is "$label: SIGINT and SIGTERM at $moments moments of $length_ms ms" "$bad" ""
 }
 
 case $1 in

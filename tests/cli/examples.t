@@ -1,7 +1,7 @@
-# Runs every example of the manuals and of --help literally and in order. In manuals of formats (man5), lines are
-# commands and blocks are files.
 . "${TOP:-.}/tests/tap.sh"
 [ -z "$SANITIZE" ] || { skip "examples" "only run without sanitizers"; finish; }
+
+. "$TOP/tests/small.sh"
 
 # The files that the examples assume.
 mkdir given && cd given || exit 1
@@ -32,8 +32,8 @@ manual_examples() {
 # run_examples NAME: runs the shell lines in .lines; they may warn, but not fail
 run_examples() {
     cp -R given "in.$1"
-    # Draw one frame instead of forty-eight; installed files are in the build folder.
-    sed "s|--frames [0-9]*|--frames 2|; s|/usr/local/share\\(/[^ ]*\\)|\"$BUILD/share\\1\"|" .lines >lines
+    # Installed files are in the build folder.
+    sed "s|/usr/local/share\\(/[^ ]*\\)|\"$BUILD/share\\1\"|" .lines >lines
     while IFS= read -r line; do
         (cd "in.$1" && bash -eo pipefail -c "$line" </dev/null >/dev/null 2>../.err)
         status=$?

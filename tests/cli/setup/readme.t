@@ -1,7 +1,5 @@
-# The shell lines of README.md run one by one, in their order, in an empty folder, as they stand. Smaller sizes make the
-# test short: the commands tamgen, meshgen and render-gl are called through scripts of these names, which append a size to
-# the arguments and reduce the number of frames to 2. What a user has to bring is a mesh of meshgen under that name; a
-# line with --window writes a picture instead.
+# The shell lines of README.md run one by one, in their order, in an empty folder, as they stand, with smaller sizes.
+# What a user has to bring is a mesh of meshgen under that name; a line with --window writes a picture instead.
 . "${TOP:-.}/tests/tap.sh"
 [ -z "$SANITIZE" ] || { skip "README.md" "only run without sanitizers"; finish; }
 
@@ -17,18 +15,8 @@ is "only bootstrap stands before it" "$(sed '/^export PATH=/,$d; s/ .*//' all | 
 eval "$(echo "$line" | sed "s|\$PWD/build|$BUILD|g")"
 ok "SHARE has styles and pipelines" test -d "$SHARE/styles" -a -d "$SHARE/pipelines"
 
-mkdir "$WORK/small" empty
-small() {
-    printf '#!/bin/bash\nwords=() last=\nfor word; do [ "$last" != --frames ] || word=2; words+=("$word"); last=$word; done\n' \
-        >"$WORK/small/$1"
-    printf 'exec "%s" "${words[@]}" %s\n' "$BIN/$1" "$2" >>"$WORK/small/$1"
-    chmod +x "$WORK/small/$1"
-}
-small tamgen "--size 128"
-small meshgen "--faces 2000"
-small render-gl "--size 64x48"
-small hatchplan "--size 64x48"
-PATH=$WORK/small:$PATH
+mkdir empty
+. "$TOP/tests/small.sh"
 cd empty || exit 1
 while IFS= read -r line; do
     for brought in bunny.ply rocker-arm.obj; do
