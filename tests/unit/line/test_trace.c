@@ -92,6 +92,23 @@ START_TEST(the_silhouette_of_a_cube_runs_along_its_edges)
 }
 END_TEST
 
+/* Along an axis, four sides of a cube are seen edge-on: the front has an outline, and so has the back if it is drawn. */
+START_TEST(the_back_of_a_cube_has_an_outline_if_it_is_drawn)
+{
+    struct hatch_mesh mesh = cube(-1, 1);
+    struct hatch_line_mesh lines = lines_of(&mesh, HATCH_LINES_SILHOUETTES, CREASE_RAD);
+    struct hatch_line_shape shape = shape_in_place(&lines);
+    struct hatch_view view = view_from(0, 0, 5, true);
+    for (int double_sided = 0; double_sided < 2; double_sided++) {
+        set_sides(&shape, double_sided);
+        struct hatch_line_trace trace = silhouettes_of(&shape, &view);
+        ck_assert_uint_eq(trace.segment_count, double_sided ? 8 : 4);
+        for (uint32_t i = 0; i < trace.node_count && !double_sided; i++)
+            ck_assert_double_eq(trace.nodes[3 * i + 2], 1);
+    }
+}
+END_TEST
+
 /* A side of the front has a corner of two smaller faces in its middle (a T-junction): the outline runs along both. */
 START_TEST(the_silhouette_runs_along_a_crack)
 {
@@ -436,6 +453,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_silhouette_of_an_octahedron_is_a_hexagon);
     tcase_add_test(tests, nothing_is_seen_of_a_sphere_from_its_inside);
     tcase_add_test(tests, the_silhouette_of_a_cube_runs_along_its_edges);
+    tcase_add_test(tests, the_back_of_a_cube_has_an_outline_if_it_is_drawn);
     tcase_add_test(tests, the_silhouette_runs_along_a_crack);
     tcase_add_test(tests, winding_matters_only_if_backs_are_hidden);
     tcase_add_test(tests, shuffled_and_unwelded_meshes_have_the_same_silhouette);
