@@ -170,6 +170,19 @@ START_TEST(boxes_do_not_overlap)
 }
 END_TEST
 
+/* Four squares fill a square of any size but for its gaps: three along an axis, which take a sixteenth of the side. */
+START_TEST(boxes_of_any_size_fill_the_square)
+{
+    for (double size = 1e-6; size < 1e7; size *= 10) {
+        double sizes[8], corners[8], side;
+        for (int i = 0; i < 8; i++)
+            sizes[i] = size;
+        HATCH_TEST_OK(hatch_charts_pack(sizes, 4, 0.0625 / 3, &scratch, corners, &side, &err), &err);
+        ck_assert_double_eq_tol(side / size, 2 / (1 - 0.0625), 1e-9);
+    }
+}
+END_TEST
+
 static enum hatch_status lay_out(void *context, struct hatch_arena *result, struct hatch_arena *work,
                                  struct hatch_err *error)
 {
@@ -199,6 +212,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_patch_of_a_plane_is_not_cut);
     tcase_add_test(tests, a_patch_that_overlaps_itself_is_cut);
     tcase_add_test(tests, boxes_do_not_overlap);
+    tcase_add_test(tests, boxes_of_any_size_fill_the_square);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
     return suite;
