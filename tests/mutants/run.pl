@@ -4,8 +4,8 @@
 # gives the same machine code, is replaced by another. A first run of all tests, with the files of the mutations built
 # with --coverage, finds which tests execute the line; these run nearest first, two at a time (JOBS), and stop at the
 # first failure. Those that need longer than three times what they needed in the first run, and a minute, have failed.
-# Mutations are built with checks of the bounds of arrays; those that all tests pass go through the unit programs once
-# more, built as by make check SANITIZE=1.
+# Mutations are built with checks of the bounds of arrays; those of C and C++ that all tests pass go through the unit
+# programs once more, built as by make check SANITIZE=1, which does not see what shaders do.
 # Prints a line for each mutation; at the end those that survived, and the share of them. Mutations that only make an
 # allocated array larger, or that equivalent.tsv explains, are not counted: they cannot change a result. Verdicts are
 # kept in the folder, so that a run that was stopped goes on where it was, if neither code nor tests have changed.
@@ -271,7 +271,8 @@ sub verdict {
     my @near = grep { nearness($_, $file) == 2 } @$programs;
     my %is_near = map { $_ => 1 } @near;
     my @other = grep { !$is_near{$_} } @$programs;
-    for my $stage (['build', \@near, []], ['build', [], $scripts], ['build', \@other, []], ['sane', $programs, []]) {
+    my $sane = $object ? $programs : [];
+    for my $stage (['build', \@near, []], ['build', [], $scripts], ['build', \@other, []], ['sane', $sane, []]) {
         my ($of, $some, $others) = @$stage;
         next unless @$some || @$others;
         build($of, @$some, @$others ? 'all' : ()) or return 'does not compile';

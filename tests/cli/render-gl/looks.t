@@ -78,6 +78,15 @@ done | awk '{
 }' >border
 is "collage: the border on black paper and on red paper" "$(tr '\n' ' ' <border)" "ok ok "
 
+# The same square, moved by parts of a pixel: where it covers samples of a pixel but not its middle, these have the
+# strip's colour, too.
+for at in 0,0 -.075,0 .075,0 0,-.075 0,.075; do
+    render-gl -q plane.glb --camera $at,4:$at,0 --size 32x32 --fov 53.1301 --samples 4 --lines none -t solid \
+        --solid one.ktx2 --look collage --bands 1 --wobble 0 --grain 0 --border 0 -o moved.exr
+    printf '%.4f\n' "$(grey moved.exr)"
+done | uniq -c | awk '{print $1, ($2 > .8 && $2 < .95)}' >moved
+is "collage: a square that is moved by parts of a pixel" "$(cat moved)" "5 1"
+
 # Bare paper, beside the scene: a texture without grain leaves it as it is, however dark; in one with grain, the part
 # that is lower than the mean is in the shade, be the texture dark or light.
 bare="$square -q --camera 0,0,4:0,0,8 --size 64x64 --look watercolor --paper-grain 1"
