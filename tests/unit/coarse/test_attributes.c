@@ -189,6 +189,14 @@ START_TEST(weights_may_differ_a_little)
     ck_assert(!keeps_middle(&mesh));
     middle[3] = 0.051f;
     ck_assert(keeps_middle(&mesh));
+    for (uint32_t i = 0; i < 4 * POINTS; i++) { /* the only joint of all points, whose weights need not sum to 1 */
+        joints[i] = 3;
+        weights[i] = 0.25f;
+    }
+    middle[3] = 0.202f;
+    ck_assert(!keeps_middle(&mesh));
+    middle[3] = 0.198f;
+    ck_assert(keeps_middle(&mesh));
     mesh.attributes[1].name[0] = 'X'; /* without joints, weights mean nothing */
     ck_assert(!keeps_middle(&mesh));
 }
