@@ -223,4 +223,15 @@ left_out() {
 }
 few=$(left_out .003) many=$(left_out .01)
 ok "a narrower tolerance keeps more faces: $few, $many" test $((many - few)) -gt 1000
+
+# A node's scale changes no mask of patches, as the picture is the same.
+meshgen torus --faces 800 -o ring.glb
+unpack ring.glb ring
+for scale in 1 .1; do
+    # shellcheck disable=SC2016
+    edit ring.gltf '$s->{nodes}[0]{scale} = [('$scale') x 3]' >scaled.gltf
+    render-gl scaled.gltf --size 320x240 --needs -o scaled.needs
+    lapped-param -v --needs scaled.needs scaled.gltf -o scaled.glb 2>&1 | grep 'largest patch'
+done >masks
+is "a mask does not depend on the scale of a node" "$(uniq masks | wc -l) $(grep -c . masks)" "1 2"
 finish
