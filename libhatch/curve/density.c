@@ -105,7 +105,7 @@ static uint64_t select_key(uint64_t *keys, uint32_t count, uint32_t rank)
             keys[i++] = keys[j];
             keys[j--] = swapped;
         }
-        /* Keys up to j are at most the pivot, those from i on at least; one between them is the pivot. */
+        /* Keys up to j are at most the pivot, those from i on at least the pivot; a key between them is the pivot. */
         low = j < rank ? i : low;
         high = rank < i ? j : high;
     }

@@ -46,6 +46,10 @@ grep -q 'warning: .*mip levels' .err
 is "PNG pictures of levels are warned of" "$? $(wc -l <.err)" "0 1"
 is "pictures of level 1 are half as wide as those of level 0" \
     "$(od -An -tu1 -j16 -N8 png/map.002.01.png | tr -d ' ')" 0003200032
+tamgen -q --size 64 --tones 1 --levels 2 -o single.exr
+mkdir single
+try tampack -q --layout png single.exr -o single/as.png
+is "pictures of a map of one tone" "$status $(files single)" "0 $(printf 'as.000.%02d.png\n' 0 1 2 3 4 5 6 | paste -sd' ')"
 tamgen -q --size 64 --tones 2 --levels 1 --palette dusk -o color.exr
 mkdir color
 tampack -q --layout png color.exr -o color/as.png

@@ -32,7 +32,7 @@ uvec2 id_in(ivec2 tile, uint which, uint layer)
     return uvec2(low, mix_bits(place + 0x27d4eb2fu * which) | 1u);
 }
 
-// Adds a fragment; one that finds no room is only counted. t: 0 .. 1; covered: share of the pixel
+// Adds a fragment; one that finds no room is only counted. t: 0 .. 1; covered: share of the pixel, 0 .. 1
 void add_fragment(uvec2 id, float t, float covered)
 {
     uint at = atomicAdd(fragment_count, 1u);
@@ -40,5 +40,5 @@ void add_fragment(uvec2 id, float t, float covered)
         return;
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     fragments[at] = uvec4(id, pixel.x | pixel.y << 16,
-                          uint(t * 65535.0 + 0.5) | uint(min(covered, 1.0) * 16383.0 + 0.5) << 18 | lapped);
+                          uint(t * 65535.0 + 0.5) | uint(covered * 16383.0 + 0.5) << 18 | lapped);
 }
