@@ -234,6 +234,19 @@ START_TEST(candidates_share_the_steps_of_searches)
 }
 END_TEST
 
+/* One point more than can be counted is too many; as many as can be counted need more memory than there is. */
+START_TEST(too_many_seed_points_are_refused)
+{
+    struct hatch_seed_set layers[2] = {{.count = UINT32_MAX}, {.count = 1}};
+    struct hatch_seeds seeds = {.layers = layers};
+    double within, together;
+    for (seeds.layer_count = 1; seeds.layer_count <= 2; seeds.layer_count++) {
+        ck_assert_int_eq(hatch_seeds_spread(&seeds, &scratch, &within, &together, &err), HATCH_LIMIT);
+        ck_assert_int_eq(!!strstr(err.text, "2^32"), seeds.layer_count == 2);
+    }
+}
+END_TEST
+
 static enum hatch_status make_and_measure(void *context, struct hatch_arena *results, struct hatch_arena *temporary,
                                           struct hatch_err *error)
 {
@@ -269,6 +282,7 @@ static Suite *suite(void)
     tcase_add_test(tests, figures_of_nothing_are_not_numbers);
     tcase_add_test(tests, an_uneven_set_is_detected);
     tcase_add_test(tests, more_candidates_spread_seed_points_better);
+    tcase_add_test(tests, too_many_seed_points_are_refused);
     tcase_add_test(tests, candidates_share_the_steps_of_searches);
     tcase_add_test(tests, every_failed_allocation_is_a_status);
     suite_add_tcase(suite, tests);
