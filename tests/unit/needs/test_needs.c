@@ -159,6 +159,35 @@ START_TEST(ranges_include_their_ends)
 }
 END_TEST
 
+/* needs(5): each thing has so many indices. */
+START_TEST(indices_end_where_things_end)
+{
+    static const struct {
+        const char *thing;
+        unsigned last;
+    } things[] = {{"tolerance", 0},
+                  {"relative", 0},
+                  {"darkest", 1},
+                  {"unit-px", 63},
+                  {"texels", HATCH_NEEDS_OCTAVES - 1},
+                  {"solid-px", 0},
+                  {"region-low", 2},
+                  {"region-side", 2},
+                  {"region-cells", 0},
+                  {"region-unit-px", HATCH_NEEDS_CELLS - 1}};
+    for (size_t i = 0; i < sizeof things / sizeof *things; i++)
+        for (unsigned more = 0; more < 2; more++) {
+            char text[600], want[80];
+            struct hatch_needs needs;
+            snprintf(text, sizeof text, HEAD ROWS "%s\t%u\t1\t\n", things[i].thing, things[i].last + more);
+            snprintf(want, sizeof want, "row 12: %s: want an index from 0 to %u", things[i].thing, things[i].last);
+            enum hatch_status status = parse(text, &needs);
+            ck_assert_msg((status == HATCH_BAD_INPUT && strcmp(err.text, want) == 0) == more, "%s: %s", things[i].thing,
+                          status ? err.text : "read");
+        }
+}
+END_TEST
+
 /* A file whose rows of cells come last, which is cut after any of its bytes: none but the whole one is read. Its last
  * byte ends a row that is whole. */
 START_TEST(a_file_that_was_cut_is_refused)
@@ -373,6 +402,7 @@ static Suite *suite(void)
     tcase_add_test(tests, regions_that_nobody_reads_are_passed_over);
     tcase_add_test(tests, a_wrong_file_is_refused_with_its_row);
     tcase_add_test(tests, ranges_include_their_ends);
+    tcase_add_test(tests, indices_end_where_things_end);
     tcase_add_test(tests, a_file_that_was_cut_is_refused);
     tcase_add_test(tests, columns_reach_the_darkest_tone);
     tcase_add_test(tests, columns_are_no_closer_than_the_tolerance_asks);
