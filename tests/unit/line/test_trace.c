@@ -92,8 +92,7 @@ START_TEST(the_silhouette_of_a_cube_runs_along_its_edges)
 }
 END_TEST
 
-/* Along an axis, four sides of a cube are seen edge-on: the front has an outline, and so has the back if it is shown.
- */
+/* Along an axis, four sides of a cube are seen edge-on: the front has an outline, and so has the back if shown. */
 START_TEST(the_back_of_a_cube_has_an_outline_if_it_is_drawn)
 {
     struct hatch_mesh mesh = cube(-1, 1);
