@@ -12,7 +12,7 @@
 static void read_integer(const struct hatch_seed_set *set, uint32_t seed, uint32_t shift, uint8_t *bits)
 {
     for (uint32_t k = 0; k < set->count; k++)
-        bits[k] = set->crumbs[(seed + k) % set->count] >> shift & 1u;
+        bits[k] = (uint8_t)((uint32_t)set->crumbs[(seed + k) % set->count] >> shift & 1u);
 }
 
 /* Doubles an integer modulo 2^count - 1: a carry out of the highest bit is added at the lowest. */
