@@ -170,6 +170,7 @@ static const struct {
     {BYTES(WEBP(' ', 9, 9, 9, 9, 9, 9, 9, 0x9d, 1, 0x2a, 0, 0x40, 5, 0))},
     {BYTES(J2K(0, 0, 1, 7, 0, 0, 2, 5, 0, 0, 1, 7, 0, 0, 0, 0))},
     {BYTES(JP2(0, 0, 0, 7, 'j', 'p', '2', 'h', 0, 0, 0, 0))},
+    {BYTES(JP2(0, 0, 0, 20, 'j', 'p'))}, /* ends within the next box's type */
     {BYTES(JP2(0xff, 0, 0, 0, 'j', 'p', '2', 'h', 0, 0, 0, 0))},
     {BYTES('P', '7', '\n', '2', ' ', '3', '\n')},
     {BYTES('P', '6', '\n', '2', ' ', 'x', '\n')},
