@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "curve/reserve.h"
+
 #define BITS 21u /* of a coordinate in a key; cells 2^21 sides apart count as one */
-#define CAPACITY_MIN 1024u
 
 static const int64_t middle = (int64_t)1 << (BITS - 1); /* of the coordinates that keys tell apart */
 
@@ -24,37 +25,20 @@ enum hatch_status hatch_cells_make(double side, struct hatch_arena *arena, struc
     return hatch_keys_make(arena, &cells->blocks, err);
 }
 
-/* Makes room for one item more; the room that is new is filled with zeros. */
-static enum hatch_status reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
-                                 uint32_t *capacity, struct hatch_err *err)
-{
-    void *old, *made;
-    if (count < *capacity)
-        return HATCH_OK;
-    memcpy(&old, array, sizeof old);
-    uint32_t wanted = *capacity > 0 ? 2 * *capacity : CAPACITY_MIN;
-    made = hatch_arena_array(arena, wanted, size, err);
-    if (!made)
-        return HATCH_LIMIT;
-    if (*capacity > 0)
-        memcpy(made, old, *capacity * size);
-    memcpy(array, &made, sizeof made);
-    *capacity = wanted;
-    return HATCH_OK;
-}
-
 /* Finds the cells of a new block.
  *   low  their least coordinates */
 static enum hatch_status fill_block(struct hatch_cells *cells, uint32_t block, const int64_t low[3],
                                     struct hatch_err *err)
 {
     struct hatch_arena *arena = cells->keys.arena;
-    HATCH_TRY(reserve(arena, &cells->corners, sizeof *cells->corners, block, &cells->block_capacity, err));
+    HATCH_TRY(hatch_curve_reserve(arena, &cells->corners, sizeof *cells->corners, block, &cells->block_capacity, err));
     for (int corner = 0; corner < 8; corner++) {
         const int64_t at[3] = {low[0] + (corner & 1), low[1] + (corner >> 1 & 1), low[2] + (corner >> 2 & 1)};
-        uint32_t *number = &cells->corners[block][corner];
+        uint32_t *number = &cells->corners[block][corner], count = cells->keys.count;
         HATCH_TRY(hatch_keys_number(&cells->keys, key_of(at), number, err));
-        HATCH_TRY(reserve(arena, &cells->cells, sizeof *cells->cells, *number, &cells->cell_capacity, err));
+        HATCH_TRY(hatch_curve_reserve(arena, &cells->cells, sizeof *cells->cells, *number, &cells->cell_capacity, err));
+        if (*number == count)
+            cells->cells[count] = (struct hatch_cell){.ink = 0, .area = 0};
     }
     return HATCH_OK;
 }

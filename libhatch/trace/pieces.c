@@ -128,7 +128,7 @@ enum hatch_status hatch_trace_gather(struct hatch_tracer *tracer, struct hatch_e
 enum hatch_status hatch_trace_add_stroke(struct hatch_tracer *tracer, const struct hatch_trace_seed *seed,
                                          struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->strokes, sizeof *tracer->strokes, tracer->stroke_count,
+    HATCH_TRY(hatch_curve_reserve(tracer->keep, &tracer->strokes, sizeof *tracer->strokes, tracer->stroke_count,
                                   &tracer->stroke_capacity, err));
     struct hatch_trace_stroke *stroke = &tracer->strokes[tracer->stroke_count++];
     *stroke = (struct hatch_trace_stroke){.id = seed->id,

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "trace/reserve.h"
+#include "curve/reserve.h"
 
 #define WORTH 0.05 /* of the distance: a face is looked at again if so much more of it is left */
 
@@ -82,7 +82,7 @@ bool hatch_trace_window_clip(const struct hatch_trace_window *window, const doub
 
 static enum hatch_status add_visit(struct growth *growth, const struct visit *visit, struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(growth->scratch, &growth->queue, sizeof *growth->queue, growth->queued,
+    HATCH_TRY(hatch_curve_reserve(growth->scratch, &growth->queue, sizeof *growth->queue, growth->queued,
                                   &growth->capacity, err));
     growth->queue[growth->queued++] = *visit;
     return HATCH_OK;
@@ -103,9 +103,9 @@ static enum hatch_status widen(struct growth *growth, const struct visit *visit,
     if (!*news)
         return HATCH_OK;
     if (number == HATCH_NO_SIDE) {
-        HATCH_TRY(hatch_trace_reserve(growth->scratch, &growth->windows, sizeof *growth->windows, growth->count,
+        HATCH_TRY(hatch_curve_reserve(growth->scratch, &growth->windows, sizeof *growth->windows, growth->count,
                                       &growth->window_capacity, err));
-        HATCH_TRY(hatch_trace_reserve(growth->scratch, &growth->reach, sizeof *growth->reach, growth->count,
+        HATCH_TRY(hatch_curve_reserve(growth->scratch, &growth->reach, sizeof *growth->reach, growth->count,
                                       &growth->reach_capacity, err));
         growth->of_face[visit->face] = growth->count;
         growth->reach[growth->count] = visit->reach;

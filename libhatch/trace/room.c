@@ -23,7 +23,7 @@ enum hatch_status hatch_trace_room_reserve(struct hatch_trace_room *room, void *
         return HATCH_OK;
     hatch_arena_free(&room->arenas[other]);
     room->spare_capacity = 0;
-    HATCH_TRY(hatch_trace_reserve(&room->arenas[other], array, size, count, capacity, err));
+    HATCH_TRY(hatch_curve_reserve(&room->arenas[other], array, size, count, capacity, err));
     hatch_arena_free(&room->arenas[room->used]);
     room->used = other;
     return HATCH_OK;

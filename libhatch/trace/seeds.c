@@ -124,7 +124,7 @@ static enum hatch_status finish_batch(struct search *search, struct hatch_err *e
     for (uint32_t i = 0; i < search->batch_count; i++) {
         if (!search->batch[i].valid)
             continue;
-        HATCH_TRY(hatch_trace_reserve(search->tracer->scratch, &search->seeds, sizeof *search->seeds, search->count,
+        HATCH_TRY(hatch_curve_reserve(search->tracer->scratch, &search->seeds, sizeof *search->seeds, search->count,
                                       &search->capacity, err));
         search->seeds[search->count++] = search->batch[i];
     }

@@ -50,7 +50,7 @@ enum hatch_status hatch_trace_find_thresholds(struct hatch_tracer *tracer, struc
     HATCH_TRY(HATCH_ALLOC_UNSET(tracer->scratch, &measure.raw, tracer->stop_count, err));
     hatch_parallel_for(tracer->pool, (tracer->stop_count + CHUNK - 1) / CHUNK, measure_chunk, &measure);
     while (tracer->threshold_capacity - tracer->threshold_count < tracer->stop_count)
-        HATCH_TRY(hatch_trace_reserve(tracer->keep, &tracer->thresholds, sizeof *tracer->thresholds,
+        HATCH_TRY(hatch_curve_reserve(tracer->keep, &tracer->thresholds, sizeof *tracer->thresholds,
                                       tracer->threshold_capacity, &tracer->threshold_capacity, err));
     for (uint32_t i = 0; i < tracer->stop_count;) {
         struct hatch_trace_stroke *stroke = &tracer->strokes[tracer->stops[i].stroke];

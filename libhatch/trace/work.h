@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "trace/region.h"
-#include "trace/reserve.h"
+#include "curve/reserve.h"
 #include "trace/trace.h"
 
 #define HATCH_TRACE_NONE UINT32_MAX
@@ -175,7 +175,7 @@ void hatch_trace_room_init(struct hatch_trace_room *room, struct hatch_budget *b
 /* Gives all memory back; the room is empty and usable again. */
 void hatch_trace_room_free(struct hatch_trace_room *room);
 
-/* Does the same as hatch_trace_reserve for an array that is alone in a room. */
+/* Does the same as hatch_curve_reserve for an array that is alone in a room. */
 enum hatch_status hatch_trace_room_reserve(struct hatch_trace_room *room, void *array, size_t size, uint32_t count,
                                            uint32_t *capacity, struct hatch_err *err) HATCH_MUST_USE;
 

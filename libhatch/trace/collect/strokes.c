@@ -27,7 +27,7 @@ static enum hatch_status add_joint(const struct hatch_tracer *tracer, const stru
                                    uint32_t face, const double place[2], double arc, struct joints *joints,
                                    struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(tracer->scratch, &joints->list, sizeof *joints->list, joints->count,
+    HATCH_TRY(hatch_curve_reserve(tracer->scratch, &joints->list, sizeof *joints->list, joints->count,
                                   &joints->capacity, err));
     struct hatch_trace_joint *joint = &joints->list[joints->count++];
     const struct hatch_trace_pose *pose = &tracer->ground.poses[face];
@@ -73,9 +73,9 @@ static enum hatch_status add_curve(const struct hatch_tracer *tracer, const stru
                                    struct hatch_trace_sink *sink, struct hatch_err *err)
 {
     struct hatch_curves *to = &sink->curves;
-    HATCH_TRY(hatch_trace_reserve(sink->arena, &to->curves, sizeof *to->curves, to->count, &sink->capacity, err));
+    HATCH_TRY(hatch_curve_reserve(sink->arena, &to->curves, sizeof *to->curves, to->count, &sink->capacity, err));
     HATCH_TRY(
-        hatch_trace_reserve(sink->arena, &sink->levels, sizeof *sink->levels, to->count, &sink->level_capacity, err));
+        hatch_curve_reserve(sink->arena, &sink->levels, sizeof *sink->levels, to->count, &sink->level_capacity, err));
     sink->levels[to->count] = (uint8_t)stroke->level;
     to->curves[to->count++] =
         (struct hatch_curve){.first = to->point_count,
@@ -83,7 +83,7 @@ static enum hatch_status add_curve(const struct hatch_tracer *tracer, const stru
                              .id = (uint32_t)(stroke->id >> 32) & HATCH_CURVE_ID_MAX,
                              .free_ends = (stroke->bound[1] ? 0u : 1u) | (stroke->bound[0] ? 0u : 2u)};
     for (uint32_t i = 0; i < count; i++) {
-        HATCH_TRY(hatch_trace_reserve(sink->arena, &to->points, sizeof *to->points, to->point_count,
+        HATCH_TRY(hatch_curve_reserve(sink->arena, &to->points, sizeof *to->points, to->point_count,
                                       &sink->point_capacity, err));
         struct hatch_curve_point *point = &to->points[to->point_count++];
         double scale = tracer->component->scale;

@@ -42,9 +42,9 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
     if (!(end > start))
         return HATCH_OK;
     count = hatch_trace_simplify(passing->joints, count, TOLERANCE * sink->finest / scale);
-    HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->curves, sizeof *curves->curves, curves->count,
+    HATCH_TRY(hatch_curve_reserve(sink->arena, &curves->curves, sizeof *curves->curves, curves->count,
                                   &sink->curve_capacity, err));
-    HATCH_TRY(hatch_trace_reserve(sink->arena, &sink->found->parts, sizeof *sink->found->parts, curves->count,
+    HATCH_TRY(hatch_curve_reserve(sink->arena, &sink->found->parts, sizeof *sink->found->parts, curves->count,
                                   &sink->part_capacity, err));
     struct hatch_finer_part *part = &sink->found->parts[curves->count];
     *part = (struct hatch_finer_part){.before = (float)(start * scale),
@@ -56,7 +56,7 @@ static enum hatch_status end_part(struct passing *passing, struct hatch_err *err
                              .id = (uint32_t)(passing->line->id >> 32) & HATCH_CURVE_ID_MAX,
                              .free_ends = passing->line->free_ends};
     for (uint32_t i = 0; i < count; i++) {
-        HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
+        HATCH_TRY(hatch_curve_reserve(sink->arena, &curves->points, sizeof *curves->points, curves->point_count,
                                       &sink->point_capacity, err));
         struct hatch_curve_point *point = &curves->points[curves->point_count++];
         hatch_trace_fill_point(&store->ground, sink->mesh, &passing->joints[i],
@@ -132,7 +132,7 @@ enum hatch_status hatch_store_add_parts(const struct hatch_store *store, uint32_
                                         struct hatch_err *err)
 {
     struct hatch_curves *curves = &sink->found->curves;
-    HATCH_TRY(hatch_trace_reserve(sink->arena, &curves->sets, sizeof *curves->sets, curves->set_count,
+    HATCH_TRY(hatch_curve_reserve(sink->arena, &curves->sets, sizeof *curves->sets, curves->set_count,
                                   &sink->set_capacity, err));
     struct hatch_curve_set *set = &curves->sets[curves->set_count++];
     *set = (struct hatch_curve_set){.family = store->family,

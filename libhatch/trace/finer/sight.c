@@ -172,7 +172,7 @@ static enum hatch_status add_window(const struct looking *looking, const struct 
         }
     }
     HATCH_TRY(
-        hatch_trace_reserve(arena, &windows->items, sizeof *windows->items, windows->count, &windows->capacity, err));
+        hatch_curve_reserve(arena, &windows->items, sizeof *windows->items, windows->count, &windows->capacity, err));
     windows->items[windows->count++] = window;
     return HATCH_OK;
 }

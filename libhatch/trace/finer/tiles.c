@@ -92,7 +92,7 @@ static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
                 const struct hatch_store_tile tile = {window->face, x, y};
                 if (is_traced(store, level, component, &tile))
                     continue;
-                HATCH_TRY(hatch_trace_reserve(&store->scratch, tiles, sizeof **tiles, *count, &capacity, err));
+                HATCH_TRY(hatch_curve_reserve(&store->scratch, tiles, sizeof **tiles, *count, &capacity, err));
                 (*tiles)[(*count)++] = tile;
             }
     }

@@ -43,7 +43,7 @@ enum hatch_status hatch_store_add_line(struct hatch_store_batch *batch, struct h
                                        const struct hatch_store_line *line, struct hatch_err *err)
 {
     HATCH_TRY(
-        hatch_trace_reserve(arena, &batch->lines, sizeof *batch->lines, batch->line_count, &batch->line_capacity, err));
+        hatch_curve_reserve(arena, &batch->lines, sizeof *batch->lines, batch->line_count, &batch->line_capacity, err));
     batch->lines[batch->line_count] = *line;
     batch->lines[batch->line_count++].first = batch->piece_count;
     return HATCH_OK;
@@ -52,7 +52,7 @@ enum hatch_status hatch_store_add_line(struct hatch_store_batch *batch, struct h
 enum hatch_status hatch_store_add_piece(struct hatch_store_batch *batch, struct hatch_arena *arena,
                                         const struct hatch_store_piece *piece, struct hatch_err *err)
 {
-    HATCH_TRY(hatch_trace_reserve(arena, &batch->pieces, sizeof *batch->pieces, batch->piece_count,
+    HATCH_TRY(hatch_curve_reserve(arena, &batch->pieces, sizeof *batch->pieces, batch->piece_count,
                                   &batch->piece_capacity, err));
     batch->pieces[batch->piece_count++] = *piece;
     batch->lines[batch->line_count - 1].count++;

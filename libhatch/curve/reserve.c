@@ -1,10 +1,10 @@
-#include "trace/reserve.h"
+#include "curve/reserve.h"
 
 #include <string.h>
 
 #define ITEMS_MIN 1024u
 
-enum hatch_status hatch_trace_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
+enum hatch_status hatch_curve_reserve(struct hatch_arena *arena, void *array, size_t size, uint32_t count,
                                       uint32_t *capacity, struct hatch_err *err)
 {
     void *old, *made;
