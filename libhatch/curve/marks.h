@@ -1,11 +1,11 @@
 /* The marks that a stroke is drawn in. shaders/traced/marks.glsl of render-gl computes the same.
  *
- * Marks are anchored on the surface. The arc length along a stroke is divided into cells of length 2^-n mesh units,
- * with one place in each cell of each n. A cell's place is also that of one of its two halves, which a hash chooses;
- * places of coarse cells are therefore among those of finer ones, and stay where they are while the scale changes. The
- * level of a stroke at a point is the binary logarithm of the places wanted per mesh unit there. Between two whole
- * levels, the places that the finer one adds come one after the other, so that their number grows evenly with the
- * scale.
+ * Marks are anchored on the surface. The arc length along a stroke is divided into cells of length 2^-n, in a unit that
+ * all strokes of a mesh share, with one place in each cell of each n. A cell's place is also that of one of its two
+ * halves, which a hash chooses; places of coarse cells are therefore among those of finer ones, and stay where they are
+ * while the scale changes. The level of a stroke at a point is the binary logarithm of the places wanted per unit
+ * there. Between two whole levels, the places that the finer one adds come one after the other, so that their number
+ * grows evenly with the scale.
  *
  * Marks up to HATCH_DOT_WIDTHS times as long as wide are dots, each about a place. Longer ones run from each place to
  * the next, less the gap. Dots are spread evenly in both directions: the gaps between dots grow in light tones like
@@ -23,9 +23,9 @@
 
 /* A point of a stroke in a picture. */
 struct hatch_mark_point {
-    float at;      /* arc length from the start of the stroke, in mesh units */
-    float scale;   /* pixels per mesh unit along the stroke */
-    float level;   /* binary logarithm of places per mesh unit */
+    float at;      /* arc length from the start of the stroke, in that unit */
+    float scale;   /* pixels per unit along the stroke */
+    float level;   /* binary logarithm of places per unit */
     float share;   /* of the dots that are drawn, 0 .. 1; longer marks are all drawn */
     float scatter; /* greatest distance of marks from the stroke's line, in pixels */
 };

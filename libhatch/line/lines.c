@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vector.h"
+
 #define GAP_PX 4.0   /* shorter hidden gaps are closed: they arise where a surface just touches the line */
 #define SPECK_PX 6.0 /* isolated visible parts are hidden if they are shorter than this plus twice the line width */
 
@@ -154,8 +156,9 @@ enum hatch_status hatch_lines_join(const struct hatch_lines *lines, const struct
         HATCH_TRY(hatch_line_strips_drop_doubles(&part->strips, visible + at, arena, err));
         struct hatch_line_touch *touches = NULL;
         if (hatch_line_brush_is_used(brush))
-            HATCH_TRY(hatch_line_brush_touch(brush, part->item, &part->strips, visible + at, seen + at, arena, &touches,
-                                             err));
+            HATCH_TRY(hatch_line_brush_touch(brush, part->item,
+                                             hatch_vec_length(lines->scene->meshes[part->item->mesh].half),
+                                             &part->strips, visible + at, seen + at, arena, &touches, err));
         *count += hatch_line_strips_visible(&part->strips, visible + at, seen + at, touches, *segments + *count);
         at += part->strips.piece_count;
     }

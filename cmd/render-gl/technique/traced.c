@@ -259,7 +259,8 @@ uint32_t traced_place(const struct frame *frame, struct traced_state *state, uin
     gpu_storage_bind(STORAGE_POINTS, strokes->points);
     gpu_storage_bind(STORAGE_RIBBON, traced_ribbon_of(state, index)->buffer);
     glProgramUniform1i(program, UNIFORM_INK, ink);
-    glProgramUniform2f(program, UNIFORM_DENSEST, state->alike ? FLT_MAX : strokes->densest, strokes->raised);
+    glProgramUniform3f(program, UNIFORM_DENSEST, state->alike ? FLT_MAX : strokes->densest, strokes->raised,
+                       state->strokes[item->mesh].coarsest);
     set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), program);
     dispatch(frame, index, state->points[based], "points", strokes->end[count - 1], GL_TEXTURE_FETCH_BARRIER_BIT);
     return count;

@@ -21,14 +21,15 @@ struct work {
     const struct hatch_line_brush *brush;
     const struct hatch_line_strips *strips;
     const uint8_t *visible, *seen;
-    double from_unit[3][3], scale; /* rows of the matrix from the unit scene to the item; lengths grow by scale */
+    double from_unit[3][3], scale; /* rows of the matrix from the unit scene to the item, whose mesh has size 1 there;
+                                      lengths grow by scale */
     double origin[3];              /* of the item, in the unit scene */
     struct noise *noise;           /* per piece of all strips: at its start */
     float *before, *after;         /* per piece: length of the line up to its start, and from its end on */
     float *weight;                 /* per piece */
 };
 
-static void find_item(const struct hatch_item *item, struct work *w)
+static void find_item(const struct hatch_item *item, double size, struct work *w)
 {
     double columns[3][3];
     memset(w->from_unit, 0, sizeof w->from_unit);
@@ -38,7 +39,8 @@ static void find_item(const struct hatch_item *item, struct work *w)
     if (item->deformed)
         return;
     for (int c = 0; c < 3; c++)
-        hatch_vec_of(item->to_unit + 4 * c, columns[c]);
+        for (int k = 0; k < 3; k++)
+            columns[c][k] = size * (double)item->to_unit[4 * c + k];
     hatch_vec_of(item->to_unit + 12, w->origin);
     double cross[3];
     hatch_vec_cross(columns[0], columns[1], cross);
@@ -177,7 +179,7 @@ static void touch(const struct work *w, const struct hatch_line_strip *strip, st
 }
 
 enum hatch_status hatch_line_brush_touch(const struct hatch_line_brush *brush, const struct hatch_item *item,
-                                         const struct hatch_line_strips *strips, const uint8_t *visible,
+                                         double size, const struct hatch_line_strips *strips, const uint8_t *visible,
                                          const uint8_t *seen, struct hatch_arena *arena,
                                          struct hatch_line_touch **touches, struct hatch_err *err)
 {
@@ -187,7 +189,7 @@ enum hatch_status hatch_line_brush_touch(const struct hatch_line_brush *brush, c
     HATCH_TRY(HATCH_ALLOC(arena, &work.before, strips->piece_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &work.after, strips->piece_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &work.weight, strips->piece_count, err));
-    find_item(item, &work);
+    find_item(item, size, &work);
     for (uint32_t s = 0; s < strips->strip_count; s++) {
         const struct hatch_line_strip *strip = &strips->strips[s];
         find_noise(&work, strip);

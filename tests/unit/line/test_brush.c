@@ -12,6 +12,7 @@ static struct hatch_line_piece pieces[PIECES];
 static struct hatch_line_strip strip;
 static uint8_t visible[PIECES], seen[PIECES];
 static struct hatch_item item = {.to_unit = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+static double size = 1; /* of its mesh */
 
 /* A line of pieces of a pixel each, from a place of the unit scene on, in which a pixel is 1/500. */
 static void make_line(double from)
@@ -31,7 +32,7 @@ static struct hatch_line_touch *touch(const struct hatch_line_brush *with)
 {
     const struct hatch_line_strips strips = {1, PIECES, &strip, pieces, NULL};
     struct hatch_line_touch *touches;
-    HATCH_TEST_OK(hatch_line_brush_touch(with, &item, &strips, visible, seen, &keep, &touches, &err), &err);
+    HATCH_TEST_OK(hatch_line_brush_touch(with, &item, size, &strips, visible, seen, &keep, &touches, &err), &err);
     return touches;
 }
 
@@ -78,7 +79,7 @@ START_TEST(lines_vary_within_their_limits)
 }
 END_TEST
 
-/* A line is the same at a place of the item however it is cut, and wherever the item is. */
+/* A line is the same at a place of the item however it is cut, wherever the item is, and in any units of its mesh. */
 START_TEST(lines_are_steady)
 {
     struct hatch_line_touch before[PIECES];
@@ -97,6 +98,12 @@ START_TEST(lines_are_steady)
     item.to_unit[12] = 0;
     for (uint32_t i = 0; i < PIECES; i++)
         ck_assert_float_eq_tol(after[i].width[0], before[i].width[0], 0.001f);
+    make_line(0);
+    strip.joined[0] = strip.joined[1] = true;
+    item.to_unit[0] = item.to_unit[5] = item.to_unit[10] = 0x1p-50f;
+    size = 0x1p50;
+    after = touch(&brush);
+    ck_assert_mem_eq(after, before, sizeof before);
 }
 END_TEST
 

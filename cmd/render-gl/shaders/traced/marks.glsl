@@ -64,7 +64,7 @@ float stroke_tone(vec4 marks, float tone)
 // A fragment of a stroke. Lengths are in pixels but for `at`.
 struct Spot {
     uint stroke;
-    float at, scale, level; // arc length in mesh units; struct hatch_mark_point
+    float at, scale, level; // arc length; struct hatch_mark_point
     float across, to_start, to_end;
     float half_width, scatter;
     float side; // samples per pixel

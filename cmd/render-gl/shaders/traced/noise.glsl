@@ -21,7 +21,7 @@ float wave_noise(uint stroke, float at)
 }
 
 // Returns noise whose waves keep about the same length in pixels at any scale: it fades from one octave to the next.
-// octave: binary logarithm of waves per mesh unit
+// octave: binary logarithm of waves per unit of `at`
 float stroke_noise(uint stroke, float at, float octave)
 {
     float low = floor(octave);

@@ -28,7 +28,8 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
 layout(location = UNIFORM_INK) uniform int ink_index;
-layout(location = UNIFORM_DENSEST) uniform vec2 densest; // of all strokes, for width_law
+layout(location = UNIFORM_DENSEST) uniform vec3 densest; // of all strokes, for width_law; coarsest gap, in mesh units:
+                                                         // the unit of arc lengths in ribbons
 
 const vec2 NARROW_PX = vec2(40.0, 60.0); // width of narrow faces, and of others
 const float TURNED_MOST_PX = 8.0;
@@ -113,7 +114,8 @@ void main()
     vec4 edge_2 = placed[corners.z].clip - origin, at = origin + shares.y * edge_1 + shares.z * edge_2;
     uint stroke = corners.w & 0xfffffu;
     ribbon[3u * i] = vec4(0.0, 0.0, 0.0, -1.0);
-    ribbon[3u * i + 1u] = vec4(0.0, float(stroke * 16u) + point.rest.y, point.stroke.zw);
+    vec2 to_ends = point.stroke.zw / densest.z;
+    ribbon[3u * i + 1u] = vec4(0.0, float(stroke * 16u) + point.rest.y, to_ends);
     ribbon[3u * i + 2u] = vec4(0.0);
     if (at.z <= 0.0 || at.z >= at.w)
         return;
@@ -123,7 +125,8 @@ void main()
     float length_px = max(length(way.xy), 1e-20);
     vec3 place = vec3((at.xy / at.w * 0.5 + 0.5) * 2.0 * viewport.xy, at.z / at.w);
     ribbon[3u * i] = vec4(place, 0.0);
-    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period_px(marks, 0.5)), 0.0, 0.0);
+    float gap_px = length_px * densest.z;
+    ribbon[3u * i + 2u] = vec4(gap_px, log2(gap_px / period_px(marks, 0.5)), 0.0, 0.0);
     bool behind = area * lift.w < 0.0;
     if (behind && side > 0.0)
         return;
@@ -141,18 +144,18 @@ void main()
     float width = law.x * (dots ? float(law.y > 0.0) : law.y), sparser = dots ? min(law.z, SPARSEST) : 1.0;
     float period = period_px(marks, tone), scatter = marks.z * period * sparser;
     period /= sparser;
-    vec2 ends = point.stroke.zw * length_px;
-    float octave = log2(length_px / 48.0); // of the noise whose waves are about 48 pixels long
-    float along = point.stroke.z / max(point.stroke.z + point.stroke.w, 1e-20); // as a share of the stroke
+    vec2 ends = to_ends * gap_px;
+    float octave = log2(gap_px / 48.0); // of the noise whose waves are about 48 pixels long
+    float along = to_ends.x / max(to_ends.x + to_ends.y, 1e-20); // as a share of the stroke
     width *= look_profile(0, along) / zigzag.w;
-    width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, point.stroke.z, octave) +
-                             0.3 * stroke_noise(corners.w ^ 0x165667b1u, point.stroke.z, octave + 1.0));
+    width *= 1.0 + hand.x * (0.7 * stroke_noise(corners.w, to_ends.x, octave) +
+                             0.3 * stroke_noise(corners.w ^ 0x165667b1u, to_ends.x, octave + 1.0));
     vec2 gradient = vec2(along_1.z * along_2.y - along_2.z * along_1.y, along_2.z * along_1.x - along_1.z * along_2.x) /
                     (abs(area) > 1e-12 ? area : 1e-12); // of depth, per pixel
     vec2 across = vec2(-way.y, way.x) / length_px;
     float turned = min(TURNED_GAPS * law.x / max(tone, 0.05), TURNED_MOST_PX / max(pen.w, 1e-6));
-    float wobble = hand.z * (0.4 * stroke_noise(corners.w ^ 0x5bd1e995u, point.stroke.z, octave) +
-                             0.6 * stroke_noise(corners.w ^ 0x2545f491u, point.stroke.z, octave - 2.0)) +
+    float wobble = hand.z * (0.4 * stroke_noise(corners.w ^ 0x5bd1e995u, to_ends.x, octave) +
+                             0.6 * stroke_noise(corners.w ^ 0x2545f491u, to_ends.x, octave - 2.0)) +
                    pen.w * point.rest.z * turned * tanh(0.5 * (ends.x - ends.y) / turned);
     float rise = dot(gradient, across), steep = length(gradient) / flat_rise;
     scatter /= 1.0 + steep * steep / 25.0; // and dots, which are farther away, less so
@@ -164,10 +167,10 @@ void main()
     place.xy += wobble * across;
     float slant = length(vec2(1.0, min(steep, STEEPEST))); // lines pass under the surface along its normal
     place.z += wobble * rise + reach + lift.z * toward_eye * slant;
-    float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, point.stroke.z, octave);
+    float lightening = 0.5 - 0.5 * stroke_noise(corners.w ^ 0x27d4eb2fu, to_ends.x, octave);
     float pressure = matter.x * (1.0 - hand.y * lightening) * look_profile(1, along);
     ribbon[3u * i] = vec4(place, 0.5 * width);
     ribbon[3u * i + 1u].x = pressure;
     float pointed = min(point.rest.w * length_px / hand.w, 1.0);
-    ribbon[3u * i + 2u] = vec4(length_px, log2(length_px / period), dots ? law.y : pointed, scatter);
+    ribbon[3u * i + 2u] = vec4(gap_px, log2(gap_px / period), dots ? law.y : pointed, scatter);
 }

@@ -14,7 +14,7 @@ noperspective out float v_t; // place along the whole stroke, 0 .. 1
 flat out uint v_stroke;
 #endif
 #ifdef MARKS
-noperspective out float v_at; // arc length from the start, in mesh units
+noperspective out float v_at; // arc length from the start, in gaps of level 0
 noperspective out vec4 v_marks; // struct hatch_mark_point of curve/marks.h without it
 flat out uint v_stroke;
 #endif

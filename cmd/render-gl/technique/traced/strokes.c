@@ -259,6 +259,7 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     strokes->sources = sources;
     strokes->end = end;
     strokes->finest = curves->sets[0].gap;
+    strokes->coarsest = ldexpf(curves->sets[0].gap, (int)curves->sets[0].level);
     for (uint32_t s = 0; s < curves->set_count; s++) {
         strokes->finest = fminf(strokes->finest, curves->sets[s].gap);
         strokes->families =

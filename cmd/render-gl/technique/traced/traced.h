@@ -58,7 +58,8 @@ struct traced_strokes {
     const struct hatch_curve_point *curve_points; /* that the curves of the sources refer to */
     const float *thresholds;                      /* of these points, as they are drawn */
     const uint32_t *end;                          /* number of points up to the end of each stroke */
-    float finest, densest;                        /* finest gap, in mesh units; hatch_curves_densest of all */
+    float finest, coarsest;                       /* gaps of levels, in mesh units; coarsest: of level 0 */
+    float densest;                                /* hatch_curves_densest of all */
     float fewest;                                 /* the same of the family that has least */
     float raised;                                 /* of hatch_stroke_width_px */
     uint32_t families;                            /* of the mesh */
@@ -119,8 +120,8 @@ struct traced_state {
     const struct gpu_program *vertices, *points[2], *ribbons[2]; /* points: [1] with BASE_TONE; ribbons: [1] curves */
 };
 
-/* Per point of a ribbon: x, y, depth, half width in pixels; ink, number, arc length from the start and to the end in
- * mesh units; scale, level, share and scatter of struct hatch_mark_point, where strokes that are no dots have the
+/* Per point of a ribbon: x, y, depth, half width in pixels; ink, number, arc length from the start and to the end, in
+ * gaps of level 0; scale, level, share and scatter of struct hatch_mark_point, where strokes that are no dots have the
  * length of their pointed ends, as a share of taper_px, in place of the share. Below 0, the half width says that the
  * point is not in sight. The number is 16 times the stroke's hash, of 20 bits, plus `ends` of struct traced_point. */
 #define TRACED_RIBBON_FLOATS 12u
