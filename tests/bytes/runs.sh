@@ -52,6 +52,11 @@ mesh() {
     without_ms <report.tsv
     rm report.tsv
     lapped-param "$1" -o patches.glb
+    lapped-param --atlas directions.glb -o charts.glb
+    strokegen --levels 2 directions.glb -o traced.glb
+    meshfit "$1" --size 320x240 -o fitted.glb
+    hatchstat field directions.glb
+    hatchstat lapped --samples 2000 patches.glb
     draw directions.glb --show field
 }
 
