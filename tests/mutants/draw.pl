@@ -4,6 +4,8 @@
 # and each mutation of a line as any other of it. The same seed draws the same mutations on all machines.
 use strict;
 use warnings;
+use FindBin qw($Bin);
+require "$Bin/code.pl";
 
 # Binary operators have spaces around them (clang-format sees to it), so that a pointer's * is not one.
 my %swapped = (
@@ -15,13 +17,6 @@ my %word = (
     true => 'false', false => 'true', fmin => 'fmax', fmax => 'fmin', fminf => 'fmaxf', fmaxf => 'fminf', min => 'max',
     max => 'min', sin => 'cos', cos => 'sin', floor => 'ceil', ceil => 'floor', break => 'continue', continue => 'break',
 );
-
-# Returns the code of a file by lines, with comments and strings blanked, so that places agree with the file.
-sub code_of {
-    my ($text) = @_;
-    $text =~ s{(/\*.*?\*/|//[^\n]*|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)+')}{$1 =~ s/[^\n]/\x01/gr}gse;
-    return split /\n/, $text, -1;
-}
 
 # Returns the mutations of a line of code: [place, length, replacement].
 sub mutations {

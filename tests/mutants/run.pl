@@ -1,8 +1,8 @@
 #!/usr/bin/env perl
 # run.pl FOLDER: draws N (80) random mutations of single lines of libhatch and cmd with the seed SEED (1), and tells
 # for each whether a test sees it. Works in a copy of the tree in FOLDER. A mutation that does not compile, or that
-# gives the same machine code, is replaced by another. A first run of all tests, with the files of the mutations built
-# with --coverage, finds which tests execute the line; these run nearest first, two at a time (JOBS), and stop at the
+# gives the same machine code, is replaced by another. A first run of all tests, with marks before the lines of the
+# mutations (marks.pl), finds which tests execute a line; these run nearest first, two at a time (JOBS), and stop at the
 # first failure. Those that need longer than three times what they needed in the first run, and a minute, have failed.
 # Mutations are built with checks of the bounds of arrays; those of C and C++ that all tests pass go through the unit
 # programs once more, built as by make check SANITIZE=1, which does not see what shaders do.
@@ -11,6 +11,7 @@
 # kept in the folder, so that a run that was stopped goes on where it was, if neither code nor tests have changed.
 use strict;
 use warnings;
+use feature qw(state);
 use Cwd qw(abs_path);
 use Digest::SHA qw(sha1_hex);
 use File::Basename qw(dirname);
@@ -29,10 +30,11 @@ my $processors = () = contents('/proc/cpuinfo') =~ /^processor\b/mg;
 my @make = ('make', '-s', "-j$jobs");
 my %flags = ( # by the folders of the builds
     build => ['CFLAGS=-O2 -g0 -fsanitize=bounds -fsanitize-undefined-trap-on-error'],
-    cover => ['CFLAGS=-O2 -g0', 'LDFLAGS=--coverage'],
+    marked => ['CFLAGS=-O2 -g0', 'CPPFLAGS=-include tests/mutants/marks.h', 'LDFLAGS=marked/marks.o'],
     sane => ['CFLAGS=-O1 -g0', 'SANITIZE=1'],
 );
-require "$here/reach.pl";
+require "$here/code.pl";
+require "$here/marks.pl";
 
 sub prepare_tree {
     make_path($folder);
@@ -44,7 +46,7 @@ sub prepare_tree {
     system("git -C '$folder' reset -q --hard") if -d "$folder/.git";
     system("git ls-files -z | xargs -0 cp --parents -p -u -t '$folder'") == 0
         or die "run.pl: the tree cannot be copied\n";
-    my @kept = map { "-e /$_" } qw(cover sane tests.coverage verdicts);
+    my @kept = map { "-e /$_" } qw(marked sane tests.reached verdicts);
     system("git init -q '$folder' && git ls-files -z | $git add --pathspec-from-file=- --pathspec-file-nul && " .
         "$git commit -q --allow-empty -m copy && $git clean -fdq @kept") == 0
         or die "run.pl: git cannot take the copy\n";
@@ -55,40 +57,28 @@ sub prepare_tree {
     $ENV{ASAN_OPTIONS} ||= 'detect_stack_use_after_return=1:allocator_may_return_null=1';
 }
 
-# Has the build for coverage count the lines of some files; those of all files would cost five times the time.
-sub count_lines_of {
-    my (@files) = @_;
-    my @objects = grep { $_ } map { object_of($_) } @files;
-    my $text = join '', map { "cover/$_: override CFLAGS += --coverage\n" } @objects;
-    return if contents('cover/counted.mk') eq $text;
-    remove_tree('cover');
-    make_path('cover');
-    put('cover/counted.mk', $text);
-}
-
-# Builds targets in a folder, and returns whether they can be built.
+# Builds targets, or options of make, in a folder, and returns whether they can be built.
 sub build {
     my ($to, @targets) = @_;
-    my @words = (@make, "B=$to", @{$flags{$to}}, map { /^(?:all|stage)$/ ? $_ : "$to/$_" } @targets);
-    local $ENV{MAKEFILES} = $to eq 'cover' ? 'cover/counted.mk' : '';
+    my @words = (@make, "B=$to", @{$flags{$to}}, map { /^(?:all|stage|-.*)$/ ? $_ : "$to/$_" } @targets);
     return system(join(' ', map { "'$_'" } @words) . ' >make.log 2>&1') == 0;
 }
 
-# Starts a test of a build in a session of its own and returns the process; counts of --coverage go to
-# tmp/PROCESS.counts.
-#   place  less than JOBS; tests that run at the same time have different ones
+# Starts a test of a build in a session of its own and returns the process; its marks go to tmp/PROCESS.marks.
 sub start {
-    my ($of, $test, $place) = @_;
+    my ($of, $test) = @_;
     my $pid = fork // die "run.pl: fork: $!\n";
     return $pid if $pid;
     setsid();
     @ENV{qw(BUILD BIN)} = ("$folder/$of", "$folder/$of/bin");
-    $ENV{GCOV_PREFIX} = "$folder/tmp/$$.counts";
+    if ($of eq 'marked') {
+        $ENV{HATCH_MARKS} = "$folder/tmp/$$.marks";
+        put($ENV{HATCH_MARKS}, "\0" x 4096);
+        chmod 0666, $ENV{HATCH_MARKS}; # some tests run commands as another user
+    }
     open STDOUT, '>', "tmp/$$.out" or die;
     open STDERR, '>&', \*STDOUT or die;
-    # Threads on several processors would wait for each other at every count.
-    my @on = $of eq 'cover' ? ('taskset', '-c', $place % $processors) : ();
-    exec @on, $test =~ /\.t$/ ? ('sh', $test) : ("$of/$test") or die;
+    exec $test =~ /\.t$/ ? ('sh', $test) : ("$of/$test") or die;
 }
 
 sub passed {
@@ -105,9 +95,7 @@ sub run_tests {
     while (!$ended && (@waiting || %running)) {
         while (@waiting && keys %running < $jobs) {
             my $test = shift @waiting;
-            my %taken = map { $_->[2] => 1 } values %running;
-            my ($place) = grep { !$taken{$_} } 0 .. $jobs - 1;
-            $running{start($of, $test, $place)} = [$test, time, $place];
+            $running{start($of, $test)} = [$test, time];
         }
         for my $pid (keys %running) {
             my ($test, $since) = @{$running{$pid}};
@@ -167,61 +155,67 @@ sub put {
     close $out;
 }
 
-# Builds all that the tests need, in all folders. Returns the tests, unit programs and scripts, without those of the
-# code's form.
+# Builds what the tests need. Returns the tests, unit programs and scripts, without those of the code's form.
 sub build_tests {
     my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
     my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory,golden}/*.t';
-    for my $of (sort keys %flags) {
-        build($of, $of eq 'sane' ? () : ('stage', 'tests/bad/maps', 'tests/golden/pixels'), @programs)
-            or die "run.pl: the unchanged tree does not build\n", contents('make.log');
-    }
-    return (\@programs, \@scripts);
+    my @all = ('stage', 'tests/bad/maps', 'tests/golden/pixels', @programs);
+    build('build', @all) or die "run.pl: the unchanged tree does not build\n", contents('make.log');
+    return (\@programs, \@scripts, \@all);
 }
 
-# Runs the tests on the unchanged tree and notes the seconds of each in %$took, and the lines that it executes. Returns
-# those that --coverage makes fail, other than scripts that go on to their plan; they count as tests that execute all
-# lines.
+# Builds the tests with marks for mutations.
+sub build_marked {
+    my ($all, @mutations) = @_;
+    make_path('marked');
+    system($ENV{CC} || 'cc', '-O2', '-fPIC', '-c', '-o', 'marked/marks.o', 'tests/mutants/marks.c') == 0 or die;
+    my $unmark = marks_put(sub {
+        my %object = map { $_ => object_of($_) } @_;
+        unlink map { "marked/$_" } values %object;
+        build('marked', '-k', values %object);
+        return grep { !-e "marked/$object{$_}" } @_;
+    }, @mutations);
+    my $built = build('marked', @$all);
+    $unmark->();
+    die "run.pl: the tree with marks does not build\n", contents('make.log') unless $built;
+}
+
+# Runs tests on the tree with marks, and notes the seconds of each in %$took, and its marks in %$marks.
 sub measure_tests {
-    my ($took, @tests) = @_;
-    my (%odd, @failed);
-    run_tests('cover', \@tests, {}, sub {
+    my ($took, $marks, @tests) = @_;
+    my @failed;
+    run_tests('marked', \@tests, {}, sub {
         my ($test, $passed, $seconds, $pid) = @_;
         $took->{$test} = $seconds;
+        $marks->{$test} = contents("tmp/$pid.marks");
+        unlink "tmp/$pid.marks";
         push @failed, $test unless $passed;
-        if ($passed || ($test =~ /\.t$/ && contents('tmp/last.out') =~ /^1\.\.\d+$/m)) {
-            reach_read($test, "tmp/$pid.counts");
-        } else {
-            $odd{$test} = 1;
-        }
-        remove_tree("tmp/$pid.counts");
         return 0;
     });
-    my $failed = first_failure('build', \@failed, {}) // first_failure('sane', [grep { !/\.t$/ } @tests], {});
+    my $failed = first_failure('build', \@failed, {});
     die "run.pl: $failed fails on the unchanged tree\n", contents('tmp/last.out') if $failed;
-    return %odd;
 }
 
-# As measure_tests, but keeps the result in the folder, and takes from there what it has for the same code, the same
-# files whose lines are counted and the same tests.
+# Fills in the seconds and the marks of all tests. Keeps them in the folder, and takes from there what it has for the
+# same code, the same mutations and the same tests.
 sub know_tests {
-    my ($took, @tests) = @_;
-    my $code = `git rev-parse HEAD:libhatch HEAD:cmd` . contents('cover/counted.mk');
-    my %now = map { $_ => scalar `git rev-parse HEAD:$_` } map { /\.t$/ ? $_ : "$_.c" } @tests;
-    my $kept = -e 'tests.coverage' ? retrieve('tests.coverage') : {code => ''};
-    $kept = {code => $code, took => {}, odd => {}, is => {}} if $kept->{code} ne $code;
-    reach_take($kept->{reach}) if $kept->{reach};
-    my @new = grep { my $file = /\.t$/ ? $_ : "$_.c"; ($kept->{is}{$_} // '') ne $now{$file} } @tests;
+    my ($took, $marks, $all, $tests, @mutations) = @_;
+    my $code = join "\n", `git rev-parse HEAD:libhatch HEAD:cmd`, map { join "\t", @$_ } @mutations;
+    my %now = map { $_ => scalar `git rev-parse HEAD:$_` } map { /\.t$/ ? $_ : "$_.c" } @$tests;
+    my $kept = -e 'tests.reached' ? retrieve('tests.reached') : {code => ''};
+    if ($kept->{code} ne $code) {
+        $kept = {code => $code, took => {}, marks => {}, is => {}};
+        remove_tree('marked');
+    }
+    my @new = grep { my $file = /\.t$/ ? $_ : "$_.c"; ($kept->{is}{$_} // '') ne $now{$file} } @$tests;
     if (@new) {
-        delete @{$kept->{odd}}{@new};
-        my %odd = measure_tests($kept->{took}, @new);
-        $kept->{odd} = {%{$kept->{odd}}, %odd};
+        build_marked($all, @mutations);
+        measure_tests($kept->{took}, $kept->{marks}, @new);
         $kept->{is}{$_} = $now{/\.t$/ ? $_ : "$_.c"} for @new;
-        $kept->{reach} = reach_all();
-        store($kept, 'tests.coverage');
+        store($kept, 'tests.reached');
     }
     %$took = %{$kept->{took}};
-    return %{$kept->{odd}};
+    %$marks = %{$kept->{marks}};
 }
 
 # Returns the tests of a kind, nearest first, among equals the fastest first.
@@ -260,26 +254,46 @@ sub keep_verdict {
     close $out;
 }
 
-# Judges the mutation that the tree has: "does not compile", "same code", the test that fails, or "survived".
+# Returns the first program that fails under sanitizers, or nothing. Programs that have not run before are run on the
+# unchanged file first.
+#   texts  of the file: as it is, and with the mutation
+sub sane_failure {
+    my ($file, $programs, @texts) = @_;
+    state %sound;
+    my @new = grep { !$sound{$_}++ } @$programs;
+    if (@new) {
+        put($file, $texts[0]);
+        build('sane', @new) or die "run.pl: SANITIZE=1 does not build\n", contents('make.log');
+        my $failed = first_failure('sane', \@new, {});
+        die "run.pl: $failed fails under SANITIZE=1\n", contents('tmp/last.out') if $failed;
+        put($file, $texts[1]);
+    }
+    return @$programs && build('sane', @$programs) ? first_failure('sane', $programs, {}) : undef;
+}
+
+# Judges a mutation: "does not compile", "same code", the test that fails, or "survived". Leaves the file with it.
+#   texts              of the file: as it is, and with the mutation
 #   programs, scripts  the tests that execute the line
 sub verdict {
-    my ($file, $before, $programs, $scripts, $took) = @_;
+    my ($file, $texts, $programs, $scripts, $took) = @_;
     my $object = object_of($file);
+    my $before = $object ? contents("build/$object") : '';
+    put($file, $texts->[1]);
     return 'does not compile' if $object && !build('build', $object);
     return 'same code' if $object && contents("build/$object") eq $before;
     my %limit = map { $_ => 60 + 3 * $took->{$_} } keys %$took;
     my @near = grep { nearness($_, $file) == 2 } @$programs;
     my %is_near = map { $_ => 1 } @near;
     my @other = grep { !$is_near{$_} } @$programs;
-    my $sane = $object ? $programs : [];
-    for my $stage (['build', \@near, []], ['build', [], $scripts], ['build', \@other, []], ['sane', $sane, []]) {
-        my ($of, $some, $others) = @$stage;
+    for my $stage ([\@near, []], [[], $scripts], [\@other, []]) {
+        my ($some, $others) = @$stage;
         next unless @$some || @$others;
-        build($of, @$some, @$others ? 'all' : ()) or return 'does not compile';
-        my $failed = first_failure($of, [in_order($file, $took, @$some, @$others)], $of eq 'sane' ? {} : \%limit);
-        return $failed . ($of eq 'sane' ? ', SANITIZE=1' : '') if $failed;
+        build('build', @$some, @$others ? 'all' : ()) or return 'does not compile';
+        my $failed = first_failure('build', [in_order($file, $took, @$some, @$others)], \%limit);
+        return $failed if $failed;
     }
-    return 'survived';
+    my $failed = $object ? sane_failure($file, [in_order($file, $took, @$programs)], @$texts) : undef;
+    return $failed ? "$failed, SANITIZE=1" : 'survived';
 }
 
 prepare_tree();
@@ -288,36 +302,29 @@ my @drawn = map { chomp; [split /\t/] } do {
     open my $in, '-|', 'perl', "$here/draw.pl", 2 * $wanted, $seed, @sources or die;
     <$in>;
 } or die "run.pl: no mutation was drawn\n";
-# Some are replaced. The few that are drawn after these are judged by all tests.
-my %first = map { $_->[0] => 1 } @drawn[0 .. min($#drawn, int(1.3 * $wanted))];
-count_lines_of(sort keys %first);
-my ($programs, $scripts) = build_tests();
-my $took = {};
-my %odd = know_tests($took, @$programs, @$scripts);
+my ($programs, $scripts, $all) = build_tests();
+my ($took, $marks) = ({}, {});
+know_tests($took, $marks, $all, [@$programs, @$scripts], @drawn);
 my %reason = map { chomp; my ($file, $line, $after, $why) = split /\t/; ("$file\t$line\t$after" => $why) }
     split /^/, contents("$here/equivalent.tsv");
 my $key = verdicts_key();
 my %kept = kept_verdicts($key);
 my ($counted, @survivors) = (0);
-for my $mutation (@drawn) {
+for my $index (0 .. $#drawn) {
     last if $counted == $wanted;
-    my ($file, $number, $line, $after) = @$mutation;
+    my ($file, $number, $line, $after) = @{$drawn[$index]};
     my ($old, $new) = map { s/^\s+//r } $line, $after;
     my $name = "$file:$number $new";
     my $text = contents($file);
-    my $before = object_of($file) ? contents('build/' . object_of($file)) : '';
-    my $some = [grep { $odd{$_} || reaches($_, $file, $number) } @$programs];
-    # Near scripts count, too, if the command was killed before it could note what it executed.
-    my $others = [grep { $odd{$_} || reaches($_, $file, $number) || nearness($_, $file) == 2 } @$scripts];
+    my ($some, $others) = map { [grep { vec($marks->{$_}, $index, 8) } @$_] } $programs, $scripts;
     my @lines = split /\n/, $text, -1;
     $lines[$number - 1] = $after;
-    put($file, join "\n", @lines);
     my $since = time;
     my $said = $reason{"$file\t$old\t$new"} || is_larger_array($old, $new) ? 'equivalent'
-        : $kept{$name} // verdict($file, $before, $some, $others, $took);
+        : $kept{$name} // verdict($file, [$text, join "\n", @lines], $some, $others, $took);
     keep_verdict($key, $name, $said) unless $kept{$name} || $said eq 'equivalent';
     put($file, $text);
-    build($_, object_of($file)) for object_of($file) ? ('build', 'sane') : ();
+    build('build', object_of($file)) if object_of($file);
     $counted++ unless $said =~ /^(?:does not compile|same code|equivalent)$/;
     push @survivors, "$file:$number: $old  ->  $new" if $said eq 'survived';
     printf "%s\t%s:%d\t%s\t%s\t%.0f s\n", $said, $file, $number, $old, $new, time - $since;
