@@ -52,6 +52,35 @@ START_TEST(colours_are_exact_to_half_a_step)
 }
 END_TEST
 
+/* Appends the texts of a file, each as "KEY=VALUE;". */
+static void list_texts(struct hatch_bytes file, char *list)
+{
+    for (size_t at = 8, size; at < file.size; at += 12 + size) {
+        const uint8_t *chunk = file.data + at;
+        size = (size_t)chunk[2] << 8 | chunk[3];
+        for (size_t i = 0; memcmp(chunk + 4, "tEXt", 4) == 0 && i < size; i++)
+            *list++ = chunk[8 + i] ? (char)chunk[8 + i] : '=';
+        if (memcmp(chunk + 4, "tEXt", 4) == 0)
+            *list++ = ';';
+    }
+    *list = '\0';
+}
+
+START_TEST(a_file_has_the_comment_that_is_given_and_no_other)
+{
+    static const char *const comments[] = {"seed 1", "", NULL};
+    static const char *const want[] = {"Software=hatch;Comment=seed 1;", "Software=hatch;Comment=;", "Software=hatch;"};
+    struct hatch_image image = ramp(2, 1, "Y");
+    for (int i = 0; i < 3; i++) {
+        char list[200];
+        struct hatch_buffer file = {.arena = &keep};
+        HATCH_TEST_OK(hatch_png_write(&image, HATCH_PNG_SRGB, 8, comments[i], &scratch, &file, &err), &err);
+        list_texts((struct hatch_bytes){file.data, file.size}, list);
+        ck_assert_str_eq(list, want[i]);
+    }
+}
+END_TEST
+
 /* Pictures of one row, in kinds that are written by others. */
 static const struct {
     uint8_t file[128];
@@ -236,6 +265,7 @@ static Suite *suite(void)
     tcase_add_test(tests, truncated_files_are_refused_and_damaged_ones_harmless);
     tcase_add_test(tests, a_wrong_header_is_refused_before_any_allocation);
     tcase_add_test(tests, each_allocation_may_fail);
+    tcase_add_test(tests, a_file_has_the_comment_that_is_given_and_no_other);
     tcase_add_test(tests, an_image_may_take_all_memory);
     tcase_add_test(tests, a_file_may_be_as_short_as_deflate_can_make_it);
     suite_add_tcase(suite, tests);
