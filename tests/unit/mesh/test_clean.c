@@ -336,6 +336,25 @@ START_TEST(tangents_follow_mirrored_and_missing_textures)
 }
 END_TEST
 
+/* Of a square whose two faces meet at vertices 0 and 2, and two vertices without faces. */
+START_TEST(normals_of_length_0_are_replaced_and_others_kept)
+{
+    const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
+    struct hatch_mesh mesh = mesh_of(square, 6, faces, 2);
+    uint32_t replaced = 3;
+    float *normals;
+    HATCH_TEST_OK(hatch_mesh_replace_normals(&scratch, &mesh, &replaced, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "NORMAL", 3, &normals, &err), &err);
+    memcpy(normals + 3, (const float[]){5, 0, 0}, 3 * sizeof *normals);
+    HATCH_TEST_OK(hatch_mesh_replace_normals(&scratch, &mesh, &replaced, &err), &err);
+    ck_assert_uint_eq(replaced, 3 + 3);
+    const float want[] = {0, 0, 1, 5, 0, 0, 0, 0, 1, 0, 0, 1};
+    ck_assert_mem_eq(normals, want, sizeof want);
+    for (int v = 4; v < 6; v++)
+        ck_assert_float_eq(hypotf(hypotf(normals[3 * v], normals[3 * v + 1]), normals[3 * v + 2]), 1);
+}
+END_TEST
+
 START_TEST(bounds_are_of_used_vertices)
 {
     const uint32_t faces[] = {0, 1, 2};
@@ -418,6 +437,7 @@ static Suite *suite(void)
     tcase_add_test(tests, corners_that_are_cut_off_do_not_join_the_sides_of_a_cube);
     tcase_add_test(tests, coarse_round_shapes_stay_smooth);
     tcase_add_test(tests, tangents_follow_mirrored_and_missing_textures);
+    tcase_add_test(tests, normals_of_length_0_are_replaced_and_others_kept);
     tcase_add_test(tests, bounds_are_of_used_vertices);
     tcase_add_test(tests, failed_allocations_are_reported);
     suite_add_tcase(suite, tests);
