@@ -196,11 +196,12 @@ bool plan_make_files(struct plan *plan, struct plan_candidate *candidate)
     figures->setup_s = own ? own->seconds : 0;
     for (uint32_t i = 0; made && i < plan->file_count; i++) {
         struct plan_asset *asset = plan_scene_asset(plan, candidate, i);
-        made = !asset || make(plan, asset);
-        if (!asset || !made)
+        if (!asset)
             continue;
-        bytes += (double)asset->bytes - (double)plan->files[i].bytes;
-        figures->setup_s += asset->seconds;
+        made = make(plan, asset);
+        figures->setup_s += asset->seconds; /* of a file, too, that takes longer than all of the budget */
+        if (made)
+            bytes += (double)asset->bytes - (double)plan->files[i].bytes;
     }
     figures->bytes = fmax(bytes, 0) + (own ? (double)own->bytes : 0);
     const struct hatch_plan_figures known = {.bytes = figures->bytes, .setup_s = figures->setup_s};

@@ -211,7 +211,9 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
             hatch_gltf_read(file, is_file(path) ? &resolver : NULL, &args->keep, &args->scratch, scene, notes, &err),
             name, &err);
     } else {
+        const uint32_t apart = notes->vertices_apart; /* of the files before */
         double origin[3];
+        notes->library = NULL;
         cmd_check(hatch_mesh_read((struct hatch_mesh_file){file, format}, &args->keep, &args->scratch, &mesh, origin,
                                   notes, &err),
                   name, &err);
@@ -225,7 +227,7 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
         scene->up_undefined = true;
         scene->meshes[0].is_soup = format == HATCH_MESH_STL;
         if (scene->meshes[0].is_soup)
-            notes->vertices_apart = 0;
+            notes->vertices_apart = apart;
     }
 }
 

@@ -171,13 +171,12 @@ static void renumber_nodes(struct hatch_scene *scene, const uint32_t *new_index)
     }
 }
 
+/*   new_index  out: per old mesh */
 static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                  struct hatch_patch_mesh *patches, struct hatch_err *err)
+                                  struct hatch_patch_mesh *patches, uint32_t *new_index, struct hatch_err *err)
 {
-    uint32_t *new_index;
     uint8_t *begins;
     struct hatch_scene_mesh *meshes;
-    HATCH_TRY(HATCH_ALLOC(scratch, &new_index, scene->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &begins, scene->mesh_count + (size_t)1, err));
     HATCH_TRY(HATCH_ALLOC(arena, &meshes, scene->mesh_count, err));
     for (uint32_t i = 0; i < scene->node_count; i++) {
@@ -209,14 +208,19 @@ static enum hatch_status join_all(struct hatch_scene *scene, struct hatch_arena 
 }
 
 enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                     struct hatch_patch_mesh **patches, struct hatch_err *err)
+                                     struct hatch_patch_mesh **patches, uint32_t **numbers, struct hatch_err *err)
 {
     struct hatch_patch_mesh *made;
+    uint32_t *new_index;
     HATCH_TRY(HATCH_ALLOC(arena, &made, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &new_index, scene->mesh_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = join_all(scene, arena, scratch, made, err);
+    enum hatch_status status = join_all(scene, arena, scratch, made, new_index, err);
     hatch_arena_rewind(scratch, mark);
-    if (status == HATCH_OK)
-        *patches = made;
-    return status;
+    if (status != HATCH_OK)
+        return status;
+    *patches = made;
+    if (numbers)
+        *numbers = new_index;
+    return HATCH_OK;
 }

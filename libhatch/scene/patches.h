@@ -20,8 +20,10 @@ struct hatch_patch_mesh {
  * their drawing order. Faces on the same points begin with the same point in every patch, so that their depths are
  * equal to the last bit.
  *   scene    its meshes are replaced, and the mesh ranges of its nodes adjusted
- *   patches  out: an entry per mesh of the changed scene, in arena */
+ *   patches  out: an entry per mesh of the changed scene, in arena
+ *   numbers  out: per mesh of the scene as it was, its number now, in arena; NULL: not wanted */
 enum hatch_status hatch_patches_join(struct hatch_scene *scene, struct hatch_arena *arena, struct hatch_arena *scratch,
-                                     struct hatch_patch_mesh **patches, struct hatch_err *err) HATCH_MUST_USE;
+                                     struct hatch_patch_mesh **patches, uint32_t **numbers,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

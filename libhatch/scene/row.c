@@ -71,8 +71,28 @@ static enum hatch_status append_animations(const struct hatch_scene *from, uint3
     return HATCH_OK;
 }
 
-static enum hatch_status append(const struct hatch_scene *from, const struct hatch_node *root, struct hatch_scene *to,
-                                struct hatch_arena *arena, struct hatch_err *err)
+/* Appends cameras and lights whose scene is `size` times as large: they see, and light, the same of it. */
+static void append_views(const struct hatch_scene *from, float size, struct hatch_scene *to)
+{
+    for (uint32_t i = 0; i < from->camera_count; i++) {
+        struct hatch_camera *camera = &to->cameras[to->camera_count++];
+        *camera = from->cameras[i];
+        camera->ymag *= size;
+        camera->znear *= size;
+        camera->zfar *= size;
+    }
+    for (uint32_t i = 0; i < from->light_count; i++) {
+        struct hatch_light *light = &to->lights[to->light_count++];
+        *light = from->lights[i];
+        light->range *= size;
+        if (light->type != HATCH_LIGHT_DIRECTIONAL)
+            light->intensity *= size * size;
+    }
+}
+
+/* Appends a scene under a root node, which makes it `size` times as large. */
+static enum hatch_status append(const struct hatch_scene *from, const struct hatch_node *root, float size,
+                                struct hatch_scene *to, struct hatch_arena *arena, struct hatch_err *err)
 {
     uint32_t root_index = to->node_count, first = root_index + 1;
     to->nodes[to->node_count++] = *root;
@@ -82,10 +102,7 @@ static enum hatch_status append(const struct hatch_scene *from, const struct hat
     /* These contain no indices; the indices that refer to them have been shifted above. */
     for (uint32_t i = 0; i < from->texture_count; i++)
         to->textures[to->texture_count++] = from->textures[i];
-    for (uint32_t i = 0; i < from->camera_count; i++)
-        to->cameras[to->camera_count++] = from->cameras[i];
-    for (uint32_t i = 0; i < from->light_count; i++)
-        to->lights[to->light_count++] = from->lights[i];
+    append_views(from, size, to);
     return HATCH_OK;
 }
 
@@ -127,7 +144,7 @@ enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up u
         return HATCH_OK;
     memcpy(root.matrix, up == HATCH_UP_Z ? z_to_y : x_to_y, sizeof root.matrix);
     HATCH_TRY(make_room(scene, 1, arena, &turned, err));
-    HATCH_TRY(append(scene, &root, &turned, arena, err));
+    HATCH_TRY(append(scene, &root, 1, &turned, arena, err));
     *scene = turned;
     return HATCH_OK;
 }
@@ -171,7 +188,7 @@ enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_
             if (k == 1 && stand)
                 root.translation[k] += (float)(size * bounds.half[k] - first.half[k]);
         }
-        HATCH_TRY(append(&scenes[i], &root, &made, arena, err));
+        HATCH_TRY(append(&scenes[i], &root, (float)size, &made, arena, err));
         x += left;
     }
     *joined = made;

@@ -5,12 +5,10 @@
 #include "scene/pose.h"
 
 /* Joins scenes into one, in a row from left to right, spaced by their bounding boxes at rest. Each is scaled to the
- * radius of the first, and the gaps are a tenth of the first one's diameter; the first scene does not move. Nodes,
- * materials, skins and so on of the first scene come first, then those of the second; animations with the same index
- * become one.
- *   count   of scenes, at least 1
- *   stand   true: align the lowest points; false: align the centres
- *   joined  out: shares arrays with the scenes; other arrays are in arena */
+ * radius of the first, with the lenses of its cameras and the reach of its lamps, and the gaps are a tenth of the first
+ * one's diameter; the first scene does not move. Nodes, materials, skins and so on of the first scene come first, then
+ * those of the second; animations with the same index become one. count   of scenes, at least 1 stand   true: align the
+ * lowest points; false: align the centres joined  out: shares arrays with the scenes; other arrays are in arena */
 enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_t count, bool stand,
                                        struct hatch_arena *arena, struct hatch_arena *scratch,
                                        struct hatch_scene *joined, struct hatch_err *err) HATCH_MUST_USE;

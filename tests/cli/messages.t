@@ -133,9 +133,12 @@ is "warnings of a command that succeeds are printed" "$status $(grep -c warning 
 dirfield mesh.glb -o a.glb
 says "a reference without a field" 3 1 "hatchstat: mesh.glb: no direction field" hatchstat field a.glb -R mesh.glb
 says "a file without a field" 3 1 "hatchstat: mesh.glb: no direction field" hatchstat field mesh.glb -R a.glb
-printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >plain.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | tee third.obj >plain.obj
 says "the second of two scenes" 3 1 "render-gl: plain.obj: primitive 0 has no texture coordinates" \
     render-gl mesh.glb plain.obj --tam map.exr
+lapped-param -q a.glb -o patches.glb
+says "the third of three, behind patches" 3 1 "render-gl: third.obj: primitive 0 has no texture coordinates" \
+    render-gl patches.glb mesh.glb third.obj --tam map.exr
 
 # The words of other libraries stand behind a sentence that names the fault.
 echo '{"asset":{"version":"2.0",},"meshes":3}' >bad.gltf

@@ -68,6 +68,7 @@ static void load_all(struct job *job, struct hatch_mesh_notes *notes)
     const char *name = job->name;
     uint32_t count = (uint32_t)args->operand_count;
     double ground = job->options->ground;
+    uint32_t *numbers;
     struct hatch_err err;
     if (count > 1)
         load_row(job, count, ground > 0, notes);
@@ -82,7 +83,10 @@ static void load_all(struct job *job, struct hatch_mesh_notes *notes)
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, CMD_CREASE_RAD, &err),
                   name, &err);
-    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, &job->patches, &err), name, &err);
+    cmd_check(hatch_patches_join(scene, &args->keep, &args->scratch, &job->patches, &numbers, &err), name, &err);
+    for (uint32_t i = 0; job->mesh_end && i < count; i++)
+        if (job->mesh_end[i] > 0)
+            job->mesh_end[i] = numbers[job->mesh_end[i] - 1] + 1;
 }
 
 void job_check_faces(const struct job *job, const struct hatch_mesh_notes *notes)

@@ -18,6 +18,8 @@
 
 #include "shared/private.h"
 
+#define LIMIT_MOST_S 1e9 /* longer limits are none */
+
 extern char **environ;
 
 /* Read by clean_up, which a signal handler calls. */
@@ -218,7 +220,7 @@ static int start(const struct cmd_child_words *line, int words)
 
 static void limit_time(double limit_s)
 {
-    const rlim_t seconds = (rlim_t)fmax(ceil(limit_s), 1);
+    const rlim_t seconds = (rlim_t)fmin(fmax(ceil(limit_s), 1), LIMIT_MOST_S);
     const struct rlimit limit = {seconds, seconds + 1};
     prlimit(running, RLIMIT_CPU, &limit, NULL);
 }

@@ -55,8 +55,11 @@ is "no tone error at all: nearest is the most exact one" "$status $(cat .err)" \
 try hatchplan $small --techniques rptam --tolerance .0001 torus.glb --make -o none.mk
 refused "nothing for make" 1 1
 is "and no file" "$(ls none.mk 2>&1 | grep -c 'No such')" 1
-try hatchplan $small --techniques solid --budget s=.001 torus.glb
-is "a limit of the set-up time" "$status $(grep -c 'times the limit s$' .err)" "1 1"
+for technique in solid traced; do
+    try hatchplan $small --techniques $technique --budget s=.001 torus.glb
+    is "a limit of the set-up time of $technique" "$status $(grep -c 'times the limit s$' .err)" "1 1"
+done
+ok "a limit of more seconds than a process can count" hatchplan $small --techniques traced --budget s=1e20 torus.glb
 try hatchplan $small --techniques tam --budget mb=.01 torus.glb
 is "a limit of the bytes" "$status $(grep -c 'times the limit mb$' .err)" "1 1"
 

@@ -59,7 +59,7 @@ START_TEST(patches_follow_skinning)
     struct hatch_mesh sphere = skinned_sphere();
     make_scene(&sphere, &caps);
     lapped_scene_skin(&frame.scene, &frame.args.keep);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, NULL, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
     set_outline();

@@ -35,7 +35,7 @@ START_TEST(joined_patches_are_the_surface)
 {
     struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 500);
     lapped_scene(&sphere, &caps, &keep, &scene);
-    HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, &err), &err);
+    HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, NULL, &err), &err);
     ck_assert_uint_eq(scene.mesh_count, 1);
     ck_assert_uint_eq(scene.nodes[0].mesh_count, 1);
     ck_assert_uint_eq(patches[0].patch_count, CAPS);
@@ -58,7 +58,7 @@ static enum hatch_status join(void *context, struct hatch_arena *lasting, struct
 {
     struct hatch_scene *given = context, before = *given;
     struct hatch_node node = given->nodes[0];
-    enum hatch_status status = hatch_patches_join(given, lasting, temporary, &patches, why);
+    enum hatch_status status = hatch_patches_join(given, lasting, temporary, &patches, NULL, why);
     if (status == HATCH_OK) {
         *given = before;
         given->nodes[0] = node;

@@ -42,12 +42,44 @@ START_TEST(scenes_stand_in_a_row)
 }
 END_TEST
 
+/* Of a scene five times as large as the first: one that is scaled looks as it does alone. */
+START_TEST(cameras_and_lamps_are_scaled_with_their_scene)
+{
+    struct hatch_scene scenes[2], joined;
+    struct hatch_mesh small = shape_of(HATCH_SHAPE_SPHERE, 100), large = shape_of(HATCH_SHAPE_SPHERE, 100);
+    struct hatch_camera camera = {.orthographic = true, .ymag = 15, .aspect = 2, .znear = 5, .zfar = 50};
+    struct hatch_light lights[] = {{.type = HATCH_LIGHT_POINT, .intensity = 100, .range = 40},
+                                   {.type = HATCH_LIGHT_SPOT, .intensity = 50, .outer_cone_rad = 0.5f},
+                                   {.type = HATCH_LIGHT_DIRECTIONAL, .intensity = 3}};
+    for (size_t i = 0; i < 3 * (size_t)large.vertex_count; i++)
+        large.attributes[0].data[i] *= 5;
+    HATCH_TEST_OK(hatch_scene_of_mesh(&small, &keep, &scenes[0], &err), &err);
+    HATCH_TEST_OK(hatch_scene_of_mesh(&large, &keep, &scenes[1], &err), &err);
+    scenes[1].cameras = &camera;
+    scenes[1].camera_count = 1;
+    scenes[1].lights = lights;
+    scenes[1].light_count = 3;
+    HATCH_TEST_OK(hatch_scene_join_row(scenes, 2, false, &keep, &scratch, &joined, &err), &err);
+    ck_assert_float_eq_tol(joined.cameras[0].ymag, 3, 1e-5f);
+    ck_assert_float_eq_tol(joined.cameras[0].znear, 1, 1e-5f);
+    ck_assert_float_eq_tol(joined.cameras[0].zfar, 10, 1e-5f);
+    ck_assert_float_eq(joined.cameras[0].aspect, 2);
+    ck_assert_float_eq_tol(joined.lights[0].range, 8, 1e-5f);
+    ck_assert_float_eq_tol(joined.lights[0].intensity, 4, 1e-5f);
+    ck_assert_float_eq_tol(joined.lights[1].intensity, 2, 1e-5f);
+    ck_assert_float_eq(joined.lights[1].range, 0);
+    ck_assert_float_eq(joined.lights[2].intensity, 3);
+    ck_assert_float_eq(camera.ymag, 15);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *made = suite_create("row");
     TCase *tests = tcase_create("row");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, scenes_stand_in_a_row);
+    tcase_add_test(tests, cameras_and_lamps_are_scaled_with_their_scene);
     suite_add_tcase(made, tests);
     return made;
 }

@@ -20,7 +20,7 @@ START_TEST(strokes_have_one_size_on_all_patches)
         nodes[1].scale[k] = 3;
     scene.nodes = nodes;
     scene.node_count = 2;
-    HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, &err), &err);
+    HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, NULL, &err), &err);
     HATCH_TEST_OK(hatch_unit_scene_make(&scene, patches, &bounds, &keep, &unit, &err), &err);
     hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
     ck_assert_uint_eq(unit.item_count, 2);
@@ -61,7 +61,7 @@ START_TEST(repeats_are_the_mean_over_the_area)
             .count = 1, .materials = 1, .holds = halves == 1 ? is_left : NULL, .place = place_stretched};
         struct hatch_mesh plane = shape_of(HATCH_SHAPE_PLANE, 5000);
         lapped_scene(&plane, &cut, &keep, &scene);
-        HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, &err), &err);
+        HATCH_TEST_OK(hatch_patches_join(&scene, &keep, &scratch, &patches, NULL, &err), &err);
         HATCH_TEST_OK(hatch_unit_scene_make(&scene, patches, &bounds, &keep, &unit, &err), &err);
         hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
         HATCH_TEST_OK(hatch_uv_repeat_set(&unit, &how, &keep, &scratch, &err), &err);
