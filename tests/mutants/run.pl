@@ -148,6 +148,12 @@ sub contents {
     return <$in>;
 }
 
+sub end_of { # the last lines of a text
+    my ($file) = @_;
+    my @lines = split /^/, contents($file);
+    return splice @lines, -min(20, scalar @lines);
+}
+
 sub put {
     my ($file, $text) = @_;
     open my $out, '>', $file or die "run.pl: $file: $!\n";
@@ -160,7 +166,7 @@ sub build_tests {
     my @programs = map { s{\.c$}{}r } glob 'tests/{unit/*,prop,stability}/test_*.c';
     my @scripts = grep { !m{cli/examples\.t$} } glob 'tests/{cli,cli/*,prop,stability,bad,memory,golden}/*.t';
     my @all = ('stage', 'tests/bad/maps', 'tests/golden/pixels', @programs);
-    build('build', @all) or die "run.pl: the unchanged tree does not build\n", contents('make.log');
+    build('build', @all) or die "run.pl: the unchanged tree does not build\n", end_of('make.log');
     return (\@programs, \@scripts, \@all);
 }
 
@@ -177,7 +183,7 @@ sub build_marked {
     }, @mutations);
     my $built = build('marked', @$all);
     $unmark->();
-    die "run.pl: the tree with marks does not build\n", contents('make.log') unless $built;
+    die "run.pl: the tree with marks does not build\n", end_of('make.log') unless $built;
 }
 
 # Runs tests on the tree with marks, and notes the seconds of each in %$took, and its marks in %$marks. Returns those that
@@ -214,7 +220,7 @@ sub know_tests {
         $kept->{is}{$_} = $now{/\.t$/ ? $_ : "$_.c"} for @new;
         delete @{$kept->{is}}{@failed};
         store($kept, 'tests.reached');
-        die "run.pl: @failed fails on the unchanged tree\n", contents('tmp/last.out') if @failed;
+        die "run.pl: @failed fails on the unchanged tree\n", end_of('tmp/last.out') if @failed;
     }
     %$took = %{$kept->{took}};
     %$marks = %{$kept->{marks}};
@@ -265,9 +271,9 @@ sub sane_failure {
     my @new = grep { !$sound{$_}++ } @$programs;
     if (@new) {
         put($file, $texts[0]);
-        build('sane', @new) or die "run.pl: SANITIZE=1 does not build\n", contents('make.log');
+        build('sane', @new) or die "run.pl: SANITIZE=1 does not build\n", end_of('make.log');
         my $failed = first_failure('sane', \@new, {});
-        die "run.pl: $failed fails under SANITIZE=1\n", contents('tmp/last.out') if $failed;
+        die "run.pl: $failed fails under SANITIZE=1\n", end_of('tmp/last.out') if $failed;
         put($file, $texts[1]);
     }
     return @$programs && build('sane', @$programs) ? first_failure('sane', $programs, {}) : undef;

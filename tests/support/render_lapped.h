@@ -32,7 +32,7 @@ static inline void set_outline(void)
 static inline void begin_lapped(const struct hatch_mesh *surface, const struct cut *cut)
 {
     make_scene(surface, cut);
-    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, &frame.err),
+    HATCH_TEST_OK(hatch_patches_join(&frame.scene, &frame.args.keep, &frame.args.scratch, &patches, NULL, &frame.err),
                   &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
     set_outline();

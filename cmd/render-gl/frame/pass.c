@@ -1,5 +1,9 @@
 #include "render-gl/frame/pass.h"
 
+#include "render-gl/gpu/bindings.h"
+
+#define GROUPS_MOST 65535u /* work groups in a row that OpenGL guarantees */
+
 static void enable(GLenum capability, bool enabled)
 {
     if (enabled)
@@ -95,8 +99,12 @@ void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)
 
 void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer)
 {
+    GLint size[3];
+    glGetProgramiv(dispatch->program->name, GL_COMPUTE_WORK_GROUP_SIZE, size);
+    const uint32_t groups = dispatch->count / (uint32_t)size[0] + 1, row = groups < GROUPS_MOST ? groups : GROUPS_MOST;
     glUseProgram(dispatch->program->name);
-    glDispatchCompute(dispatch->groups[0], dispatch->groups[1], dispatch->groups[2]);
+    glUniform1ui(UNIFORM_COUNT, dispatch->count);
+    glDispatchCompute(row, (groups - 1) / row + 1, 1);
     glMemoryBarrier(dispatch->barrier);
     gpu_timer_end_pass(timer, dispatch->name);
 }

@@ -223,11 +223,9 @@ static void dispatch(const struct frame *frame, uint32_t index, const struct gpu
                      uint32_t count, GLbitfield barrier)
 {
     const struct scene *scene = frame->scene;
-    const struct frame_dispatch pass = {
-        .name = name, .program = program, .groups = {(count + 63) / 64, 1, 1}, .barrier = barrier};
+    const struct frame_dispatch pass = {.name = name, .program = program, .count = count, .barrier = barrier};
     frame_use_item(scene, index, frame->style.base_tone ? scene->items[index].base_lightness : 1.0f, program);
     glUniform1f(UNIFORM_SIDE, scene->unit.items[index].double_sided ? -1.0f : 1.0f);
-    glUniform1ui(UNIFORM_COUNT, count);
     frame_dispatch(&pass, NULL);
 }
 

@@ -1,5 +1,9 @@
 /* Shader programs are compiled once for each combination of stages and definitions. */
+#include "gpu/stage.h"
+#include "render-gl/gpu/buffer.h"
 #include "render_frame.h"
+
+#define INDICES (65535u * 64 + 1000) /* more than work groups of one row */
 
 static struct test_frame frame;
 
@@ -34,11 +38,43 @@ START_TEST(a_program_is_compiled_once_and_again_when_asked)
 }
 END_TEST
 
+/* Each index is that of one invocation, also where a row of work groups does not suffice. */
+START_TEST(a_pass_over_many_indices_reaches_each_once)
+{
+    static const char count[] = "#version 450 core\n",
+                      own[] = "layout(local_size_x = 64) in;\n"
+                              "layout(std430, binding = 0) buffer Visits { uint visits[]; };\n"
+                              "layout(location = UNIFORM_COUNT) uniform uint count;\n",
+                      body[] = "void main() { if (index_of() < count) visits[index_of()]++; }\n";
+    static uint32_t visits[INDICES + 64];
+    frame_arenas(&frame);
+    struct hatch_mesh plane = frame_shape(&frame, HATCH_SHAPE_PLANE, 2);
+    frame_open(&plane, &frame_unit, NULL, &frame);
+    const char *const texts[] = {count, shader_bindings, own, shader_text("frame/index.glsl"), body};
+    const struct gpu_program program = {.name = compute_program(5, texts)};
+    for (uint32_t wanted = 0; wanted < 2 * INDICES; wanted += INDICES) {
+        GLuint buffer = gpu_buffer_make(visits, sizeof visits);
+        gpu_storage_bind(0, buffer);
+        frame_dispatch(
+            &(struct frame_dispatch){
+                .name = "visit", .program = &program, .count = wanted, .barrier = GL_BUFFER_UPDATE_BARRIER_BIT},
+            NULL);
+        gpu_buffer_read(buffer, visits, sizeof visits);
+        for (uint32_t i = 0; i < INDICES + 64; i++)
+            ck_assert_uint_eq(visits[i], i < wanted);
+        glDeleteBuffers(1, &buffer);
+    }
+    glDeleteProgram(program.name);
+    frame_finish(&frame);
+}
+END_TEST
+
 static Suite *suite(void)
 {
     Suite *suite = suite_create("render-gl programs");
     TCase *tests = tcase_create("programs");
     tcase_add_test(tests, a_program_is_compiled_once_and_again_when_asked);
+    tcase_add_test(tests, a_pass_over_many_indices_reaches_each_once);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -80,7 +80,8 @@ START_TEST(blank_patches_hide_surfaces_behind_them)
     meshes[2] = (struct hatch_scene_mesh){.mesh = behind, .material = HATCH_NONE};
     scene->meshes = meshes;
     scene->mesh_count = scene->nodes[0].mesh_count = 3;
-    HATCH_TEST_OK(hatch_patches_join(scene, &frame.args.keep, &frame.args.scratch, &patches, NULL, &frame.err), &frame.err);
+    HATCH_TEST_OK(hatch_patches_join(scene, &frame.args.keep, &frame.args.scratch, &patches, NULL, &frame.err),
+                  &frame.err);
     frame_open_scene(patches, &frame_unit, &map, &frame);
     ck_assert_uint_eq(frame.on_gpu.unit.item_count, 2);
     set_outline();

@@ -3,6 +3,7 @@
 #include "traced/noise.glsl"
 
 layout(local_size_x = 32) in;
+#include "frame/index.glsl"
 layout(std430, binding = STORAGE_RIBBON) writeonly buffer Ribbon { vec4 ribbon[]; };
 layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_PROFILE) uniform float profile[BRUSH_PROFILE]; // mean ink along a stroke
@@ -86,7 +87,7 @@ void put_point(uint to, int k, Drawn drawn, Path path, float u, float factor, ui
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i >= count)
         return;
     Drawn drawn = drawn_strokes[i];

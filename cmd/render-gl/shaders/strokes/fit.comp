@@ -6,6 +6,7 @@
 #include "strokes/patches.glsl"
 
 layout(local_size_x = 32) in;
+#include "frame/index.glsl"
 struct Slot {
     uint low, high, count, first, joined; // joined: bits JOINED_... of strokes/extrude.glsl
 };
@@ -62,9 +63,9 @@ bool make_dot(float larger, inout Cubic cubic, inout Path path, inout float widt
 
 void main()
 {
-    if (gl_GlobalInvocationID.x >= count)
+    if (index_of() >= count)
         return;
-    uint i = order[gl_GlobalInvocationID.x];
+    uint i = order[index_of()];
     Slot slot = slots[i];
     Cubic cubic = fit(slot.first, slot.count);
     Path path;

@@ -3,6 +3,7 @@
 #include "strokes/drawn.glsl"
 
 layout(local_size_x = 32) in;
+#include "frame/index.glsl"
 struct Slot {
     uint low, high, count, first, joined; // first: the slot in the table
 };
@@ -57,7 +58,7 @@ Cubic fit(ivec2 at)
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i >= count)
         return;
     Slot slot = slots[i];

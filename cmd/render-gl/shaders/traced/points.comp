@@ -5,6 +5,7 @@
 #include "traced/marks.glsl"
 
 layout(local_size_x = 64) in;
+#include "frame/index.glsl"
 layout(std430, binding = STORAGE_VERTICES) readonly buffer Vertices { float vertices[]; }; // 10 each
 struct Placed {
     vec4 clip;
@@ -104,7 +105,7 @@ float right_length()
 
 void main()
 {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = index_of();
     if (i >= count)
         return;
     Point point = points[i];

@@ -2,6 +2,7 @@
 #include "frame/light.glsl"
 
 layout(local_size_x = 64) in;
+#include "frame/index.glsl"
 layout(std430, binding = STORAGE_VERTICES) readonly buffer Vertices { float vertices[]; }; // 10 each
 struct Placed {
     vec4 clip;
@@ -12,7 +13,7 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 
 void main()
 {
-    uint v = gl_GlobalInvocationID.x;
+    uint v = index_of();
     if (v >= count)
         return;
     vec3 position = vec3(vertices[10u * v], vertices[10u * v + 1u], vertices[10u * v + 2u]);

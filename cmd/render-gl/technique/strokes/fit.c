@@ -92,11 +92,10 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
     gpu_storage_bind(STORAGE_SLOTS, state->found.name);
     gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
-    glProgramUniform1ui(state->fit->name, UNIFORM_COUNT, count);
     state->found_count = list->count;
     frame_dispatch(&(struct frame_dispatch){.name = "fit",
                                             .program = state->fit,
-                                            .groups = {(count + 31) / 32, 1, 1},
+                                            .count = count,
                                             .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
                    frame->timer);
     return HATCH_OK;
@@ -110,10 +109,9 @@ static enum hatch_status extrude(const struct frame *frame, struct strokes_state
     HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
     gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
-    glProgramUniform1ui(state->extrude->name, UNIFORM_COUNT, count);
     frame_dispatch(&(struct frame_dispatch){.name = "extrude",
                                             .program = state->extrude,
-                                            .groups = {(count + 31) / 32, 1, 1},
+                                            .count = count,
                                             .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
                    frame->timer);
     return HATCH_OK;

@@ -9,7 +9,6 @@
 #include "render-gl/gpu/texture.h"
 #include "render-gl/technique/strokes/strokes.h"
 
-#define GROUPS_MOST 65535u /* work groups in a row that OpenGL guarantees */
 #define MARGIN_WIDTHS 12.0 /* widths of a stroke around a tile in which fragments are gathered, too */
 #define SLOTS_LEAST 65536u
 #define SLOTS_MOST (1u << 22)
@@ -113,13 +112,10 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
 
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
 {
-    const uint32_t groups = (count + 63) / 64;
-    const struct frame_dispatch pass = {
-        .name = name,
-        .program = program,
-        .groups = {groups < GROUPS_MOST ? groups : GROUPS_MOST, (groups + GROUPS_MOST - 1) / GROUPS_MOST, 1},
-        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
-    glProgramUniform1ui(program->name, UNIFORM_COUNT, count);
+    const struct frame_dispatch pass = {.name = name,
+                                        .program = program,
+                                        .count = count,
+                                        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
     frame_dispatch(&pass, frame->timer);
 }
 
