@@ -94,7 +94,8 @@ static void drop_flat_normals(struct hatch_scene *scene)
         struct hatch_mesh *mesh = &scene->meshes[m].mesh;
         uint32_t kept = 0;
         for (uint32_t a = 0; a < mesh->attribute_count; a++)
-            if (scene->meshes[m].had_normals || strcmp(mesh->attributes[a].name, "NORMAL") != 0)
+            if (scene->meshes[m].had_normals || (strcmp(mesh->attributes[a].name, "NORMAL") != 0 &&
+                                                 strcmp(mesh->attributes[a].name, HATCH_MORPH_NORMAL) != 0))
                 mesh->attributes[kept++] = mesh->attributes[a];
         mesh->attribute_count = kept;
     }

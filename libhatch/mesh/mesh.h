@@ -123,6 +123,13 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
                                          struct hatch_mesh *mesh, float crease_rad,
                                          struct hatch_err *err) HATCH_MUST_USE;
 
+/* Adds NORMAL to a mesh with HATCH_MORPH_POSITION and without NORMAL: each face gets vertices and a normal of its own.
+ * Adds HATCH_MORPH_NORMAL: what each target alone turns, exact where its weight is as at rest, and where it is by 1
+ * more, or less: flat faces stay flat when they move. mesh  in, out less  per target: whether the turn is exact for a
+ * weight that is by 1 less */
+enum hatch_status hatch_mesh_add_flat_normals(struct hatch_arena *arena, struct hatch_mesh *mesh, const bool *less,
+                                              struct hatch_err *err) HATCH_MUST_USE;
+
 /* Replaces normals 0 0 0, which some exporters write, by the mean of the normals of the faces that use the vertex,
  * weighted by their angles there. A vertex without a face that has an area gets any unit vector.
  *   mesh      in, out: may have no NORMAL

@@ -6,6 +6,7 @@
 #include "mesh/fans.h"
 #include "mesh/splits.h"
 
+#define NO_TARGET UINT32_MAX
 #define COS_TIE 1e-3 /* largest difference of the cosines at edges that count as equally sharp */
 
 /* Corners that share a normal form a class. Without a crease angle these are all corners of a point; with one, they are
@@ -219,6 +220,51 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
     if (status == HATCH_OK)
         *mesh = out;
     return status;
+}
+
+/* Computes the normal of a face that targets move; any unit vector if it has no area.
+ *   target  NO_TARGET: none
+ *   share   of the target's displacement */
+static void flat_normal(const struct hatch_mesh *mesh, uint32_t face, uint32_t target, double share, double normal[3])
+{
+    const float *positions = hatch_mesh_find(mesh, "POSITION", 3);
+    const struct hatch_mesh_attribute *moves = hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION);
+    double corners[3][3];
+    for (size_t c = 0; c < 3; c++) {
+        size_t v = mesh->indices[3 * (size_t)face + c];
+        hatch_vec_of(&positions[3 * v], corners[c]);
+        for (size_t k = 0; k < 3 && target != NO_TARGET; k++)
+            corners[c][k] += share * (double)moves->data[v * moves->components + 3 * target + k];
+    }
+    hatch_vec_triangle(corners[0], corners[1], corners[2], normal);
+    if (!(hatch_vec_normalize(normal) > 0))
+        hatch_vec_copy((const double[]){0, 0, 1}, normal);
+}
+
+enum hatch_status hatch_mesh_add_flat_normals(struct hatch_arena *arena, struct hatch_mesh *mesh, const bool *less,
+                                              struct hatch_err *err)
+{
+    const uint32_t corners = 3 * mesh->face_count, targets = hatch_mesh_target_count(mesh);
+    struct hatch_mesh made;
+    float *normals, *turns;
+    HATCH_TRY(hatch_mesh_gather(mesh, mesh->indices, corners, mesh->face_count, arena, &made, err));
+    for (uint32_t i = 0; i < corners; i++)
+        made.indices[i] = i;
+    HATCH_TRY(hatch_mesh_add(arena, &made, "NORMAL", 3, &normals, err));
+    HATCH_TRY(hatch_mesh_add(arena, &made, HATCH_MORPH_NORMAL, 3 * targets, &turns, err));
+    for (uint32_t i = 0; i < corners; i++) {
+        double rest[3], moved[3];
+        flat_normal(&made, i / 3, NO_TARGET, 0, rest);
+        hatch_vec_round(rest, &normals[3 * (size_t)i]);
+        for (uint32_t t = 0; t < targets; t++) {
+            double side = less[t] ? -1 : 1;
+            flat_normal(&made, i / 3, t, side, moved);
+            for (size_t k = 0; k < 3; k++)
+                turns[3 * ((size_t)i * targets + t) + k] = (float)(side * (moved[k] - rest[k]));
+        }
+    }
+    *mesh = made;
+    return HATCH_OK;
 }
 
 static bool has_length(const float *normal)

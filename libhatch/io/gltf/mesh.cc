@@ -243,7 +243,9 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
     out->normals_computed = !out->had_normals || has_computed_normals(primitive);
     if (!out->had_normals && mesh.face_count > 0)
-        HATCH_TRY(hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
+        HATCH_TRY(hatch_mesh_target_count(&mesh) > 0
+                      ? add_moving_normals(r, index, &mesh)
+                      : hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
     out->mesh = mesh;
     return HATCH_OK;
 }

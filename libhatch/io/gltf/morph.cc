@@ -165,6 +165,17 @@ enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, si
     return keep_targets(r, primitive, "NORMAL", HATCH_MORPH_NORMAL, where, mesh);
 }
 
+enum hatch_status add_moving_normals(Reader &r, size_t index, struct hatch_mesh *mesh)
+{
+    const Morph &morph = r.morphs[index];
+    bool *less = HATCH_NEW(r.scratch, bool, morph.targets, r.err);
+    if (!less)
+        return HATCH_LIMIT;
+    for (size_t t = 0; t < morph.targets; t++)
+        less[t] = weight_of(*morph.rest, t) > 0.5;
+    return hatch_mesh_add_flat_normals(r.arena, mesh, less, r.err);
+}
+
 enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node)
 {
     uint32_t targets = node->mesh_count ? hatch_mesh_target_count(&r.scene->meshes[node->first_mesh].mesh) : 0;

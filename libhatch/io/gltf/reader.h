@@ -122,6 +122,9 @@ enum hatch_status read_use(Reader &r, const tinygltf::TextureInfo &info, const s
 enum hatch_status read_morph(Reader &r, const tinygltf::Primitive &primitive, size_t index, const std::string &where,
                              struct hatch_mesh *mesh);
 
+/* Adds the normals of faces that targets move, to a mesh without normals. */
+enum hatch_status add_moving_normals(Reader &r, size_t index, struct hatch_mesh *mesh);
+
 /* Set the weights of a node, and convert those of an animation channel; both are then relative to the mesh's weights at
  * rest. */
 enum hatch_status set_weights(Reader &r, size_t index, struct hatch_node *node);

@@ -83,4 +83,33 @@ for option in from=0:20..80:20 fov=20..50; do
 done
 try render-gl camera.glb -t gouraud --size 32x24 --frames 2 --camera 0 --animate fov=20..50 -o moved%d.png
 refused "--animate fov with the scene's camera" 2 2
+
+# A square without normals that a target tilts by 60 degrees is lit as one that is tilted at rest.
+# square TILTED_AT_REST: prints it
+square() {
+    perl -MMIME::Base64 -e '
+        my @flat = (0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0);
+        my @up = map { $_ % 3 == 1 ? $flat[$_] * -0.5 : $_ % 3 == 2 ? $flat[$_ - 1] * -0.75 ** 0.5 : 0 } 0 .. 17;
+        my @rest = map { $flat[$_] + $ARGV[0] * $up[$_] } 0 .. 17;
+        my $data = encode_base64(pack("f<*", @rest, @up, 0, 1, 0, 1 - $ARGV[0]), "");
+        my $n = 0;
+        my $views = join ",", map { my $at = $n; $n += $_; "{\"buffer\":0,\"byteOffset\":$at,\"byteLength\":$_}" } 72, 72, 8, 8;
+        my $places = "\"componentType\":5126,\"count\":6,\"type\":\"VEC3\"";
+        my $numbers = "\"componentType\":5126,\"count\":2,\"type\":\"SCALAR\"";
+        print "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],",
+            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"targets\":[{\"POSITION\":1}]}]}],",
+            "\"accessors\":[{\"bufferView\":0,$places},{\"bufferView\":1,$places},{\"bufferView\":2,$numbers},",
+            "{\"bufferView\":3,$numbers}],\"bufferViews\":[$views],\"buffers\":[{\"byteLength\":$n,",
+            "\"uri\":\"data:application/octet-stream;base64,$data\"}],\"animations\":[{\"channels\":[{\"sampler\":0,",
+            "\"target\":{\"node\":0,\"path\":\"weights\"}}],\"samplers\":[{\"input\":2,\"output\":3}]}]}"
+    ' "$1"
+}
+square 0 >tilts.gltf
+square 1 >tilted.gltf
+for scene in tilts tilted; do
+    render-gl -q $scene.gltf -t gouraud --lines none --light 0:30 --camera 0.5,0.2,3:0.5,0.2,0 --size 48x48 --frames 2 \
+        --rate 1 -o $scene%d.png
+done
+differ() { hatchstat diff "$1" "$2" | awk 'NR == 2 {print ($2 > 0.004)}'; }
+is "flat faces turn as a target moves them" "$(differ tilts1.png tilted1.png) $(differ tilts0.png tilted0.png)" "0 1"
 finish

@@ -103,6 +103,36 @@ START_TEST(targets_move_before_joints_do)
 }
 END_TEST
 
+/* Two faces of a flat square, one of which a target folds up by a right angle about their diagonal, and another down
+ * from there: what is flat stays flat, and the rest stays as it is. */
+START_TEST(faces_without_normals_turn_as_they_move)
+{
+    static const float square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    static const float up[] = {-0.5f, 0.5f, 0.70710678f}, root = 0.70710678f;
+    const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
+    const bool less[] = {false, true};
+    float *moves, folded[3] = {-root, root, 0}, flat[3] = {0, 0, 1};
+    struct hatch_mesh mesh;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 4, 2, &mesh, &err), &err);
+    memcpy(mesh.attributes[0].data, square, sizeof square);
+    memcpy(mesh.indices, faces, sizeof faces);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, HATCH_MORPH_POSITION, 6, &moves, &err), &err);
+    memcpy(moves + 6, up, sizeof up); /* corner 1, by the first target */
+    for (int k = 0; k < 3; k++)
+        moves[6 + 3 + k] = -up[k]; /* that of the second one leads here, and back with a weight of -1 */
+    HATCH_TEST_OK(hatch_mesh_add_flat_normals(&keep, &mesh, less, &err), &err);
+    ck_assert_uint_eq(mesh.vertex_count, 6);
+    const float *normals = hatch_mesh_find(&mesh, "NORMAL", 3), *turns = hatch_mesh_find(&mesh, HATCH_MORPH_NORMAL, 6);
+    for (uint32_t v = 0; v < 6; v++)
+        for (int k = 0; k < 3; k++) {
+            float first = v < 3 ? folded[k] - flat[k] : 0;
+            ck_assert_float_eq_tol(normals[3 * v + (uint32_t)k], flat[k], 1e-6f);
+            ck_assert_float_eq_tol(turns[6 * v + (uint32_t)k], first, 1e-6f);
+            ck_assert_float_eq_tol(turns[6 * v + 3 + (uint32_t)k], -first, 1e-6f);
+        }
+}
+END_TEST
+
 /* A triangle one wide that goes from 0 to 10 and back within a second. */
 static struct hatch_mesh wide;
 static float turns[3] = {0, 0.5f, 1}, places[9] = {0, 0, 0, 10, 0, 0, 0, 0, 0};
@@ -191,6 +221,7 @@ static Suite *suite(void)
     tcase_add_test(tests, weights_are_shares);
     tcase_add_test(tests, without_weights_the_first_joint_carries);
     tcase_add_test(tests, targets_move_before_joints_do);
+    tcase_add_test(tests, faces_without_normals_turn_as_they_move);
     suite_add_tcase(suite, tests);
     TCase *films = tcase_create("films");
     tcase_add_checked_fixture(films, begin_film, end);
