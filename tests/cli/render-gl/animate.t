@@ -107,7 +107,7 @@ square() {
 square 0 >tilts.gltf
 square 1 >tilted.gltf
 for scene in tilts tilted; do
-    render-gl -q $scene.gltf -t gouraud --lines none --light 0:30 --camera 0.5,0.2,3:0.5,0.2,0 --size 48x48 --frames 2 \
+    render-gl -q $scene.gltf -t gouraud --lines none --light 0:60 --camera 0.5,0.2,3:0.5,0.2,0 --size 48x48 --frames 2 \
         --rate 1 -o $scene%d.png
 done
 differ() { hatchstat diff "$1" "$2" | awk 'NR == 2 {print ($2 > 0.004)}'; }
