@@ -103,6 +103,7 @@ enum hatch_status add_instances(Reader &r)
             HATCH_TRY(normalize_rotation(r, node, place("node", i)));
             node->first_mesh = instanced->first_mesh;
             node->mesh_count = instanced->mesh_count;
+            node->weights = instanced->weights;
         }
         if (transforms.count > 0)
             instanced->mesh_count = 0;

@@ -156,6 +156,22 @@ START_TEST(instances_are_nodes)
 }
 END_TEST
 
+/* The shape at rest is that of the first node. */
+START_TEST(instances_have_the_weights_of_their_node)
+{
+    reads(HEAD SQUARE("0},\"mode\":5,\"targets\":[{\"POSITION\":0}]") ",\"nodes\":[{\"mesh\":0,\"weights\":[0.25]},{"
+                                                                      "\"mesh\":0,\"weights\":[1],\"extensions\":{"
+                                                                      "\"EXT_mesh_gpu_instancing\":{\"attributes\":{"
+                                                                      "\"TRANSLATION\":3}}}}]}");
+    ck_assert_uint_eq(scene.node_count, 5);
+    for (uint32_t i = 2; i < 5; i++) {
+        double weight;
+        hatch_scene_weights(&scene, i, HATCH_NONE, 0, 1, &weight);
+        ck_assert_double_eq(weight, 0.75);
+    }
+}
+END_TEST
+
 /* A jump. */
 START_TEST(two_keys_may_have_one_time)
 {
@@ -336,6 +352,7 @@ static Suite *suite(void)
     tcase_add_test(tests, indices_may_be_sparse);
     tcase_add_test(tests, positions_may_be_sparse);
     tcase_add_test(tests, instances_are_nodes);
+    tcase_add_test(tests, instances_have_the_weights_of_their_node);
     tcase_add_test(tests, two_keys_may_have_one_time);
     tcase_add_test(tests, required_extensions_are_checked_first);
     tcase_add_test(tests, extensions_that_are_left_out_are_named_while_there_is_room);
