@@ -99,12 +99,21 @@ void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer)
 
 void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer)
 {
-    GLint size[3];
-    glGetProgramiv(dispatch->program->name, GL_COMPUTE_WORK_GROUP_SIZE, size);
-    const uint32_t groups = dispatch->count / (uint32_t)size[0] + 1, row = groups < GROUPS_MOST ? groups : GROUPS_MOST;
     glUseProgram(dispatch->program->name);
-    glUniform1ui(UNIFORM_COUNT, dispatch->count);
-    glDispatchCompute(row, (groups - 1) / row + 1, 1);
+    glDispatchCompute(dispatch->groups[0], dispatch->groups[1], dispatch->groups[2]);
     glMemoryBarrier(dispatch->barrier);
     gpu_timer_end_pass(timer, dispatch->name);
+}
+
+void frame_dispatch_over(const struct frame_dispatch *dispatch, uint32_t count, struct gpu_timer *timer)
+{
+    struct frame_dispatch pass = *dispatch;
+    GLint size[3];
+    glGetProgramiv(pass.program->name, GL_COMPUTE_WORK_GROUP_SIZE, size);
+    const uint32_t groups = count / (uint32_t)size[0] + 1, row = groups < GROUPS_MOST ? groups : GROUPS_MOST;
+    pass.groups[0] = row;
+    pass.groups[1] = (groups - 1) / row + 1;
+    pass.groups[2] = 1;
+    glProgramUniform1ui(pass.program->name, UNIFORM_COUNT, count);
+    frame_dispatch(&pass, timer);
 }

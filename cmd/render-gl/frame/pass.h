@@ -67,13 +67,17 @@ void frame_pass_end(const struct frame_pass *pass, struct gpu_timer *timer);
 struct frame_dispatch {
     const char *name; /* shown in the report of --time */
     const struct gpu_program *program;
-    uint32_t count;     /* of indices (index_of() of shaders/frame/index.glsl), as the uniform UNIFORM_COUNT; the shader
-                           leaves out larger ones, which fill the last work groups */
+    GLuint groups[3];   /* number of work groups along each axis, at least 1 */
     GLbitfield barrier; /* kinds of later access that wait for its writes, as for glMemoryBarrier */
 };
 
-/* Runs a compute pass. The caller has set all other uniforms and bound the images.
+/* Runs a compute pass. The caller has set the uniforms and bound the images.
  *   timer  NULL: nothing is timed */
 void frame_dispatch(const struct frame_dispatch *dispatch, struct gpu_timer *timer);
+
+/* Runs a compute pass over indices from 0, in as many work groups as they need: index_of() of shaders/frame/index.glsl.
+ * The shader leaves out indices from the uniform UNIFORM_COUNT on, which is set here.
+ *   dispatch  its groups are not used */
+void frame_dispatch_over(const struct frame_dispatch *dispatch, uint32_t count, struct gpu_timer *timer);
 
 #endif

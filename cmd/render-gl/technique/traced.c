@@ -223,10 +223,10 @@ static void dispatch(const struct frame *frame, uint32_t index, const struct gpu
                      uint32_t count, GLbitfield barrier)
 {
     const struct scene *scene = frame->scene;
-    const struct frame_dispatch pass = {.name = name, .program = program, .count = count, .barrier = barrier};
+    const struct frame_dispatch pass = {.name = name, .program = program, .barrier = barrier};
     frame_use_item(scene, index, frame->style.base_tone ? scene->items[index].base_lightness : 1.0f, program);
     glUniform1f(UNIFORM_SIDE, scene->unit.items[index].double_sided ? -1.0f : 1.0f);
-    frame_dispatch(&pass, NULL);
+    frame_dispatch_over(&pass, count, NULL);
 }
 
 void traced_place_vertices(const struct frame *frame, const struct traced_state *state, uint32_t index)

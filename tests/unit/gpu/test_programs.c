@@ -55,10 +55,9 @@ START_TEST(a_pass_over_many_indices_reaches_each_once)
     for (uint32_t wanted = 0; wanted < 2 * INDICES; wanted += INDICES) {
         GLuint buffer = gpu_buffer_make(visits, sizeof visits);
         gpu_storage_bind(0, buffer);
-        frame_dispatch(
-            &(struct frame_dispatch){
-                .name = "visit", .program = &program, .count = wanted, .barrier = GL_BUFFER_UPDATE_BARRIER_BIT},
-            NULL);
+        frame_dispatch_over(
+            &(struct frame_dispatch){.name = "visit", .program = &program, .barrier = GL_BUFFER_UPDATE_BARRIER_BIT},
+            wanted, NULL);
         gpu_buffer_read(buffer, visits, sizeof visits);
         for (uint32_t i = 0; i < INDICES + 64; i++)
             ck_assert_uint_eq(visits[i], i < wanted);

@@ -93,11 +93,7 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
     gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_MISSED, state->missed.name);
     state->found_count = list->count;
-    frame_dispatch(&(struct frame_dispatch){.name = "fit",
-                                            .program = state->fit,
-                                            .count = count,
-                                            .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
-                   frame->timer);
+    strokes_dispatch(frame, state->fit, "fit", count);
     return HATCH_OK;
 }
 
@@ -109,11 +105,11 @@ static enum hatch_status extrude(const struct frame *frame, struct strokes_state
     HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
     gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
-    frame_dispatch(&(struct frame_dispatch){.name = "extrude",
-                                            .program = state->extrude,
-                                            .count = count,
-                                            .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
-                   frame->timer);
+    frame_dispatch_over(
+        &(struct frame_dispatch){.name = "extrude",
+                                 .program = state->extrude,
+                                 .barrier = GL_TEXTURE_FETCH_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT},
+        count, frame->timer);
     return HATCH_OK;
 }
 

@@ -112,11 +112,9 @@ static enum hatch_status find_fragments(struct technique_context *context, struc
 
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count)
 {
-    const struct frame_dispatch pass = {.name = name,
-                                        .program = program,
-                                        .count = count,
-                                        .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
-    frame_dispatch(&pass, frame->timer);
+    const struct frame_dispatch pass = {
+        .name = name, .program = program, .barrier = GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT};
+    frame_dispatch_over(&pass, count, frame->timer);
 }
 
 int strokes_compare(const void *a, const void *b)

@@ -141,7 +141,7 @@ void strokes_blend_bind(const struct strokes_state *state);
 
 void strokes_blend_free(struct strokes_blend *blend);
 
-/* Runs a compute pass over `count` fragments. */
+/* Runs a compute pass over `count` fragments or strokes, whose results are in storage buffers. */
 void strokes_dispatch(const struct frame *frame, const struct gpu_program *program, const char *name, uint32_t count);
 
 /* Fits the strokes and computes the points of their ribbons. Strokes that no cubic follows are divided.
