@@ -32,6 +32,15 @@ enum hatch_status frame_target(struct frame_targets *targets, const struct gpu_t
     return HATCH_OK;
 }
 
+void frame_target_release(struct frame_targets *targets, const struct gpu_target *target)
+{
+    for (uint32_t i = 0; i < FRAME_TARGETS_MAX; i++)
+        if (target == &targets->entries[i].target) {
+            targets->entries[i].taken = false;
+            targets->entries[i].frames_spare = 0;
+        }
+}
+
 void frame_targets_free(struct frame_targets *targets)
 {
     for (uint32_t i = 0; i < FRAME_TARGETS_MAX; i++)

@@ -1,5 +1,6 @@
 #include "render-gl/scene/normals.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -96,6 +97,17 @@ void normals_upload(struct cmd_args *args, const char *file, uint32_t size_max_p
     }
 }
 
+/* Returns a power of two that is larger than all numbers. */
+static float step_beyond(const float *numbers, size_t count)
+{
+    float most = 0;
+    int power;
+    for (size_t i = 0; i < count; i++)
+        most = fmaxf(most, fabsf(numbers[i]));
+    frexpf(most, &power);
+    return ldexpf(1, power);
+}
+
 enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const double *positions,
                                struct hatch_arena *scratch, struct hatch_err *err)
 {
@@ -110,11 +122,14 @@ enum hatch_status normals_pose(const struct scene *scene, uint32_t index, const 
     if (!places)
         return HATCH_LIMIT;
     memcpy(tangents, item->rest, sizeof *tangents * count);
-    /* To pose a tangent, pose the point that lies one tangent ahead of the vertex, and subtract the posed vertex. */
+    /* To pose a tangent, pose a point that lies ahead of the vertex, farther than any is from the origin, and subtract
+     * the posed vertex. */
     for (uint32_t i = 0; i < ahead.attribute_count; i++)
         if (strcmp(ahead.attributes[i].name, "POSITION") == 0) {
+            const float *from = ahead.attributes[i].data;
+            const float step = step_beyond(from, 3 * count);
             for (size_t k = 0; k < 3 * count; k++)
-                places[k] = ahead.attributes[i].data[k] + tangents[k / 3].along[k % 3];
+                places[k] = from[k] + step * tangents[k / 3].along[k % 3];
             ahead.attributes[i].data = places;
         }
     hatch_pose_mesh(&pose, unit->node, &ahead, moved, NULL);

@@ -74,6 +74,15 @@ ok "its options may change" test -s films0.exr -a -s films1.exr
 try render-gl -v -t strokes --lines none --size 320x240 --most-strokes 100 -o few.png torus.glb
 is "one warning says how many there are" "$(grep -c 'strokes, of which the 100 largest are drawn: --most-strokes' .err)" 1
 ok "these and parts of them are drawn" awk '/ strokes, .* fragments/ && $2 >= 100 && $2 < 300 {found = 1} END {exit !found}' .err
+# They are the same ones, and have as much ink, in both ways of adding their fragments up.
+few() {
+    file=few.exr
+    draw torus.glb --size 320x240 --samples 1 --most-strokes 200 --aggregate "$1" 2>few.err
+    hatchstat frames few.exr few.exr | awk 'NR == 2 {print 1 - $2}'
+}
+sorted=$(few sort) blended=$(few blend)
+ok "the largest strokes by blending: $blended for $sorted" awk -v a="$sorted" -v b="$blended" \
+    'BEGIN {exit !(a > 0.005 && b > 0.9 * a && b < 1.1 * a)}'
 # More strokes than the table has slots at first: 65536.
 try render-gl -v -t strokes --lines none --stroke 3x1 --seed-tile 16 --tone-range .6:.6 --size 640x480 --samples 1 \
     --camera 0,0,2.4:0,0,0 -o many.png plane.glb

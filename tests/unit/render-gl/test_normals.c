@@ -7,6 +7,7 @@ enum { SIZE = 16 };
 
 static struct test_frame frame;
 static bool is_skinned; /* the plane is skinned */
+static float units = 1; /* of a skinned mesh's coordinates in a unit of its pose */
 static const double to_light[3] = {0.48, 0.6, 0.64};
 
 /* Opens a plane that faces the camera.
@@ -34,7 +35,11 @@ static void begin(int turn, bool mirrored, bool own)
         if (strcmp(mesh.attributes[i].name, "TANGENT") == 0)
             mesh.attributes[i] = mesh.attributes[--mesh.attribute_count];
     if (is_skinned) {
+        for (size_t k = 0; k < 3 * (size_t)mesh.vertex_count; k++)
+            mesh.attributes[0].data[k] *= units;
         frame_skin(&mesh, &frame);
+        for (int k = 0; k < 32; k++)
+            frame.scene.skins[0].inverse_bind[k] /= k % 16 < 12 ? units : 1;
         frame_open_scene(NULL, &frame_unit, NULL, &frame);
     } else {
         frame_open(&mesh, &frame_unit, NULL, &frame);
@@ -99,10 +104,12 @@ START_TEST(a_flat_normal_map_changes_nothing)
 }
 END_TEST
 
-/* A quarter turn of the joints maps x to y and y to -x. */
+/* A quarter turn of the joints maps x to y and y to -x, in any units of the mesh. */
 START_TEST(joints_rotate_mapped_normals)
 {
+    static const float sizes[] = {1, 0x1p-40f, 0x1p40f};
     is_skinned = true;
+    units = sizes[_i];
     begin(0, false, false);
     set_normal(0.6, 0, 0.8, 1);
     for (int i = 1; i <= 2; i++)
@@ -156,7 +163,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("normals");
     tcase_add_test(tests, normal_maps_tilt_the_normal_as_gltf_defines);
     tcase_add_test(tests, a_flat_normal_map_changes_nothing);
-    tcase_add_test(tests, joints_rotate_mapped_normals);
+    tcase_add_loop_test(tests, joints_rotate_mapped_normals, 0, 3);
     tcase_add_test(tests, joints_mirror_mapped_normals);
     tcase_add_test(tests, back_faces_reverse_mapped_normals);
     suite_add_tcase(made, tests);

@@ -1,6 +1,7 @@
 /* Sums over the fragments of strokes by blending (Szécsi, Szirányi & Kacsó, §3). Each fragment is drawn as a point,
  * into the slot that its stroke has in the table of the frame before, or into the first free one. Strokes that meet in
  * a free slot wait for the next frame: one of them owns the slot then. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,18 +76,21 @@ static void read_output(const struct gpu_target *table, uint32_t output, GLenum 
 }
 
 /* Reads the last table back.
- *   found  out: strokes with a slot of their own, room for all slots; `first` is the slot, `count` 0 */
+ *   found  out: strokes with a slot of their own, room for all slots; `first` is the slot, `count` the
+ *          pixels that it covers */
 static enum hatch_status look(const struct strokes_blend *blend, struct strokes_slot *found, struct survey *survey,
                               struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct gpu_target *table = &blend->tables[blend->last];
     size_t texels = (size_t)table->form.width * table->form.height;
     uint32_t(*ids)[2];
-    float(*extremes)[4];
+    float(*extremes)[4], (*higher)[4];
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &ids, texels, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &extremes, texels, err));
+    HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &higher, texels, err));
     read_output(table, OUTPUT_IDS, GL_RG_INTEGER, GL_UNSIGNED_INT, ids);
     read_output(table, OUTPUT_EXTREMES, GL_RGBA, GL_FLOAT, extremes);
+    read_output(table, OUTPUT_HIGHER, GL_RGBA, GL_FLOAT, higher);
     *survey = (struct survey){.lost = ids[blend->slots][1] != 0};
     for (uint32_t i = 0; i < blend->slots; i++)
         if (ids[i][1] == 0)
@@ -94,7 +98,8 @@ static enum hatch_status look(const struct strokes_blend *blend, struct strokes_
         else if (extremes[i][2] + extremes[i][3] > 0) /* strokes with different hashes */
             survey->shared++;
         else
-            found[survey->found++] = (struct strokes_slot){.id = {ids[i][0], ids[i][1]}, .first = i};
+            found[survey->found++] =
+                (struct strokes_slot){.id = {ids[i][0], ids[i][1]}, .count = (uint32_t)ceilf(higher[i][3]), .first = i};
     return HATCH_OK;
 }
 

@@ -54,6 +54,7 @@ static enum hatch_status draw_fragments(struct technique_context *context, struc
         gpu_texture_bind(UNIT_MAGNIFIED, target->outputs[0], 0);
     }
     HATCH_TRY(strokes_draw_source(context, instance, target, err));
+    frame_target_release(&frame->targets, target); /* fragments may be gathered several times */
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
     gpu_buffer_read(state->fragments.name, &head, sizeof head);
     *count = head.count;

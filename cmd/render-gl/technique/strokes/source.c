@@ -26,22 +26,24 @@ static bool has_patches(const struct scene *scene)
 }
 
 /* Draws which patch lies on top where, and binds the result for the shaders that gather.
- *   like  target of these shaders */
+ *   like    target of these shaders
+ *   owners  out: the target that is bound; NULL: there are no patches */
 static enum hatch_status draw_owners(struct technique_context *context, struct strokes_state *state,
-                                     const struct gpu_target *like, struct hatch_err *err)
+                                     const struct gpu_target *like, const struct gpu_target **owners,
+                                     struct hatch_err *err)
 {
     static const float nothing[4] = {0}, far = 0;
     struct frame *frame = context->frame;
     struct gpu_target_form form = like->form;
-    const struct gpu_target *target;
+    *owners = NULL;
     if (!has_patches(frame->scene))
         return HATCH_OK;
     form.outputs[0] = GL_RGBA32F;
-    HATCH_TRY(frame_target(&frame->targets, &form, &target, err));
-    const struct frame_pass clear = {.name = "clear", .target = target, .clear = nothing, .clear_depth = &far};
+    HATCH_TRY(frame_target(&frame->targets, &form, owners, err));
+    const struct frame_pass clear = {.name = "clear", .target = *owners, .clear = nothing, .clear_depth = &far};
     frame_pass_begin(&clear);
-    HATCH_TRY(frame_draw_items(frame, target, &owner_shading, "", &state->owners, err));
-    gpu_texture_bind(UNIT_SOURCE, target->outputs[0], 0);
+    HATCH_TRY(frame_draw_items(frame, *owners, &owner_shading, "", &state->owners, err));
+    gpu_texture_bind(UNIT_SOURCE, (*owners)->outputs[0], 0);
     return HATCH_OK;
 }
 
@@ -62,12 +64,17 @@ enum hatch_status strokes_draw_source(struct technique_context *context, struct 
                                       const struct gpu_target *target, struct hatch_err *err)
 {
     struct strokes_state *state = instance->state;
-    HATCH_TRY(draw_owners(context, state, target, err));
-    if (instance->tones)
-        return frame_draw_items(context->frame, target, &map_shading, "", &state->map, err);
-    seeds_use(&state->seeds.seeds);
-    return frame_draw_items(context->frame, target, &instance->technique->shading, state->seeds.shaded.defines,
-                            &state->seeds.shaded.shader, err);
+    const struct gpu_target *owners;
+    HATCH_TRY(draw_owners(context, state, target, &owners, err));
+    if (instance->tones) {
+        HATCH_TRY(frame_draw_items(context->frame, target, &map_shading, "", &state->map, err));
+    } else {
+        seeds_use(&state->seeds.seeds);
+        HATCH_TRY(frame_draw_items(context->frame, target, &instance->technique->shading, state->seeds.shaded.defines,
+                                   &state->seeds.shaded.shader, err));
+    }
+    frame_target_release(&context->frame->targets, owners);
+    return HATCH_OK;
 }
 
 struct strokes_look strokes_look(const struct technique_instance *instance)
