@@ -86,20 +86,22 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
 static enum hatch_status find_vertex(const struct targets *targets, double number, uint32_t row, uint32_t *job,
                                      uint32_t *vertex, struct hatch_err *err)
 {
-    double first = 0;
+    double end = 0;
     for (*job = 0; *job < targets->job_count; ++*job) {
-        double count = targets->jobs[*job].mesh->file_vertices;
-        if (number >= first && number < first + count && number == floor(number)) {
+        double first = (double)targets->jobs[*job].mesh->file_first;
+        end = first + targets->jobs[*job].mesh->file_vertices;
+        if (number >= first && number < end && number == floor(number)) {
             const uint32_t *points = targets->groups[*job].first;
             *vertex = (uint32_t)(number - first);
-            if (points[*vertex] == points[*vertex + 1])
-                return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no face uses vertex %.0f", row, number);
-            return HATCH_OK;
+            if (points[*vertex] < points[*vertex + 1])
+                return HATCH_OK;
+            break;
         }
-        first += count;
     }
+    if (number >= 0 && number < end && number == floor(number))
+        return hatch_fail(err, HATCH_BAD_INPUT, "line %u: no face uses vertex %.0f", row, number);
     return hatch_fail(err, HATCH_BAD_INPUT, "line %u: vertex %.10g, want a whole number from 0 to %.0f", row, number,
-                      first - 1);
+                      end - 1);
 }
 
 /* A search for the point of a posed mesh that is nearest in the scene. */

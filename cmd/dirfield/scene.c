@@ -20,6 +20,8 @@ struct run {
 static void make_jobs(struct run *run)
 {
     struct hatch_err err;
+    for (uint32_t i = 1; i < run->scene.mesh_count; i++) /* before meshes without an area are left out */
+        run->scene.meshes[i].file_first = run->scene.meshes[i - 1].file_first + run->scene.meshes[i - 1].file_vertices;
     const struct hatch_surface *surfaces = cmd_make_surfaces(run->args, run->input, &run->scene);
     uint32_t count = run->scene.mesh_count;
     cmd_check(HATCH_ALLOC(&run->args->keep, &run->jobs, count, &err), NULL, &err);

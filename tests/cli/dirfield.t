@@ -109,6 +109,17 @@ printf 'vertex\tdx\tdy\tdz\tweight\n0\t1\t1\t0\t9\n4\t0\t1\t0\t9\n' >own.tsv
 dirfield -q posed.gltf --constraints own.tsv -o own.glb
 is "constraints by position are in scene coordinates, by vertex in the mesh's" \
     "$status $(hatchstat field hand.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
+# Vertices are numbered as in the file, also behind a mesh without an area: its indices are 0, 0 and 1.
+sed 's/"meshes":\[/&{"primitives":[{"attributes":{"POSITION":0},"indices":2}]},/; s/{"mesh":1,/{"mesh":2,/
+    s/{"mesh":0}/{"mesh":1}/; s/"count":6,"type":"SCALAR"}/&,{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"}/
+    s/"nodes":\[0,1\]/"nodes":[0,1,2]/; s/^"nodes":\[/&{"mesh":0},/' posed.gltf >behind.gltf
+printf 'vertex\tdx\tdy\tdz\tweight\n4\t1\t1\t0\t9\n8\t0\t1\t0\t9\n' >behind.tsv
+try dirfield -q behind.gltf --constraints behind.tsv -o behind.glb
+is "vertices behind a mesh that is left out" \
+    "$status $(hatchstat field behind.glb --reference own.glb | column deg_max | awk '{print ($1 < 0.01)}')" "0 1"
+printf 'vertex\tdx\tdy\tdz\tweight\n1\t1\t1\t0\t9\n' >behind.tsv
+try dirfield -q behind.gltf --constraints behind.tsv -o behind.glb
+is "a vertex of that mesh" "$status $(cat .err)" "3 dirfield: behind.tsv: line 2: no face uses vertex 1"
 
 # Small squares in a plane, a row from (6, 0.5) on along x and one from (3, 1.5) on along y. A node turns the plane by a
 # half right angle about x and then stretches it tenfold along y: (i, j) is at (i, 7.07 j, 0.707 j) in the scene. A position

@@ -145,7 +145,7 @@ enum hatch_status look_prepare(struct look *look, struct frame *frame, const str
     char defines[LOOK_DEFINES_BYTES];
     HATCH_TRY(upload(look, side, args, err));
     if (look->files.flat) {
-        HATCH_TRY(scene_set_repeats(frame->scene, &how, &args->keep, &args->scratch, err));
+        HATCH_TRY(scene_replace_repeats(frame->scene, &how, &args->keep, &args->scratch, err));
         HATCH_TRY(scene_set_uv_tangents(frame->scene, &args->scratch, err));
     } else {
         scene_set_rest(frame->scene);

@@ -34,6 +34,40 @@ enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_r
     return HATCH_OK;
 }
 
+/* Exchanges the repeats in use and the others. */
+static void exchange_repeats(struct scene *scene)
+{
+    for (uint32_t i = 0; i < scene->unit.item_count; i++) {
+        struct hatch_item *item = &scene->unit.items[i];
+        const struct scene_repeats used = {{item->repeat[0], item->repeat[1]}, item->repeats, item->chart_count};
+        item->repeat[0] = scene->others[i].repeat[0];
+        item->repeat[1] = scene->others[i].repeat[1];
+        item->repeats = scene->others[i].repeats;
+        item->chart_count = scene->others[i].chart_count;
+        scene->others[i] = used;
+        upload_repeats(scene, i);
+    }
+    scene->replaced = !scene->replaced;
+}
+
+enum hatch_status scene_replace_repeats(struct scene *scene, const struct hatch_uv_repeat *how,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_err *err)
+{
+    if (scene->replaced)
+        return HATCH_OK;
+    bool known = scene->others != NULL;
+    if (!known)
+        HATCH_TRY(HATCH_ALLOC(arena, &scene->others, scene->unit.item_count, err));
+    exchange_repeats(scene);
+    return known ? HATCH_OK : scene_set_repeats(scene, how, arena, scratch, err);
+}
+
+void scene_restore_repeats(struct scene *scene)
+{
+    if (scene->replaced)
+        exchange_repeats(scene);
+}
+
 static enum hatch_status set_uv_tangents(struct scene *scene, uint32_t index, struct hatch_arena *scratch,
                                          struct hatch_err *err)
 {

@@ -11,6 +11,13 @@
 enum hatch_status scene_set_repeats(struct scene *scene, const struct hatch_uv_repeat *how, struct hatch_arena *arena,
                                     struct hatch_arena *scratch, struct hatch_err *err) HATCH_MUST_USE;
 
+/* As scene_set_repeats, for another texture than the map, until scene_restore_repeats. Called again with the same
+ * texture, it computes nothing. */
+enum hatch_status scene_replace_repeats(struct scene *scene, const struct hatch_uv_repeat *how,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_err *err) HATCH_MUST_USE;
+void scene_restore_repeats(struct scene *scene);
+
 /* Computes the derivatives of the surface along u and v at every vertex, uploads them, and sets uv_reach of every item.
  * Items with skins or morph targets get no derivatives, because their surface moves; shaders use screen-space
  * derivatives for them. Meshes without TEXCOORD_0 are skipped. Repeated calls upload nothing. */

@@ -114,7 +114,7 @@ enum hatch_status scene_upload(const struct hatch_scene *from, const struct hatc
                                const struct hatch_bounds *bounds, struct hatch_arena *arena,
                                struct hatch_arena *scratch, struct scene *scene, struct hatch_err *err)
 {
-    struct scene made;
+    struct scene made = {.replaced = false};
     HATCH_TRY(hatch_unit_scene_make(from, patches, bounds, arena, &made.unit, err));
     made.meshes = HATCH_NEW(arena, struct scene_mesh, from->mesh_count, err);
     made.items = made.meshes ? HATCH_NEW(arena, struct scene_item, made.unit.item_count, err) : NULL;

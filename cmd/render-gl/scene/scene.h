@@ -57,10 +57,18 @@ struct scene_item {
     const struct scene_tangent *rest; /* the tangents at rest; NULL: none */
 };
 
+/* Repeats of an item: members of struct hatch_item. */
+struct scene_repeats {
+    float repeat[2], *repeats;
+    uint32_t chart_count;
+};
+
 struct scene {
     struct hatch_unit_scene unit;
-    struct scene_mesh *meshes; /* one per unit.meshes */
-    struct scene_item *items;  /* one per unit.items */
+    struct scene_mesh *meshes;    /* one per unit.meshes */
+    struct scene_item *items;     /* one per unit.items */
+    struct scene_repeats *others; /* one per item: repeats that are not in use; NULL: none */
+    bool replaced;                /* these are those of the map (scene_replace_repeats) */
 };
 
 /* Uploads all meshes of a scene and lists its items. The scene is not posed yet: call scene_set_pose next.

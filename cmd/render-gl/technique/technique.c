@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render-gl/scene/attributes.h"
+
 bool technique_has_option(const struct technique *technique, const char *name)
 {
     const struct cmd_option *const tables[] = {technique->options, technique->shared};
@@ -54,6 +56,7 @@ enum hatch_status technique_prepare(struct technique_context *context, struct te
     const struct asset_kind *kind = technique_asset(technique);
     if (kind && (technique->asset || assets_have(context->assets, kind)))
         HATCH_TRY(assets_upload(context->assets, kind, &context->args->scratch, &instance->tones, err));
+    scene_restore_repeats(context->frame->scene);
     HATCH_TRY((technique->prepare ? technique->prepare : shaded_prepare)(context, instance, err));
     struct look *look = look_of(context, instance);
     return look ? look_prepare(look, context->frame, context->view, context->height_px, context->side, context->args,
