@@ -1,5 +1,5 @@
-/* Linked into all programs of the build with marks (marks.pl): maps the file that HATCH_MARKS names, so that a mark that
- * is set stays, however the process ends. */
+/* Linked into all programs of the build with marks (marks.pl): maps the file that HATCH_MARKS names, so that a mark
+ * that is set stays, however the process ends. */
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/mman.h>
