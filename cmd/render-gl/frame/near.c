@@ -4,6 +4,7 @@
 
 #include "render-gl/gpu/bindings.h"
 #include "render-gl/gpu/buffer.h"
+#include "render-gl/gpu/texture.h"
 
 static void make_array(struct near *near)
 {
@@ -28,6 +29,12 @@ enum hatch_status near_begin(struct near *near, const struct scene *scene, const
     HATCH_TRY(hatch_near_find(&near->found, &scene->unit, options, view, err));
     if (!near->found.items)
         return HATCH_OK;
+    for (uint32_t i = 0; i < scene->unit.item_count; i++)
+        if (hatch_near_item_at(&near->found, i)) {
+            size_t vertices = scene->unit.meshes[scene->unit.items[i].mesh].mesh->vertex_count;
+            HATCH_TRY(gpu_check_texels(vertices * sizeof(struct scene_vertex) / sizeof(float),
+                                       "vertices of a mesh that is near the eye", err));
+        }
     if (!near->array)
         make_array(near);
     hatch_view_projection(view, options->tile, near->clip_from_camera);

@@ -16,6 +16,15 @@ GLuint gpu_texture_2d(GLenum format, uint32_t width, uint32_t height)
     return gpu_texture_make(GL_TEXTURE_2D, 1, format, width, height, 1);
 }
 
+enum hatch_status gpu_check_texels(size_t texels, const char *what, struct hatch_err *err)
+{
+    GLint limit;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+    if (texels <= (size_t)limit)
+        return HATCH_OK;
+    return hatch_fail(err, HATCH_LIMIT, "too many %s: %zu texels, the GPU's limit is %d", what, texels, limit);
+}
+
 GLuint gpu_texture_of_buffer(GLenum format, GLuint buffer)
 {
     GLuint texture;

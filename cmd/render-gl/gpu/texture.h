@@ -3,7 +3,10 @@
 #define RENDER_GPU_TEXTURE_H
 
 #include <epoxy/gl.h>
+#include <stddef.h>
 #include <stdint.h>
+
+#include "base/status.h"
 
 /* Makes a 2D texture of one level with undefined content.
  *   format  internal format */
@@ -15,6 +18,10 @@ GLuint gpu_texture_2d(GLenum format, uint32_t width, uint32_t height);
  *   format  internal format
  *   depth   layers of an array or slices of a 3D texture; ignored for 2D */
 GLuint gpu_texture_make(GLenum kind, GLsizei levels, GLenum format, uint32_t width, uint32_t height, uint32_t depth);
+
+/* Fails with HATCH_LIMIT if a buffer has more texels than shaders can read through a texture: they would read zeros.
+ *   what  what there are too many of */
+enum hatch_status gpu_check_texels(size_t texels, const char *what, struct hatch_err *err) HATCH_MUST_USE;
 
 /* Makes a texture through which shaders read a buffer as an array of texels.
  *   format  internal format of a texel, such as GL_RGBA8 */

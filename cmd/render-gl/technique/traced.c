@@ -104,7 +104,7 @@ static enum hatch_status upload(struct technique_context *context, struct traced
         if (strokes->count == 0)
             continue;
         item->placed = gpu_buffer_make(NULL, 8 * sizeof(float) * from->meshes[mesh].mesh.vertex_count);
-        traced_make_ribbon(strokes, &item->ribbon);
+        HATCH_TRY(traced_make_ribbon(strokes, &item->ribbon, err));
     }
     return gpu_check_memory(err, "strokes");
 }

@@ -1,6 +1,8 @@
 /* Assets that are larger than the GPU's textures may be are refused, and those that just fit are uploaded. */
 #include <math.h>
 
+#include "render-gl/frame/near.h"
+#include "render-gl/technique/traced/traced.h"
 #include "render_frame.h"
 #include "render_map.h"
 #include "rptam_model.h"
@@ -125,6 +127,43 @@ START_TEST(exact_runs_keep_to_the_largest_texture)
 }
 END_TEST
 
+/* Of the vertices of a plane that passes the eye, and of a ribbon of 100 points, 3 texels each. */
+START_TEST(buffers_keep_to_the_texels_that_shaders_read)
+{
+    const struct hatch_tile tile = {0, 0, 64, 64, 64, 64};
+    const struct hatch_near_options options = {
+        .places = HATCH_NEAR_TEXCOORDS, .turn = {1, 0}, .tile = &tile, .max_memory = 1 << 28};
+    const uint32_t ends[] = {100};
+    const struct traced_strokes strokes = {.count = 1, .end = ends};
+    struct near near = {.array = 0};
+    struct traced_ribbon ribbon;
+    epoxy_glGetIntegerv = get_integers;
+    end();
+    frame_arenas(&frame);
+    struct hatch_mesh plane = frame_plane(&frame, 8);
+    frame_open(&plane, &frame_unit, NULL, &frame);
+    get_integers = epoxy_glGetIntegerv;
+    epoxy_glGetIntegerv = get_limits;
+    for (int i = 0; i < 2; i++) {
+        struct hatch_view view = view_facing;
+        view.orthographic = false;
+        view.near_is_automatic = true;
+        view.eye[2] = 1e-5;
+        limits.buffer = (GLint)(10 * plane.vertex_count) - i;
+        ck_assert_int_eq(near_begin(&near, &frame.on_gpu, &options, &view, &frame.err), i ? HATCH_LIMIT : HATCH_OK);
+        ck_assert_ptr_nonnull(hatch_near_item_at(&near.found, 0));
+        limits.buffer = 300 - i;
+        ck_assert_int_eq(traced_make_ribbon(&strokes, &ribbon, &frame.err), i ? HATCH_LIMIT : HATCH_OK);
+    }
+    ck_assert_str_eq(frame.err.text, "too many points of strokes: 300 texels, the GPU's limit is 299");
+    traced_free_ribbon(&ribbon);
+    near_free(&near);
+    epoxy_glGetIntegerv = get_integers;
+    frame_finish(&frame);
+    begin();
+}
+END_TEST
+
 /* The refusal tells how many rows there are. */
 START_TEST(lists_of_strokes_keep_to_the_largest_texture)
 {
@@ -175,6 +214,7 @@ static Suite *suite(void)
     tcase_add_test(tests, maps_keep_to_the_largest_texture);
     tcase_add_test(tests, volumes_keep_to_the_largest_texture);
     tcase_add_test(tests, exact_runs_keep_to_the_largest_texture);
+    tcase_add_test(tests, buffers_keep_to_the_texels_that_shaders_read);
     tcase_add_test(tests, lists_of_strokes_keep_to_the_largest_texture);
     tcase_add_test(tests, seeds_keep_to_the_largest_buffer);
     suite_add_tcase(suite, tests);

@@ -16,6 +16,7 @@
 #define DIVISION_TASKS 16u
 #define PLACES 8u /* places along a stroke whose parts have different ids */
 #define RIBBON_BYTES (12 * sizeof(float) * RIBBON_POINTS)
+#define TEXEL_BYTES (4 * sizeof(float))
 #define DRAWN_BYTES 176u /* of struct Drawn in shaders/strokes/drawn.glsl, std430 */
 
 /* How a curve follows its stroke. */
@@ -38,14 +39,16 @@ static void reserve_drawn(struct strokes_state *state, uint32_t count)
 }
 
 /* Makes room for so many ribbons. */
-static void reserve_ribbons(struct strokes_state *state, uint32_t count)
+static enum hatch_status reserve_ribbons(struct strokes_state *state, uint32_t count, struct hatch_err *err)
 {
     const size_t bytes = RIBBON_BYTES * count;
     if (bytes <= state->points.size_bytes)
-        return;
+        return HATCH_OK;
+    HATCH_TRY(gpu_check_texels(bytes / TEXEL_BYTES, "points of strokes", err));
     strokes_reserve(&state->points, bytes);
     glDeleteTextures(1, &state->points_view);
     state->points_view = gpu_texture_of_buffer(GL_RGBA32F, state->points.name);
+    return gpu_check_memory(err, "%u strokes", count);
 }
 
 /* Orders 64-bit words, the largest first. */
@@ -101,8 +104,7 @@ static enum hatch_status fit(const struct frame *frame, struct strokes_state *st
 static enum hatch_status extrude(const struct frame *frame, struct strokes_state *state, uint32_t count,
                                  struct hatch_err *err)
 {
-    reserve_ribbons(state, count);
-    HATCH_TRY(gpu_check_memory(err, "%u strokes", count));
+    HATCH_TRY(reserve_ribbons(state, count, err));
     gpu_storage_bind(STORAGE_DRAWN, state->drawn.name);
     gpu_storage_bind(STORAGE_RIBBON, state->points.name);
     frame_dispatch_over(

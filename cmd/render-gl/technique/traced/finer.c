@@ -173,8 +173,7 @@ static enum hatch_status update(struct technique_context *context, struct traced
     if (own->found.enough)
         own->strokes.raised = (float)own->found.raised;
     own->strokes.finest = fminf(own->strokes.finest, state->strokes[item->mesh].finest);
-    traced_make_ribbon(&own->strokes, &own->near);
-    return gpu_check_memory(err, "finer strokes");
+    return traced_make_ribbon(&own->strokes, &own->near, err);
 }
 
 void traced_forget(struct traced_item *item)

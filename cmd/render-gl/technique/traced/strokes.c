@@ -273,10 +273,14 @@ enum hatch_status traced_upload(const struct traced_source *source, struct hatch
     return gpu_check_memory(err, "%u strokes", curves->count);
 }
 
-void traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon)
+enum hatch_status traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon,
+                                     struct hatch_err *err)
 {
-    ribbon->buffer = gpu_buffer_make(NULL, TRACED_RIBBON_FLOATS * sizeof(float) * strokes->end[strokes->count - 1]);
+    const size_t floats = (size_t)TRACED_RIBBON_FLOATS * strokes->end[strokes->count - 1];
+    HATCH_TRY(gpu_check_texels(floats / 4, "points of strokes", err));
+    ribbon->buffer = gpu_buffer_make(NULL, sizeof(float) * floats);
     ribbon->view = gpu_texture_of_buffer(GL_RGBA32F, ribbon->buffer);
+    return gpu_check_memory(err, "%u strokes", strokes->count);
 }
 
 void traced_free_strokes(const struct traced_strokes *strokes)

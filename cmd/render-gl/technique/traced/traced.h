@@ -97,7 +97,8 @@ struct traced_source {
 enum hatch_status traced_upload(const struct traced_source *source, struct hatch_arena *arena,
                                 struct hatch_arena *scratch, struct traced_strokes *strokes,
                                 struct hatch_err *err) HATCH_MUST_USE;
-void traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon);
+enum hatch_status traced_make_ribbon(const struct traced_strokes *strokes, struct traced_ribbon *ribbon,
+                                     struct hatch_err *err) HATCH_MUST_USE;
 
 /* Release what is on the GPU. */
 void traced_free_strokes(const struct traced_strokes *strokes);
