@@ -24,13 +24,13 @@ static void bend(float curvature, float *along, float *across)
 static float added_darkness(const struct line *line, const struct hatch_brush *brush, float width_px,
                             const float *paper, uint32_t size)
 {
-    float length = line->length * (float)size;
+    float path = line->length * (float)size, length = path > width_px ? path : width_px; /* drawn as long as wide */
     uint32_t along = length < 1 ? 1 : (uint32_t)length;
     uint32_t across = width_px < 1 ? 1 : (uint32_t)(width_px + 0.5f);
     float step_along = length / (float)along, step_across = width_px / (float)across;
     float back = ((float)along - 1) * 0.5f * step_along, aside = ((float)across - 1) * 0.5f * step_across;
     uint32_t mask = size - 1;
-    float curvature = line->bend_rad / length, sum = 0; /* 0 of lines, infinite or not a number of dots */
+    float curvature = line->bend_rad / path, sum = 0; /* 0 of lines, infinite or not a number of dots */
     for (uint32_t i = 0; i < along; i++) {
         uint32_t column = (2 * i + 1) * brush->width / (2 * along);
         float alpha = brush->cumulative[(size_t)(column + 1) * (brush->height + 1) - 1];

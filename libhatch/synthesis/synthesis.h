@@ -30,10 +30,11 @@ struct hatch_synthesis_options {
     uint32_t size; /* texels along each axis, as in struct hatch_solid */
     enum hatch_synthesis_method method;
     uint64_t seed;
-    uint32_t side;       /* kopf: side of neighbourhoods, HATCH_SYNTHESIS_SIDE_MIN .. MAX pixels; smaller exemplars have
-                            smaller ones */
-    uint32_t levels;     /* kopf: levels of detail at most, 1 .. HATCH_SYNTHESIS_LEVELS_MAX */
-    uint32_t iterations; /* kopf: at the finest level, twice as many at each coarser one; pyramid: in all; 1 .. 1000 */
+    uint32_t side;   /* kopf: side of neighbourhoods, HATCH_SYNTHESIS_SIDE_MIN .. MAX pixels; smaller exemplars have
+                        smaller ones */
+    uint32_t levels; /* kopf: levels of detail at most, 1 .. HATCH_SYNTHESIS_LEVELS_MAX */
+    uint32_t
+        iterations;  /* kopf: at the finest level, four times as many at each coarser one; pyramid: in all; 1 .. 1000 */
     uint32_t axes;   /* kopf: slices across axis a look like the exemplar where bit a is set, 1 .. 7; two axes suit an
                         exemplar that no solid can look like along all three, such as stripes or bricks */
     bool exhaustive; /* kopf: compare with each neighbourhood of the exemplar, as a reference; slow */

@@ -43,6 +43,28 @@ START_TEST(the_exhaustive_method_places_strokes_on_paper)
 }
 END_TEST
 
+/* Of 40 dots, whose paths have no length, the one is chosen that is nearest to the brightest column. */
+START_TEST(the_exhaustive_method_places_dots_on_paper)
+{
+    struct hatch_canvas canvas;
+    static float texels[64 * 64], means[6][64 * 64];
+    float *pyramids[1][HATCH_MIP_LEVELS_MAX] = {{texels, means[0], means[1], means[2], means[3], means[4], means[5]}};
+    map_style(NULL, "jitter 0\ndirection 0 0 1\nlength 0 0\nwidth 4", &map);
+    const struct hatch_canvas_options options = {&map.style, &map.brush, 64, 1, false, false};
+    HATCH_TEST_OK(hatch_canvas_make(&options, &map_arena, &canvas, &map_err), &map_err);
+    for (uint32_t i = 0; i < 64 * 64; i++)
+        texels[i] = 1 - fabsf((float)(i % 64) - 31.5f) / 32;
+    for (uint64_t i = 0; i < 20; i++) {
+        const struct hatch_choice choice = choice_of(i, 0, 0);
+        struct hatch_stroke best = hatch_place_exhaustively(&canvas, pyramids, &choice);
+        float least = 1;
+        for (uint32_t c = 0; c < choice.candidates; c++)
+            least = fminf(least, fabsf(hatch_choice_candidate(&map.style, &choice, c).x - 0.5f));
+        ck_assert_float_le(fabsf(best.x - 0.5f), least + 0.04f);
+    }
+}
+END_TEST
+
 /* The paper is a sine wave along the strokes, so that the stroke whose middle is nearest to its crest adds most. */
 START_TEST(the_exhaustive_method_rates_the_whole_stroke)
 {
@@ -110,6 +132,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("exhaustive");
     tcase_add_checked_fixture(tests, map_begin, map_end);
     tcase_add_test(tests, the_exhaustive_method_places_strokes_on_paper);
+    tcase_add_test(tests, the_exhaustive_method_places_dots_on_paper);
     tcase_add_test(tests, the_exhaustive_method_rates_the_whole_stroke);
     tcase_add_loop_test(tests, the_exhaustive_method_rates_arcs_where_they_are_drawn, 0, 2);
     suite_add_tcase(suite, tests);
