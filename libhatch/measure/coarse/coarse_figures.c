@@ -9,15 +9,19 @@
 #define ROWS_MAX 400.0 /* rows of samples on a face, and samples of a row */
 #define RUN_MAX 16u    /* places whose nearest faces are listed together */
 #define RUN_MIN 8u
-#define BINS 4096u /* of the histogram of displacements */
+/* The histogram of displacements: bins of 1/256 pixel, and beyond these 64 to each octave. */
+#define FINE_BINS 4096u
 #define BINS_PER_PX 256.0
+#define FINE_PX (FINE_BINS / BINS_PER_PX)
+#define OCTAVE_BINS 64.0
+#define BINS (FINE_BINS + 24 * 64)
 #define PIECES 64u /* of the faces of a mesh: sums do not depend on the threads */
 #define DEGREES (180 / 3.14159265358979324)
 
 /* Sums over the samples of a piece of the faces. */
 struct sums {
     double largest, angle_deg;
-    uint64_t samples, bins[BINS];
+    uint64_t samples, angles, bins[BINS]; /* angles: samples at which both surfaces have a normal */
 };
 
 /* The samples of one mesh against another. */
@@ -31,8 +35,9 @@ struct survey {
     struct sums *sums; /* PIECES */
 };
 
-/* Returns the unit normal of a mesh at a place: of its vertices, or of the face where they have none. */
-static void normal_at(const struct hatch_mesh *mesh, uint32_t face, const double share[3], double normal[3])
+/* Finds the unit normal of a mesh at a place: of its vertices, or of the face where they have none. Returns false if
+ * there is none. */
+static bool normal_at(const struct hatch_mesh *mesh, uint32_t face, const double share[3], double normal[3])
 {
     const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     double corners[3][3];
@@ -47,7 +52,20 @@ static void normal_at(const struct hatch_mesh *mesh, uint32_t face, const double
             hatch_vec_add_scaled(normal, share[c], own, normal);
         }
     }
-    hatch_vec_normalize(normal);
+    return hatch_vec_normalize(normal) > 0;
+}
+
+static uint32_t bin_of(double px)
+{
+    if (px < FINE_PX)
+        return (uint32_t)(px * BINS_PER_PX);
+    return (uint32_t)fmin(FINE_BINS + OCTAVE_BINS * log2(px / FINE_PX), BINS - 1);
+}
+
+/* Returns the end of a bin, in pixels. */
+static double end_of(uint32_t bin)
+{
+    return bin < FINE_BINS ? (bin + 1) / BINS_PER_PX : FINE_PX * exp2((bin + 1 - FINE_BINS) / OCTAVE_BINS);
 }
 
 /* Raises a number to at least a value. The result does not depend on the order in which threads do so. */
@@ -103,15 +121,16 @@ static void add_sample(const struct survey *survey, const struct row *row, const
     pixels *= place.distance;
     sums->largest = fmax(sums->largest, pixels);
     sums->samples++;
-    sums->bins[pixels * BINS_PER_PX < BINS ? (uint32_t)(pixels * BINS_PER_PX) : BINS - 1]++;
+    sums->bins[bin_of(pixels)]++;
     if (survey->worst) {
         raise_to(&survey->worst[survey->from_full ? face : place.face],
                  (unsigned)fmin(ceil(pixels * HATCH_WORST_STEPS), 1e9));
         return;
     }
-    normal_at(survey->from, face, share, own);
-    normal_at(survey->onto, place.face, place.share, other);
+    if (!normal_at(survey->from, face, share, own) || !normal_at(survey->onto, place.face, place.share, other))
+        return;
     sums->angle_deg += DEGREES * acos(fmin(fmax(hatch_vec_dot(own, other), -1), 1));
+    sums->angles++;
 }
 
 /* Lists the faces near places `begin` to `end` of a row; `end` is not included. Returns false if they are too many. */
@@ -195,7 +214,7 @@ static double percentile(const struct sums *all, double share)
     for (uint32_t bin = 0; bin < BINS - 1; bin++) {
         below += all->bins[bin];
         if ((double)below >= share * (double)all->samples)
-            return fmin((bin + 1) / BINS_PER_PX, all->largest);
+            return fmin(end_of(bin), all->largest);
     }
     return all->largest;
 }
@@ -234,13 +253,14 @@ static enum hatch_status measure(const struct hatch_mesh *full, const struct hat
     for (uint32_t piece = 0; piece < 2 * PIECES; piece++) {
         all->largest = fmax(all->largest, sums[piece].largest);
         all->angle_deg += sums[piece].angle_deg;
+        all->angles += sums[piece].angles;
         all->samples += sums[piece].samples;
         for (uint32_t bin = 0; bin < BINS; bin++)
             all->bins[bin] += sums[piece].bins[bin];
     }
     *figures = (struct hatch_coarse_figures){.displacement_px = all->largest,
                                              .displacement_p999_px = percentile(all, 0.999),
-                                             .normal_deg = all->angle_deg / (double)all->samples};
+                                             .normal_deg = all->angles ? all->angle_deg / (double)all->angles : 0};
     return HATCH_OK;
 }
 

@@ -9,9 +9,10 @@
 
 struct hatch_coarse_figures {
     double displacement_px,
-        displacement_p999_px;           /* distance of one surface from the other: largest, 99.9th percentile */
+        displacement_p999_px;           /* distance of one surface from the other: largest, 99.9th percentile, which is
+                                           rounded up by 1/256 pixel or, over 16 pixels, by a hundredth */
     double outline_px, outline_p999_px; /* distance of one outline from the other */
-    double normal_deg;                  /* mean angle between the normals of both surfaces */
+    double normal_deg;                  /* mean angle between the normals of both surfaces, where both have one */
 };
 
 /* Measures two meshes, each sampled against the other. Their positions are those in the world relative to the centre of

@@ -50,6 +50,29 @@ START_TEST(a_mesh_does_not_differ_from_itself)
 }
 END_TEST
 
+/* A square that is raised by 20 pixels, and a vertex of it by one more. */
+START_TEST(a_percentile_is_below_the_largest_also_over_16_pixels)
+{
+    struct hatch_mesh full = square(80, 0, 0, 0), raised = square(80, 0, 0.4, 0);
+    raised.attributes[0].data[3 * (40 * 81 + 40) + 2] += 0.02f;
+    struct hatch_coarse_figures figures = figures_of(&full, &raised, NULL);
+    ck_assert_double_eq_tol(figures.displacement_px, 21, 0.01);
+    ck_assert(figures.displacement_p999_px >= 20 && figures.displacement_p999_px <= 20.25);
+}
+END_TEST
+
+/* A face without an area, whose three vertices lie in a row, has no normal to compare. */
+START_TEST(faces_without_area_have_no_angle)
+{
+    struct hatch_mesh mesh = square(2, 0, 0, 0);
+    uint32_t faces[27] = {[25] = 1, [26] = 2};
+    memcpy(faces, mesh.indices, 24 * sizeof *faces);
+    mesh.indices = faces;
+    mesh.face_count = 9;
+    ck_assert_double_le(figures_of(&mesh, &mesh, NULL).normal_deg, 1e-4);
+}
+END_TEST
+
 /* Fine and coarse squares, each in the place of the other: the distance is the same everywhere. */
 START_TEST(a_raised_square_is_displaced_by_its_height)
 {
@@ -248,6 +271,8 @@ static Suite *suite(void)
     TCase *tests = tcase_create("figures");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_mesh_does_not_differ_from_itself);
+    tcase_add_test(tests, a_percentile_is_below_the_largest_also_over_16_pixels);
+    tcase_add_test(tests, faces_without_area_have_no_angle);
     tcase_add_test(tests, a_raised_square_is_displaced_by_its_height);
     tcase_add_test(tests, large_faces_are_as_far_from_few_faces_as_from_many);
     tcase_add_test(tests, no_place_is_farther_than_half_way_between_two_walls);
