@@ -16,13 +16,8 @@ static enum hatch_status upload(const struct hatch_rptam_packed *packed, struct 
                             {packed->lists, 2 * sizeof *packed->lists * packed->list_count, GL_RG32I},
                             {packed->progress, sizeof packed->progress, GL_RG32F},
                             {packed->seed_numbers, sizeof *packed->seed_numbers * packed->seed_count, GL_R32UI}};
-    GLint limit;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
     size_t texels = packed->seed_count > packed->list_count ? packed->seed_count : packed->list_count;
-    if (texels > (size_t)limit)
-        return hatch_fail(err, HATCH_LIMIT,
-                          "too many strokes overlap: %zu entries in coverage lists, the GPU's limit is %d", texels,
-                          limit);
+    HATCH_TRY(gpu_check_texels(texels, "overlapping strokes", err));
     seeds->layers = gpu_buffer_make(&packed->block, sizeof packed->block);
     for (int i = 0; i < SEEDS_VIEWS; i++) {
         seeds->buffers[i] = gpu_buffer_make(views[i].data, views[i].size_bytes);

@@ -24,7 +24,7 @@ void frame_targets_begin(struct frame_targets *targets);
 enum hatch_status frame_target(struct frame_targets *targets, const struct gpu_target_form *form,
                                const struct gpu_target **target, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Makes a target available again before that. */
+/* Makes a target available again before the frame ends. NULL: nothing is done. */
 void frame_target_release(struct frame_targets *targets, const struct gpu_target *target);
 
 void frame_targets_free(struct frame_targets *targets);

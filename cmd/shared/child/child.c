@@ -18,7 +18,7 @@
 
 #include "shared/private.h"
 
-#define LIMIT_MOST_S 1e9 /* longer limits are none */
+#define LIMIT_MOST_S 1e9 /* longer limits are cut to this */
 
 extern char **environ;
 

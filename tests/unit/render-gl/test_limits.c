@@ -200,7 +200,7 @@ START_TEST(seeds_keep_to_the_largest_buffer)
     model_make(&(struct model_how){.tile_px = 100, .length_px = 30, .width_px = 6}, &frame.args.keep,
                &frame.args.scratch, &rptam);
     ck_assert_int_eq(upload_seeds(&rptam, 1), HATCH_LIMIT);
-    ck_assert_int_eq(sscanf(frame.err.text, "too many strokes overlap: %d entries", &entries), 1);
+    ck_assert_int_eq(sscanf(frame.err.text, "too many overlapping strokes: %d texels", &entries), 1);
     HATCH_TEST_OK(upload_seeds(&rptam, entries), &frame.err);
     ck_assert_int_eq(upload_seeds(&rptam, entries - 1), HATCH_LIMIT);
 }
