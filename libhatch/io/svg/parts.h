@@ -74,9 +74,10 @@ struct hatch_svg_style {
     bool capped;                         /* round or square caps: lines of length 0 are visible */
     bool invisible;                      /* visibility is hidden */
     bool undisplayed, own_undisplayed;   /* display is none: of the element or of a group around it; of itself */
-    bool incomplete;                     /* has a filter, a mask, a clipping path, or a transform that is not applied */
+    bool incomplete;                     /* has a filter, a mask, a clipping path, or other properties that are left out */
     struct hatch_text own_transform, own_origin; /* transform and transform-origin of the element; empty: none */
     bool own_box;                                /* of the element: its origin refers to another box than the page */
+    bool own_pen; /* of the element: its width is in units of the page (vector-effect: non-scaling-stroke) */
     struct hatch_svg_matrix matrix;              /* from user units to tiles */
 };
 
@@ -88,9 +89,16 @@ bool hatch_svg_is_any(struct hatch_text name, const char *const *list);
 enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text value, double page,
                                      struct hatch_svg_style *style, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Applies a list of declarations: "stroke:#000; stroke-width:2". */
-enum hatch_status hatch_svg_declarations(struct hatch_text declarations, double page, struct hatch_svg_style *style,
-                                         struct hatch_err *err) HATCH_MUST_USE;
+/* Replaces the comments of CSS by spaces.
+ *   text  out: a copy in arena, which ends with '\0' */
+enum hatch_status hatch_svg_blank_comments(struct hatch_text *text, struct hatch_arena *arena,
+                                           struct hatch_err *err) HATCH_MUST_USE;
+
+/* Applies a list of declarations: "stroke:#000; stroke-width:2". A declaration whose value is malformed or unknown is
+ * ignored (CSS 2.1, section 4.2); the style is incomplete then.
+ *   important  whether those that end with "!important" are applied, or the others */
+void hatch_svg_declarations(struct hatch_text declarations, double page, bool important,
+                            struct hatch_svg_style *style);
 
 /* A callback that receives a finished line, in tiles. */
 typedef enum hatch_status (*hatch_svg_finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);

@@ -80,7 +80,7 @@ static enum hatch_status add_stroke(void *context, struct hatch_path_builder *li
 {
     struct drawing *d = context;
     const struct hatch_svg_style *style = &d->styles[d->depth];
-    double width = style->width * scale_of(&style->matrix);
+    double width = style->width * scale_of(&d->styles[style->own_pen ? 0 : d->depth].matrix);
     float width_px = (float)(width * d->size_px);
     if (!(width_px > 0) || (line->count == 1 && !style->capped))
         return HATCH_OK;
@@ -127,9 +127,13 @@ static enum hatch_status apply_transform(struct drawing *d, struct hatch_text at
         style->incomplete = true;
         return style->own_transform.at == attribute.at ? HATCH_BAD_INPUT : HATCH_OK;
     }
+    bool shifts = own.a == 1 && own.b == 0 && own.c == 0 && own.d == 1; /* which is the same about every origin */
     bool placed = hatch_svg_lengths(style->own_origin, d->page, 3, at, &count, err) == HATCH_OK && count != 1;
-    style->incomplete |= !placed || style->own_box;
-    if (placed) {
+    if (!shifts && (!placed || style->own_box)) {
+        style->incomplete = true;
+        return HATCH_OK;
+    }
+    if (!shifts) {
         origin.e = at[0];
         origin.f = at[1];
         back.e = -at[0];
@@ -142,21 +146,27 @@ static enum hatch_status apply_transform(struct drawing *d, struct hatch_text at
 }
 
 /* Computes an element's style: its parent's, changed by attributes, then by style sheets, then by the style
- * attribute. */
+ * attribute, and by what is important in these two. */
 static enum hatch_status compute_style(struct drawing *d, const struct hatch_svg_node *node, struct hatch_err *err)
 {
     struct hatch_svg_style *style = &d->styles[d->depth];
     const char *const *attributes = node->attributes;
     *style = d->styles[d->depth - 1];
     style->own_opacity = 1;
-    style->own_undisplayed = style->own_box = false;
+    style->own_undisplayed = style->own_box = style->own_pen = false;
     style->own_transform = style->own_origin = (struct hatch_text){"", 0};
     for (const char *const *a = attributes; *a; a += 2)
         HATCH_TRY(hatch_svg_property((struct hatch_text){a[0], strlen(a[0])}, (struct hatch_text){a[1], strlen(a[1])},
                                      d->page, style, err));
     struct hatch_text attribute = style->own_transform;
-    HATCH_TRY(hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, style, err));
-    HATCH_TRY(hatch_svg_declarations(hatch_svg_attribute(attributes, "style"), d->page, style, err));
+    for (int important = 0; important < 2; important++) {
+        hatch_svg_sheet_apply(&d->sheet, node->name, attributes, d->page, important, style);
+        hatch_svg_declarations(hatch_svg_attribute(attributes, "style"), d->page, important, style);
+    }
+    if (style->dashes.length && hatch_svg_attribute(attributes, "pathLength").length) {
+        style->dashes.length = 0;
+        style->incomplete = true;
+    }
     style->opacity *= style->own_opacity;
     style->undisplayed = style->undisplayed || style->own_undisplayed;
     return apply_transform(d, attribute, err);

@@ -24,10 +24,9 @@ static void skip_blanks(struct hatch_text *text)
         skip(text, 1);
 }
 
-/* Replaces comments by spaces. */
-static enum hatch_status blank_comments(struct hatch_text *text, struct hatch_arena *arena, struct hatch_err *err)
+enum hatch_status hatch_svg_blank_comments(struct hatch_text *text, struct hatch_arena *arena, struct hatch_err *err)
 {
-    char *made = HATCH_NEW(arena, char, text->length, err);
+    char *made = HATCH_NEW(arena, char, text->length + 1, err);
     bool comment = false;
     size_t begin = 0;
     if (!made)
@@ -82,16 +81,18 @@ static bool take_part(struct hatch_text *selector, char *kind, struct hatch_text
     return name->length > 0;
 }
 
-/* Returns the specificity of a selector; 0 if it has combinators or pseudo-classes, which are not supported. */
+/* Returns the specificity of a selector, and 1 more; 0 if it has combinators or pseudo-classes, which are not
+ * supported. */
 static uint32_t specificity_of(struct hatch_text selector)
 {
-    uint32_t specificity = 0;
+    uint32_t specificity = selector.length > 0;
     char kind;
     struct hatch_text name;
     for (bool first = true; selector.length; first = false) {
         if (!take_part(&selector, &kind, &name) || (!kind && !first))
             return 0;
-        specificity += kind == '#' ? SPECIFICITY_ID : kind == '.' ? SPECIFICITY_CLASS : 1;
+        bool any = !kind && hatch_text_is(name, "*");
+        specificity += kind == '#' ? SPECIFICITY_ID : kind == '.' ? SPECIFICITY_CLASS : any ? 0 : 1;
     }
     return specificity;
 }
@@ -109,17 +110,30 @@ static enum hatch_status add_rule(struct hatch_svg_sheet *sheet, const struct ha
     return HATCH_OK;
 }
 
+/* Removes the text before the first character that is one of ends and is in no string and in no parentheses. */
+static void skip_until(struct hatch_text *text, const char *ends)
+{
+    char closing = 0; /* of the string or the parentheses; 0: outside */
+    for (; text->length && (closing || !*text->at || !strchr(ends, *text->at)); skip(text, 1)) {
+        char c = *text->at;
+        if (closing)
+            closing = c == closing ? 0 : closing;
+        else if (c == '"' || c == '\'' || c == '(')
+            closing = c == '(' ? ')' : c;
+    }
+}
+
 /* Skips an at-rule, up to its semicolon or closing brace. */
 static void skip_at_rule(struct hatch_text *text)
 {
     uint32_t depth = 0;
-    take_until(text, ";{");
+    skip_until(text, ";{");
     do {
         if (text->length)
             depth += *text->at == '{' ? 1u : *text->at == '}' ? UINT32_MAX : 0u;
         skip(text, text->length > 0);
         if (depth)
-            take_until(text, "{}");
+            skip_until(text, "{}");
     } while (depth && text->length);
 }
 
@@ -145,7 +159,7 @@ enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_aren
                                        struct hatch_err *err)
 {
     struct hatch_svg_sheet made = {0};
-    HATCH_TRY(blank_comments(&text, arena, err));
+    HATCH_TRY(hatch_svg_blank_comments(&text, arena, err));
     skip_blanks(&text);
     if (text.length && !(made.rules = HATCH_NEW(arena, struct hatch_svg_rule, HATCH_SVG_RULES_MAX, err)))
         return HATCH_LIMIT;
@@ -184,13 +198,11 @@ static bool matches(struct hatch_text selector, const char *element, struct hatc
     return true;
 }
 
-enum hatch_status hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element,
-                                        const char *const *attributes, double page, struct hatch_svg_style *style,
-                                        struct hatch_err *err)
+void hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element, const char *const *attributes,
+                           double page, bool important, struct hatch_svg_style *style)
 {
     struct hatch_text classes = hatch_svg_attribute(attributes, "class"), id = hatch_svg_attribute(attributes, "id");
     for (uint32_t i = 0; i < sheet->count; i++)
         if (matches(sheet->rules[i].selector, element, classes, id))
-            HATCH_TRY(hatch_svg_declarations(sheet->rules[i].declarations, page, style, err));
-    return HATCH_OK;
+            hatch_svg_declarations(sheet->rules[i].declarations, page, important, style);
 }

@@ -10,7 +10,7 @@
 /* A selector with its declarations. */
 struct hatch_svg_rule {
     struct hatch_text selector, declarations;
-    uint32_t specificity; /* specificity of CSS 2.1, section 6.4.3, as one number */
+    uint32_t specificity; /* 1, and the specificity of CSS 2.1, section 6.4.3, as one number */
 };
 
 struct hatch_svg_sheet {
@@ -26,9 +26,9 @@ enum hatch_status hatch_svg_sheet_read(struct hatch_text text, struct hatch_aren
                                        struct hatch_err *err) HATCH_MUST_USE;
 
 /* Applies all rules that match an element to its style.
- *   page  side of the page in user units, for percentages */
-enum hatch_status hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element,
-                                        const char *const *attributes, double page, struct hatch_svg_style *style,
-                                        struct hatch_err *err) HATCH_MUST_USE;
+ *   page       side of the page in user units, for percentages
+ *   important  as for hatch_svg_declarations */
+void hatch_svg_sheet_apply(const struct hatch_svg_sheet *sheet, const char *element, const char *const *attributes,
+                           double page, bool important, struct hatch_svg_style *style);
 
 #endif

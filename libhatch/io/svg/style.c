@@ -92,8 +92,6 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
 {
     static const char *const left_out[] = {"filter", "mask", "clip-path", "translate", "rotate", "scale", NULL};
     value = trimmed(value);
-    if (value.length > 10 && memcmp(value.at + value.length - 10, "!important", 10) == 0)
-        value = trimmed((struct hatch_text){value.at, value.length - 10});
     if (value.length == 0 || hatch_text_is(value, "inherit") || hatch_text_is(value, "unset"))
         return HATCH_OK;
     if (hatch_text_is(name, "stroke"))
@@ -126,13 +124,29 @@ enum hatch_status hatch_svg_property(struct hatch_text name, struct hatch_text v
         style->own_transform = is_none(value) ? (struct hatch_text){"", 0} : value;
     if (hatch_text_is(name, "transform-origin"))
         style->own_origin = value;
+    if (hatch_text_is(name, "vector-effect"))
+        style->own_pen = hatch_text_is(value, "non-scaling-stroke");
     if (hatch_text_is(name, "transform-box"))
         style->own_box = !hatch_text_is(value, "view-box");
     return HATCH_OK;
 }
 
-enum hatch_status hatch_svg_declarations(struct hatch_text rest, double page, struct hatch_svg_style *style,
-                                         struct hatch_err *err)
+/* Removes "!important" from the end of a value. Returns whether it was there. */
+static bool take_important(struct hatch_text *value)
+{
+    static const char word[] = "important";
+    const size_t length = sizeof word - 1;
+    struct hatch_text rest = trimmed(*value);
+    if (rest.length <= length || memcmp(rest.at + rest.length - length, word, length) != 0)
+        return false;
+    rest = trimmed((struct hatch_text){rest.at, rest.length - length});
+    if (rest.length == 0 || rest.at[rest.length - 1] != '!')
+        return false;
+    *value = (struct hatch_text){rest.at, rest.length - 1};
+    return true;
+}
+
+void hatch_svg_declarations(struct hatch_text rest, double page, bool important, struct hatch_svg_style *style)
 {
     while (rest.length) {
         const char *end = memchr(rest.at, ';', rest.length);
@@ -145,7 +159,13 @@ enum hatch_status hatch_svg_declarations(struct hatch_text rest, double page, st
         size_t name_length = (size_t)(colon - declaration.at);
         struct hatch_text name = trimmed((struct hatch_text){declaration.at, name_length});
         struct hatch_text value = {colon + 1, declaration.length - name_length - 1};
-        HATCH_TRY(hatch_svg_property(name, value, page, style, err));
+        struct hatch_svg_style changed = *style;
+        struct hatch_err err;
+        if (take_important(&value) != important)
+            continue;
+        if (hatch_svg_property(name, value, page, &changed, &err) == HATCH_OK)
+            *style = changed;
+        else
+            style->incomplete = true;
     }
-    return HATCH_OK;
 }

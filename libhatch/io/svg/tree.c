@@ -48,15 +48,25 @@ static const char *keep_text(struct reading *r, const char *text)
     return hatch_arena_text(r->arena, text, strlen(text), r->err);
 }
 
+/* Keeps a style attribute, whose comments become spaces. */
+static const char *keep_declarations(struct reading *r, const char *text)
+{
+    struct hatch_text kept = {text, strlen(text)};
+    return hatch_svg_blank_comments(&kept, r->arena, r->err) == HATCH_OK ? kept.at : NULL;
+}
+
 static const char *const *keep_attributes(struct reading *r, const char *const *attributes)
 {
     size_t count = 0;
     while (attributes[count])
         count++;
     const char **kept = HATCH_NEW(r->arena, const char *, count + 1, r->err);
-    for (size_t i = 0; kept && i < count; i++)
-        if (!(kept[i] = keep_text(r, attributes[i])))
+    for (size_t i = 0; kept && i < count; i++) {
+        bool style = i % 2 && strcmp(attributes[i - 1], "style") == 0;
+        kept[i] = style ? keep_declarations(r, attributes[i]) : keep_text(r, attributes[i]);
+        if (!kept[i])
             return NULL;
+    }
     return kept;
 }
 

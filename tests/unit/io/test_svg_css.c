@@ -22,6 +22,9 @@ static const struct {
     {"stroke='currentColor' color='#0000ff80'", {0, 0, 1}, 128 / 255.0f},
     {"style='stroke:currentcolor;color:lime'", {0, 1, 0}, 1},
     {"stroke='lime' style='stroke:unset'", {0, 1, 0}, 1},
+    {"style='/* ink: */stroke:/*;*/lime'", {0, 1, 0}, 1},
+    {"style='stroke:lime!important;stroke:red'", {0, 1, 0}, 1},
+    {"style='stroke:lime ! important; stroke:red'", {0, 1, 0}, 1},
 };
 
 START_TEST(strokes_have_the_colour_and_the_alpha)
@@ -33,6 +36,66 @@ START_TEST(strokes_have_the_colour_and_the_alpha)
     for (int c = 0; c < 3; c++)
         ck_assert_float_eq_tol(hatch_linear_to_srgb(list.items[0].rgb[c]), strokes[_i].rgb[c], 1e-4f);
     ck_assert_float_eq_tol(list.items[0].tone, strokes[_i].tone, 1e-6f);
+}
+END_TEST
+
+/* Each draws its path in lime. */
+static const char *const sheets[] = {
+    "path{stroke:lime}*{stroke:red}",
+    "*{stroke:lime}",
+    ".a{stroke:lime!important}#b{stroke:red}",
+    ".a{stroke:lime!important}path.a{stroke:red!important}*.a{stroke:lime}path.a{stroke:lime!important}",
+    "@import url('https://a.example/css?family=R:wght@400;700');.a{stroke:lime}",
+    "@import 'a;b{';.a{stroke:lime}",
+    "@media (min-width:1px){.a{stroke:red}i:before{content:'}'}}.a{stroke:lime}",
+};
+
+START_TEST(sheets_cascade)
+{
+    char text[300];
+    snprintf(text, sizeof text, "<style>%s</style><path id='b' class='a' d='M0 0 9 9'/>", sheets[_i]);
+    read_page(text);
+    ck_assert_uint_eq(list.count, 1);
+    ck_assert_msg(list.items[0].rgb[0] == 0 && list.items[0].rgb[1] == 1, "%s", sheets[_i]);
+}
+END_TEST
+
+/* CSS 2.1, section 4.2: a declaration with an unknown value is ignored. */
+START_TEST(unknown_values_in_css_are_ignored_and_counted)
+{
+    static const char *const values[] = {"stroke:light-dark(red, blue)", "stroke:var(--ink)", "stroke-width:1rem",
+                                         "stroke-width:-1",              "opacity:calc(1)",   "stroke-dashoffset:1rem"};
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+        char text[300];
+        snprintf(text, sizeof text, "<path stroke='lime' stroke-width='2' style='%s' d='M0 0 9 9'/>", values[i]);
+        read_page(text);
+        ck_assert_msg(list.count == 1 && list.items[0].rgb[1] == 1 && notes.others == 1, "%s", values[i]);
+        snprintf(text, sizeof text, "<style>.a{stroke:lime}path.a{%s}</style><path class='a' d='M0 0 9 9'/>", values[i]);
+        read_page(text);
+        ck_assert_msg(list.count == 1 && list.items[0].rgb[1] == 1 && notes.others == 1, "%s", values[i]);
+    }
+}
+END_TEST
+
+START_TEST(widths_do_not_scale_where_it_is_said)
+{
+    read_page("<g stroke='red' transform='scale(10)'><path stroke-width='.2' d='M1 1 2 2'/>"
+              "<path stroke-width='2' vector-effect='non-scaling-stroke' d='M1 1 2 2'/>"
+              "<g vector-effect='non-scaling-stroke'><path stroke-width='.2' d='M1 1 2 2'/></g></g>");
+    ck_assert_uint_eq(list.count, 3);
+    for (uint32_t i = 1; i < 3; i++)
+        ck_assert_float_eq_tol(list.items[i].width_px, list.items[0].width_px, 1e-5f);
+}
+END_TEST
+
+/* Dashes in other units than the page's are left out: the idiom of drawings that draw themselves is one long dash. */
+START_TEST(dashes_in_units_of_the_path_are_left_out)
+{
+    read_page("<path stroke='red' pathLength='1' stroke-dasharray='1' d='M10 50H90'/>");
+    ck_assert_uint_eq(list.count, 1);
+    ck_assert_uint_eq(notes.others, 1);
+    read_page("<path stroke='red' pathLength='1' d='M10 50H90'/>");
+    ck_assert_uint_eq(notes.others, 0);
 }
 END_TEST
 
@@ -103,6 +166,7 @@ static const char *const transforms[] = {
     "<path style='transform:rotate(90deg);transform-origin:30px 40px' d='M10 60 50 20'/>",
     "<path transform='scale(.5)' transform-origin='30 40' d='M-10 0 70 80'/>",
     "<path style='transform-origin:center' d='M10 20 50 60'/>",
+    "<path style='transform:translate(10px,20px);transform-origin:center' d='M0 0 40 40'/>",
 };
 
 START_TEST(transforms_in_css_are_applied)
@@ -118,8 +182,8 @@ START_TEST(transforms_that_are_not_applied_are_counted)
     static const char *const styles[] = {"transform:translate3d(1px,2px,3px)",
                                          "transform:rotate(5px)",
                                          "transform:translate(5deg)",
-                                         "transform:rotate(0deg);transform-origin:center",
-                                         "transform:rotate(0deg);transform-box:fill-box",
+                                         "transform:rotate(90deg);transform-origin:center",
+                                         "transform:rotate(90deg);transform-box:fill-box",
                                          "translate:5px",
                                          "rotate:90deg",
                                          "scale:2"};
@@ -141,6 +205,10 @@ static Suite *suite(void)
     TCase *tests = tcase_create("svg_css");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, strokes_have_the_colour_and_the_alpha, 0, sizeof strokes / sizeof *strokes);
+    tcase_add_loop_test(tests, sheets_cascade, 0, sizeof sheets / sizeof *sheets);
+    tcase_add_test(tests, unknown_values_in_css_are_ignored_and_counted);
+    tcase_add_test(tests, widths_do_not_scale_where_it_is_said);
+    tcase_add_test(tests, dashes_in_units_of_the_path_are_left_out);
     tcase_add_test(tests, transparent_strokes_are_not_drawn);
     tcase_add_test(tests, malformed_strokes_are_refused);
     tcase_add_test(tests, fills_in_any_syntax_are_counted);
