@@ -25,7 +25,7 @@ struct targets {
     uint32_t job_count;
     struct hatch_surface_groups *groups; /* per job: the points of each vertex, or of each position */
     struct hatch_surface_points *points; /* per job that the scene shows; NULL when rows name vertices */
-    bool renumbered;                     /* vertices have other numbers than in the file */
+    uint64_t vertices;                   /* as for dirfield_read_constraints */
 };
 
 static enum hatch_status parse_header(struct hatch_text line, struct header *header, struct hatch_err *err)
@@ -80,17 +80,22 @@ static enum hatch_status parse_row(struct hatch_text line, const struct header *
     return HATCH_OK;
 }
 
+uint32_t dirfield_vertex_count(const struct hatch_scene_mesh *mesh)
+{
+    return mesh->numbers ? mesh->numbers_end : mesh->file_vertices;
+}
+
 /* Finds the points of a vertex.
  *   job      out: number of the job
  *   vertex   in: in the file; out: in the mesh of the job */
 static enum hatch_status find_vertex(const struct targets *targets, double number, uint32_t row, uint32_t *job,
                                      uint32_t *vertex, struct hatch_err *err)
 {
-    double end = 0;
+    const double end = (double)targets->vertices;
     for (*job = 0; *job < targets->job_count; ++*job) {
-        double first = (double)targets->jobs[*job].mesh->file_first;
-        end = first + targets->jobs[*job].mesh->file_vertices;
-        if (number >= first && number < end && number == floor(number)) {
+        const struct hatch_scene_mesh *mesh = targets->jobs[*job].mesh;
+        double first = (double)mesh->file_first;
+        if (number >= first && number < first + dirfield_vertex_count(mesh) && number == floor(number)) {
             const uint32_t *points = targets->groups[*job].first;
             *vertex = (uint32_t)(number - first);
             if (points[*vertex] < points[*vertex + 1])
@@ -191,7 +196,7 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
     } else {
         if (!find_nearest(targets, &values[X], &job, &pose, &at))
             return hatch_fail(err, HATCH_BAD_INPUT,
-                              "line %u: no node of the scene has a mesh; use the column vertex instead of x y z", row);
+                              "line %u: no node of the scene shows a mesh in its size; use the column vertex instead of x y z", row);
         made.pose = pose;
         at = targets->groups[job].group[at];
     }
@@ -203,9 +208,11 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
 static enum hatch_status map_vertices(struct cmd_args *args, struct targets *targets, struct hatch_err *err)
 {
     HATCH_TRY(HATCH_ALLOC(&args->scratch, &targets->groups, targets->job_count, err));
-    for (uint32_t i = 0; i < targets->job_count; i++)
-        HATCH_TRY(hatch_surface_group_points(targets->jobs[i].surface, NULL, targets->jobs[i].mesh->mesh.vertex_count,
+    for (uint32_t i = 0; i < targets->job_count; i++) {
+        const struct hatch_scene_mesh *mesh = targets->jobs[i].mesh;
+        HATCH_TRY(hatch_surface_group_points(targets->jobs[i].surface, mesh->numbers, dirfield_vertex_count(mesh),
                                              &args->keep, &targets->groups[i], err));
+    }
     return HATCH_OK;
 }
 
@@ -239,7 +246,7 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
             continue;
         if (header.columns == 0) {
             HATCH_TRY(parse_header(line, &header, err));
-            if (header.column_of[VERTEX] >= 0 && targets->renumbered)
+            if (header.column_of[VERTEX] >= 0 && targets->vertices == 0)
                 return hatch_fail(
                     err, HATCH_BAD_INPUT,
                     "line %u: --needs gives vertices other numbers: use x y z instead of the column vertex", row);
@@ -252,11 +259,11 @@ static enum hatch_status parse(struct cmd_args *args, struct hatch_bytes text, s
     return header.columns ? HATCH_OK : hatch_fail(err, HATCH_BAD_INPUT, "no header line; " WANTED_COLUMNS);
 }
 
-void dirfield_read_constraints(struct cmd_args *args, const char *path, bool renumbered, struct dirfield_job *jobs,
+void dirfield_read_constraints(struct cmd_args *args, const char *path, uint64_t vertices, struct dirfield_job *jobs,
                                uint32_t count)
 {
     struct hatch_err err;
-    struct targets targets = {.jobs = jobs, .job_count = count, .renumbered = renumbered};
+    struct targets targets = {.jobs = jobs, .job_count = count, .vertices = vertices};
     struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
     cmd_check(parse(args, cmd_read(args, path), &targets, &err), cmd_input_name(path), &err);
     hatch_arena_rewind(&args->scratch, mark);

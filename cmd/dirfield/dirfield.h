@@ -85,9 +85,13 @@ double dirfield_least_scale(const struct dirfield_pose *pose);
 double dirfield_to_tangent(const struct dirfield_pose *pose, const double direction[3], const double normal[3],
                            double tangent[3]);
 
+/* Returns the number of vertices that a mesh has in its file. */
+uint32_t dirfield_vertex_count(const struct hatch_scene_mesh *mesh);
+
 /* Reads a table of constraints and adds each to its job. Dies on failure.
- *   renumbered  vertices have other numbers than in the file: rows that name some are refused */
-void dirfield_read_constraints(struct cmd_args *args, const char *path, bool renumbered, struct dirfield_job *jobs,
+ *   vertices  that all meshes of the file have; 0: vertices have other numbers than there, and rows that name some are
+ *             refused */
+void dirfield_read_constraints(struct cmd_args *args, const char *path, uint64_t vertices, struct dirfield_job *jobs,
                                uint32_t count);
 
 /* Computes the field and the singularities of a mesh. Dies on failure. */

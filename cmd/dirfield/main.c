@@ -92,7 +92,7 @@ static void read_options(struct dirfield_options *parsed)
                   .tolerance = method == HATCH_FIELD_HZ ? DESCENT_TOLERANCE : CMD_FIELD_TOLERANCE,
                   .iterations_max = CMD_FIELD_ITERATIONS},
     };
-    snprintf(parsed->comment, sizeof parsed->comment, "dirfield --method %s --smooth %g --direction %s",
+    snprintf(parsed->comment, sizeof parsed->comment, "dirfield --method %s --smooth %.9g --direction %s",
              method_choices[method], smooth, direction);
 }
 

@@ -10,6 +10,7 @@ struct run {
     const char *input;
     struct cmd_file *files;
     struct hatch_scene scene;
+    uint64_t vertices; /* that all meshes of the file have */
     struct dirfield_job *jobs;
     struct dirfield_report report;
     struct dirfield_arrows arrows;
@@ -20,8 +21,10 @@ struct run {
 static void make_jobs(struct run *run)
 {
     struct hatch_err err;
-    for (uint32_t i = 1; i < run->scene.mesh_count; i++) /* before meshes without an area are left out */
-        run->scene.meshes[i].file_first = run->scene.meshes[i - 1].file_first + run->scene.meshes[i - 1].file_vertices;
+    for (uint32_t i = 0; i < run->scene.mesh_count; i++) { /* before meshes without an area are left out */
+        run->scene.meshes[i].file_first = run->vertices;
+        run->vertices += dirfield_vertex_count(&run->scene.meshes[i]);
+    }
     const struct hatch_surface *surfaces = cmd_make_surfaces(run->args, run->input, &run->scene);
     uint32_t count = run->scene.mesh_count;
     cmd_check(HATCH_ALLOC(&run->args->keep, &run->jobs, count, &err), NULL, &err);
@@ -126,7 +129,8 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     make_jobs(&run);
     double surfaces_ms = cmd_elapsed_ms() - begun_ms;
     if (options->constraints)
-        dirfield_read_constraints(args, options->constraints, options->needs, run.jobs, run.scene.mesh_count);
+        dirfield_read_constraints(args, options->constraints, options->needs ? 0 : run.vertices, run.jobs,
+                                  run.scene.mesh_count);
     begin_reports(&run);
     for (uint32_t i = 0; i < run.scene.mesh_count; i++)
         process(&run, &run.jobs[i]);

@@ -55,9 +55,11 @@ static enum hatch_status estimate(struct cmd_args *args, const struct dirfield_o
     fits.pool = cmd_pool(args);
     if (!(options->coarse_faces > 0))
         return hatch_curvature_estimate(job->surface, &job->frames, &fits, &job->work, &args->scratch, curvature, err);
-    struct hatch_mesh coarse;
-    uint32_t faces = (uint32_t)fmax(1, round(options->coarse_faces * job->share));
-    HATCH_TRY(hatch_mesh_decimate(&job->mesh->mesh, faces, &job->work, &args->scratch, &coarse, NULL, err));
+    struct hatch_mesh repaired, coarse;
+    uint32_t *vertex_point, faces = (uint32_t)fmax(1, round(options->coarse_faces * job->share));
+    HATCH_TRY(hatch_surface_to_mesh(job->surface, &job->mesh->mesh, &job->work, &args->scratch, &repaired,
+                                    &vertex_point, err));
+    HATCH_TRY(hatch_mesh_decimate(&repaired, faces, &job->work, &args->scratch, &coarse, NULL, err));
     return hatch_curvature_coarse(job->surface, &job->frames, &coarse, &job->work, &args->scratch, curvature, err);
 }
 

@@ -85,7 +85,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     for (uint32_t n = 0; n < scene.node_count; n++)
         for (uint32_t m = 0; m < scene.nodes[n].mesh_count; m++) {
             const struct hatch_scene_mesh *part = &scene.meshes[scene.nodes[n].first_mesh + m];
-            added += part->mesh.vertex_count - part->file_vertices;
+            added += part->mesh.vertex_count > part->file_vertices ? part->mesh.vertex_count - part->file_vertices : 0;
         }
     report_row(report, name, figures.vertices - added, origin, &figures);
     /* Warns of the faults that a command that cleans its input would repair. */

@@ -38,6 +38,7 @@ void cmd_attach_field(struct cmd_args *args, const char *name, const struct hatc
     mesh->mesh = made;
     mesh->curves = (struct hatch_curves){0}; /* they lie on the old faces */
     mesh->file_vertices = made.vertex_count;
+    mesh->numbers = NULL;
     mesh->had_normals = true;
 }
 

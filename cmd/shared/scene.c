@@ -155,7 +155,7 @@ static void warn_library(const char *path, const char *library)
     const char *slash = strrchr(path, '/');
     if (!library)
         return;
-    snprintf(joined, sizeof joined, "%.*s%s", slash ? (int)(slash - path) + 1 : 0, path, library);
+    snprintf(joined, sizeof joined, "%.*s%s", slash && library[0] != '/' ? (int)(slash - path) + 1 : 0, path, library);
     if (access(joined, F_OK) != 0)
         cmd_warn(path, "material library %s does not exist: materials of OBJ files are not used", library);
 }
@@ -170,6 +170,7 @@ void cmd_add_normals(struct cmd_args *args, const char *name, struct hatch_scene
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &mesh->mesh, CMD_CREASE_RAD, &err), name, &err);
         mesh->had_normals = true;
         mesh->file_vertices = mesh->mesh.vertex_count;
+        mesh->numbers = NULL;
     }
 }
 
@@ -214,6 +215,7 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
         const uint32_t apart = notes->vertices_apart; /* of the files before */
         double origin[3];
         notes->library = NULL;
+        notes->numbers = NULL;
         cmd_check(hatch_mesh_read((struct hatch_mesh_file){file, format}, &args->keep, &args->scratch, &mesh, origin,
                                   notes, &err),
                   name, &err);
@@ -224,6 +226,10 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
             scene->nodes[0].translation[k] = (float)origin[k];
         if (is_file(path))
             warn_library(path, notes->library);
+        if (care == CMD_SCENE_AS_IS) {
+            scene->meshes[0].numbers = notes->numbers;
+            scene->meshes[0].numbers_end = notes->numbers_end;
+        }
         scene->up_undefined = true;
         scene->meshes[0].is_soup = format == HATCH_MESH_STL;
         if (scene->meshes[0].is_soup)

@@ -87,15 +87,20 @@ void hatch_curvature_for_each(const struct hatch_curvature_run *run, uint32_t co
     hatch_parallel_for(run->options->pool, run->workers, run_batch, &batch);
 }
 
-/* Estimates a point over a fixed support. */
+/* Estimates a point over a support of a fixed radius, or of the least larger one that holds enough points. */
 static void estimate_point(void *context, uint32_t p, struct hatch_support *support)
 {
     const struct hatch_curvature_run *run = context;
-    uint32_t degree = hatch_curvature_degree(run);
+    uint32_t degree = hatch_curvature_degree(run), terms;
     struct hatch_jet_frame frame = {.radius = run->options->radius};
     struct hatch_jet_system system;
-    hatch_curvature_fit(support, p, &run->graph.normals[(size_t)p * 3], run->options->radius, degree, &frame, &system);
-    uint32_t terms = hatch_jet_terms(system.degree);
+    double radius = run->options->radius;
+    bool fits = false;
+    for (int attempt = 0; attempt < ATTEMPTS_MAX && !fits; attempt++, radius *= RADIUS_GROWTH) {
+        hatch_curvature_fit(support, p, &run->graph.normals[(size_t)p * 3], radius, degree, &frame, &system);
+        terms = hatch_jet_terms(system.degree);
+        fits = (system.degree > 0 && system.count > terms) || !support->cut;
+    }
     if (system.degree == 0 || system.count <= terms) {
         hatch_curvature_store(run, p, NULL, NULL, frame.radius);
         return;

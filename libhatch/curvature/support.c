@@ -57,6 +57,7 @@ bool hatch_support_gather(struct hatch_support *support, uint32_t center, const 
     int8_t *restrict sides = support->sides;
     double *restrict x = support->offsets[0], *restrict y = support->offsets[1], *restrict z = support->offsets[2];
     uint32_t walk = ++support->walk, count = 0, reached = 1;
+    bool cut = false;
     visited[center] = walk;
     points[0] = center;
     sides[0] = 1;
@@ -67,8 +68,10 @@ bool hatch_support_gather(struct hatch_support *support, uint32_t center, const 
         hatch_vec_sub(&positions[(size_t)p * 3], origin, offset);
         bool near = hatch_vec_dot(offset, offset) <= square;
         bool aligned = hatch_vec_dot(&normals[(size_t)p * 3], axis) * side >= normal_cosine_min;
-        if (next > 0 && !(near & aligned))
+        if (next > 0 && !(near & aligned)) {
+            cut |= aligned;
             continue;
+        }
         points[count] = p;
         sides[count] = side;
         x[count] = offset[0];
@@ -84,6 +87,7 @@ bool hatch_support_gather(struct hatch_support *support, uint32_t center, const 
         }
     }
     support->count = count;
+    support->cut = cut;
     return count >= count_max;
 }
 

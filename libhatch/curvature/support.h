@@ -14,6 +14,7 @@ struct hatch_support {
     uint32_t *visited;        /* per point: number of the last walk that reached it */
     uint32_t walk;            /* number of the current walk */
     uint32_t count;
+    bool cut;           /* it ends at the radius: points beyond were reached whose normals satisfy normal_cosine_min */
     uint32_t *points;   /* of the support, in breadth-first order; the first is the center */
     int8_t *sides;      /* per entry of points: -1 where the point's outside is not that of the center, else 1 */
     double *offsets[3]; /* x, y, z per entry of points: from the center */

@@ -62,6 +62,8 @@ struct hatch_mesh_notes {
     uint32_t weights_wrong;     /* vertices whose joint weights do not add up to 1 */
     uint32_t nodes_flat;        /* nodes with meshes and a scale of 0 */
     const char *library;        /* OBJ: name of the first material library, in the mesh's arena; NULL: none */
+    const uint32_t *numbers;    /* OBJ, PLY: per vertex, its number in the file, in the mesh's arena; NULL: its index */
+    uint32_t numbers_end;       /* with numbers: 1 more than the highest that a vertex of the file has */
     uint32_t images_missing;    /* glTF: images that could not be read; their materials are used without them */
     char image_missing[HATCH_MESH_NAME_MAX]; /* name of the first of them */
     /* Parts of a glTF that its scene does not have, and that are therefore missing in a file written from it. */

@@ -77,7 +77,10 @@ struct hatch_scene_mesh {
     uint32_t material;          /* index, or HATCH_NONE */
     uint32_t joints_used;       /* largest index of a joint in the file plus 1; 0 without joints */
     uint32_t file_vertices;     /* vertices in the file; computing flat normals may have duplicated some */
-    uint64_t file_first;        /* number of the first of these, counted through all meshes of the file; for dirfield */
+    const uint32_t *numbers;    /* per vertex, its number in the file, where copies have that of their original; NULL:
+                                   its index */
+    uint32_t numbers_end;       /* with numbers: 1 more than the highest that a vertex of the file has */
+    uint64_t file_first;        /* number of the first vertex, counted through all meshes of the file; for dirfield */
     bool had_texcoords;         /* the file has TEXCOORD_0 */
     bool had_normals;           /* the file has NORMAL; else normals were computed from the faces */
     bool normals_computed;      /* NORMAL, if the mesh has it, follows from the faces, and tells nothing else: the file

@@ -37,6 +37,26 @@ for how in '--method hz' '--solver cholesky' '--radius 2 --degree 2' '--coarse 5
         "$status $(hatchstat field how.glb --reference max.glb | column deg_p50 | awk '{print ($1 < 8)}')" "0 1"
 done
 
+for radius in 0.5 0.7 1; do
+    dirfield torus.glb --radius $radius -o how.glb
+    is "--radius $radius, which holds too few points, is enlarged" "$(angle how.glb true.glb | awk '{print ($1 < 1)}')" 1
+done
+# With --coarse, too, a mesh is repaired first: here, every second face is the other way round.
+awk 'BEGIN {
+    print "OFF\n5000 10000 0"
+    for (i = 0; i < 100; i++) for (j = 0; j < 50; j++) {
+        u = 6.2831853 * i / 100; v = 6.2831853 * j / 50
+        print (1 + .4 * cos(v)) * cos(u), (1 + .4 * cos(v)) * sin(u), .4 * sin(v)
+    }
+    for (i = 0; i < 100; i++) for (j = 0; j < 50; j++) {
+        a = 50 * i + j; b = 50 * ((i + 1) % 100) + j; c = 50 * ((i + 1) % 100) + (j + 1) % 50; d = 50 * i + (j + 1) % 50
+        print 3, a, b, c "\n" 3, a, c, d
+    }}' >large.off
+awk 'NF == 4 && $1 == 3 && ++n % 2 {print 3, $2, $4, $3; next} {print}' large.off >turned.off
+dirfield -q large.off --coarse 500 -o large.glb
+dirfield -q turned.off --coarse 500 -o mended.glb
+is "the same field where faces disagree" "$(angle mended.glb large.glb | awk '{print ($1 < 1)}')" 1
+
 meshgen ellipsoid --jitter 1 --noise 0.1 -o noisy.glb
 dirfield -q noisy.glb >here.glb
 GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX,-FMA4,-AVX2_Usable,-FMA_Usable dirfield -q noisy.glb >there.glb
@@ -120,6 +140,12 @@ is "vertices behind a mesh that is left out" \
 printf 'vertex\tdx\tdy\tdz\tweight\n1\t1\t1\t0\t9\n' >behind.tsv
 try dirfield -q behind.gltf --constraints behind.tsv -o behind.glb
 is "a vertex of that mesh" "$status $(cat .err)" "3 dirfield: behind.tsv: line 2: no face uses vertex 1"
+for row in "2 no face uses vertex 2" "12 vertex 12, want a whole number from 0 to 11"; do
+    printf 'vertex\tdx\tdy\tdz\tweight\n%s\t1\t1\t0\t9\n' "${row%% *}" >behind.tsv
+    try dirfield -q behind.gltf --constraints behind.tsv -o behind.glb
+    is "vertex ${row%% *}, of which the file has another number in each mesh" "$status $(cat .err)" \
+        "3 dirfield: behind.tsv: line 2: ${row#* }"
+done
 
 # Small squares in a plane, a row from (6, 0.5) on along x and one from (3, 1.5) on along y. A node turns the plane by a
 # half right angle about x and then stretches it tenfold along y: (i, j) is at (i, 7.07 j, 0.707 j) in the scene. A position
@@ -171,6 +197,45 @@ for row in '0 0 1 2' '0 1 0 2' '1 0 0 2' '0 1 1 1' '1 1 1 3'; do
         $1 == "component" {n += $c > 0.99} END {print n}' report.tsv)" "0 ${row##* }"
     dirfield -q cube.off --constraints near.tsv -o near.glb
     ok "the same at the vertex as at its position" cmp hand.glb near.glb
+done
+
+# Vertices have the file's numbers, however they are read: corners of OBJ and PLY with texture coordinates of their own,
+# and corners of glTF with flat normals, which are all vertices of their own where they move.
+printf 'v %s 0\n' '0 0' '1 0' '1 1' '0 1' '5 0' '6 0' '6 1' '5 1' >corners.obj
+printf 'vt %s\n' '0 0' '1 0' '1 1' '0 1' >>corners.obj
+printf 'f %s\n' '8/1 5/2 6/3 7/4' '1/1 2/2 3/3 4/4' >>corners.obj
+{
+    printf 'ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n'
+    printf 'property list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n'
+    sed -n 's/^v //p' corners.obj
+    printf '4 %s 8 0 0 1 0 1 1 0 1\n' '7 4 5 6' '0 1 2 3'
+} >corners.ply
+perl -MMIME::Base64 -e '
+    my @at = (-1,-1,-1, 1,-1,-1, 1,1,-1, -1,1,-1, -1,-1,1, 1,-1,1, 1,1,1, -1,1,1);
+    my @corners = map {my @c = @$_; @c[0, 1, 2, 0, 2, 3]} [0,3,2,1], [4,5,6,7], [0,1,5,4], [2,3,7,6], [0,4,7,3], [1,2,6,5];
+    my $bytes = encode_base64(pack("f<24 S<36 f<24", @at, @corners, map {$_ / 10} @at), "");
+    for my $moves (0, 1) {
+        my ($node, $shown, $targets) = $moves ? (qq~,{"mesh":0,"weights":[0.5]}~, ",1", qq~,"targets":[{"POSITION":2}]~) : ("") x 3;
+        open my $out, ">", ("cube", "moving")[$moves] . ".gltf" or die;
+        print {$out} qq~{"asset":{"version":"2.0"},"nodes":[{"mesh":0}$node],"scenes":[{"nodes":[0$shown]}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1$targets}]}],
+            "accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-1,-1,-1],"max":[1,1,1]},
+            {"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"},
+            {"bufferView":2,"componentType":5126,"count":8,"type":"VEC3","min":[-0.1,-0.1,-0.1],"max":[0.1,0.1,0.1]}],
+            "bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72},
+            {"buffer":0,"byteOffset":168,"byteLength":96}],
+            "buffers":[{"byteLength":264,"uri":"data:application/octet-stream;base64,$bytes"}]}~;
+    }'
+for line in 'corners.obj 0 0 0 0 1 0' 'corners.obj 5 6 0 0 1 0' 'corners.ply 0 0 0 0 1 0' 'corners.ply 5 6 0 0 1 0' \
+    'cube.gltf 0 -1 -1 -1 1 1' 'cube.gltf 6 1 1 1 0 1' 'moving.gltf 0 -1 -1 -1 1 1' 'moving.gltf 6 1 1 1 0 1'; do
+    # shellcheck disable=SC2086
+    set -- $line
+    printf 'vertex\tdx\tdy\tdz\tweight\n%s\t1\t%s\t%s\t9\n' "$2" "$6" "$7" >own.tsv
+    printf 'x\ty\tz\tdx\tdy\tdz\tweight\n%s\t%s\t%s\t1\t%s\t%s\t9\n' "$3" "$4" "$5" "$6" "$7" >near.tsv
+    rm own.glb near.glb
+    dirfield -q "$1" --constraints own.tsv -o own.glb
+    dirfield -q "$1" --constraints near.tsv -o near.glb
+    ok "vertex $2 of $1 is at its position" cmp own.glb near.glb
 done
 
 # Four squares, of which the second and the last are given twice, the second time for their backs. The second shares

@@ -63,6 +63,10 @@ is "a missing material library" "$status $(cat .err)" \
 : >none.mtl
 try hatchstat mesh mesh.obj
 is "a material library that exists" "$status $(cat .err)" "0 "
+mkdir far
+sed "s|none.mtl other.mtl|$WORK/none.mtl|" mesh.obj >far/mesh.obj
+try hatchstat mesh far/mesh.obj
+is "a material library with a full path" "$status $(cat .err)" "0 "
 : >'my mats.mtl'
 sed 's/none.mtl other.mtl/my mats.mtl/' mesh.obj >spaced.obj
 try hatchstat mesh spaced.obj

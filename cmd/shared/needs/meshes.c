@@ -163,6 +163,7 @@ static void coarsen_node(struct cmd_args *args, const char *name, const struct h
             continue;
         meshes[m].mesh = made[m];
         meshes[m].file_vertices = made[m].vertex_count;
+        meshes[m].numbers = NULL;
         meshes[m].curves = (struct hatch_curves){0}; /* they lie on the old faces */
     }
     hatch_arena_rewind(&args->scratch, mark);
@@ -261,6 +262,7 @@ static uint32_t split(struct cmd_args *args, const char *name, const struct hatc
                   name, &err);
         to[i].curves = (struct hatch_curves){0};
         to[i].file_vertices = to[i].mesh.vertex_count;
+        to[i].numbers = NULL;
     }
     to[shown > 0].unseen_tolerance = shown < all ? (float)needs->tolerance : 0;
     return shown > 0 && shown < all ? 2 : 1;

@@ -217,17 +217,47 @@ bool find_range(const Reader &r, const tinygltf::Primitive &primitive, uint32_t 
     return true;
 }
 
+/* Adds normals to a mesh that has none. They may copy vertices, or replace all by one for each corner.
+ *   number  per corner, in scratch; out: its vertex before that */
+enum hatch_status add_normals(Reader &r, size_t index, struct hatch_mesh *mesh, uint32_t **number)
+{
+    const size_t corners = 3 * static_cast<size_t>(mesh->face_count);
+    if (!(*number = HATCH_NEW_UNSET(r.scratch, uint32_t, corners, r.err)))
+        return HATCH_LIMIT;
+    std::copy_n(mesh->indices, corners, *number);
+    return hatch_mesh_target_count(mesh) > 0 ? add_moving_normals(r, index, mesh)
+                                             : hatch_mesh_add_normals(r.arena, r.scratch, mesh, flat_rad, r.err);
+}
+
+/* Numbers the vertices of a mesh as the file does.
+ *   range   of the file's vertices that the mesh has; nullptr: all of them
+ *   number  per corner, its number in the range; nullptr: that of its vertex */
+enum hatch_status number_vertices(Reader &r, const Range *range, const uint32_t *number, struct hatch_scene_mesh *out)
+{
+    const uint32_t first = range ? range->first : 0, vertices = out->mesh.vertex_count;
+    uint32_t *numbers = HATCH_NEW(r.arena, uint32_t, vertices, r.err);
+    if (!numbers)
+        return HATCH_LIMIT;
+    for (uint32_t v = 0; v < vertices; v++)
+        numbers[v] = first + std::min(v, out->file_vertices - 1);
+    for (size_t i = 0; number && i < 3 * static_cast<size_t>(out->mesh.face_count); i++)
+        numbers[out->mesh.indices[i]] = first + number[i];
+    out->numbers = numbers;
+    out->numbers_end = range ? range->count : out->file_vertices;
+    return HATCH_OK;
+}
+
 enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive, size_t index,
                                  const std::string &where, struct hatch_scene_mesh *out)
 {
     struct hatch_mesh mesh = {};
-    uint32_t *list = nullptr, count = 0;
+    uint32_t *list = nullptr, count = 0, *number = nullptr;
     Range range;
     struct hatch_arena_mark mark = hatch_arena_mark(r.scratch);
     if (primitive.indices != -1)
         HATCH_TRY(read_indices(r, primitive.indices, where + ", indices", &list, &count));
-    HATCH_TRY(
-        read_attributes(r, primitive, where, &mesh, find_range(r, primitive, list, count, &range) ? &range : nullptr));
+    const Range *part = find_range(r, primitive, list, count, &range) ? &range : nullptr;
+    HATCH_TRY(read_attributes(r, primitive, where, &mesh, part));
     HATCH_TRY(read_morph(r, primitive, index, where, &mesh));
     HATCH_TRY(triangulate(r, primitive.mode, list, list ? count : mesh.vertex_count, where, &mesh));
     hatch_arena_rewind(r.scratch, mark);
@@ -243,10 +273,11 @@ enum hatch_status read_primitive(Reader &r, const tinygltf::Primitive &primitive
     out->had_normals = hatch_mesh_find(&mesh, "NORMAL", 3) != nullptr;
     out->normals_computed = !out->had_normals || has_computed_normals(primitive);
     if (!out->had_normals && mesh.face_count > 0)
-        HATCH_TRY(hatch_mesh_target_count(&mesh) > 0
-                      ? add_moving_normals(r, index, &mesh)
-                      : hatch_mesh_add_normals(r.arena, r.scratch, &mesh, flat_rad, r.err));
+        HATCH_TRY(add_normals(r, index, &mesh, &number));
     out->mesh = mesh;
+    if (part || number)
+        HATCH_TRY(number_vertices(r, part, number, out));
+    hatch_arena_rewind(r.scratch, mark);
     return HATCH_OK;
 }
 

@@ -79,6 +79,17 @@ enum hatch_status hatch_corners_gather(const struct hatch_corners *corners, int 
     return HATCH_OK;
 }
 
+enum hatch_status hatch_corners_numbers(const struct hatch_corners *corners, struct hatch_arena *arena,
+                                        const uint32_t **numbers, struct hatch_err *err)
+{
+    uint32_t *list;
+    HATCH_TRY(HATCH_ALLOC_UNSET(arena, &list, corners->count, err));
+    for (uint32_t v = 0; v < corners->count; v++)
+        list[v] = hatch_corners_list(corners)[v].part[0];
+    *numbers = list;
+    return HATCH_OK;
+}
+
 enum hatch_status hatch_corners_count_unused(const struct hatch_corners *corners, uint32_t count, uint32_t *unused,
                                              struct hatch_err *err)
 {

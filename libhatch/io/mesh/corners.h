@@ -39,6 +39,11 @@ enum hatch_status hatch_corners_gather(const struct hatch_corners *corners, int 
                                        uint32_t width, float missing, const float **out,
                                        struct hatch_err *err) HATCH_MUST_USE;
 
+/* Lists the numbers that part 0 refers to, by corner.
+ *   numbers  out: in arena */
+enum hatch_status hatch_corners_numbers(const struct hatch_corners *corners, struct hatch_arena *arena,
+                                        const uint32_t **numbers, struct hatch_err *err) HATCH_MUST_USE;
+
 /* Adds the number of indices below count that part 0 of no corner has. */
 enum hatch_status hatch_corners_count_unused(const struct hatch_corners *corners, uint32_t count, uint32_t *unused,
                                              struct hatch_err *err) HATCH_MUST_USE;

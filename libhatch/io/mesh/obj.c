@@ -208,6 +208,8 @@ static enum hatch_status finish(struct obj *o, struct hatch_arena *arena, struct
     }
     if (!o->positions_only) {
         vertices.count = o->corners.count;
+        notes->numbers_end = value_count(o, V);
+        HATCH_TRY(hatch_corners_numbers(&o->corners, arena, &notes->numbers, err));
         HATCH_TRY(hatch_corners_count_unused(&o->corners, value_count(o, V), &notes->unreferenced_dropped, err));
         HATCH_TRY(gather(o, V, 0, &vertices.positions, err));
         HATCH_TRY(gather(o, VN, 0, &vertices.normals, err));

@@ -396,7 +396,10 @@ enum hatch_status hatch_ply_read(struct hatch_bytes file, const double origin[3]
     p->splits = has_uv_at_corners(&p->header);
     HATCH_TRY(read_body(p, err));
     struct hatch_vertices vertices = {p->vertex_count, p->positions, p->normals, p->texcoords, p->colors};
-    if (p->splits && p->corners.count > 0)
+    if (p->splits && p->corners.count > 0) {
         HATCH_TRY(split(p, &vertices, &notes->unreferenced_dropped, err));
+        notes->numbers_end = p->vertex_count;
+        HATCH_TRY(hatch_corners_numbers(&p->corners, arena, &notes->numbers, err));
+    }
     return hatch_faces_finish(&p->faces, &vertices, arena, mesh, notes, err);
 }
