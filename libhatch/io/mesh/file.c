@@ -38,10 +38,12 @@ static struct hatch_bytes after_comments(struct hatch_bytes file)
 static bool looks_like_obj(struct hatch_bytes file)
 {
     const struct hatch_bytes rest = after_comments(file);
-    static const char *const words[] = {"v ", "vt ", "vn ", "o ", "g ", "mtllib ", "usemtl ", NULL};
-    for (const char *const *w = words; *w; w++)
-        if (starts_with(rest, *w))
+    static const char *const words[] = {"v", "vt", "vn", "o", "g", "mtllib", "usemtl", NULL};
+    for (const char *const *w = words; *w; w++) {
+        size_t length = strlen(*w);
+        if (starts_with(rest, *w) && rest.size > length && (rest.data[length] == ' ' || rest.data[length] == '\t'))
             return true;
+    }
     return false;
 }
 
@@ -58,7 +60,7 @@ static enum hatch_mesh_format by_content(struct hatch_bytes file)
         return HATCH_MESH_PLY;
     if (hatch_off_keyword((const char *)rest.data, rest.size))
         return HATCH_MESH_OFF;
-    return starts_with(file, "solid") ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
+    return hatch_stl_begins(file) ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
 }
 
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name)

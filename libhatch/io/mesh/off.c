@@ -9,11 +9,17 @@
 size_t hatch_off_keyword(const char *at, size_t size)
 {
     static const char *const parts[] = {"ST", "C", "N"};
+    bool taken[sizeof parts / sizeof *parts] = {false};
     size_t length = 0;
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-        size_t part = strlen(parts[i]);
-        if (size - length >= part && memcmp(at + length, parts[i], part) == 0)
+    for (bool more = true; more;) { /* in any order: MeshLab writes CSTOFF */
+        more = false;
+        for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+            size_t part = strlen(parts[i]);
+            if (taken[i] || size - length < part || memcmp(at + length, parts[i], part) != 0)
+                continue;
+            taken[i] = more = true;
             length += part;
+        }
     }
     return size - length >= 3 && memcmp(at + length, "OFF", 3) == 0 ? length + 3 : 0;
 }

@@ -41,12 +41,14 @@ enum hatch_status hatch_faces_finish(const struct hatch_faces *faces, const stru
                                      struct hatch_arena *arena, struct hatch_mesh *mesh, struct hatch_mesh_notes *notes,
                                      struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns the length of the keyword that begins an OFF file: any of ST, C and N, in this order, then OFF; 0 if there is
- * none. */
+/* Returns the length of the keyword that begins an OFF file: any of ST, C and N, then OFF; 0 if there is none. */
 size_t hatch_off_keyword(const char *at, size_t size);
 
 /* Returns whether a file has the size that a binary STL file with its number of triangles has. */
 bool hatch_stl_has_size(struct hatch_bytes file);
+
+/* Returns whether the first word is "solid", in either case: STL as text has that, and some binary files, too. */
+bool hatch_stl_begins(struct hatch_bytes file);
 
 /* The readers of the formats. Arguments are those of hatch_mesh_read, except that origin is an input, subtracted from
  * all positions. */

@@ -20,13 +20,18 @@ static bool is(struct hatch_text word, const char *keyword)
     return i == word.length && !keyword[i];
 }
 
+bool hatch_stl_begins(struct hatch_bytes file)
+{
+    struct hatch_mesh_text text = hatch_mesh_text_of(file);
+    return is(hatch_mesh_text_any_word(&text), "solid");
+}
+
 /* Returns whether a file looks like text. Binary files may begin with "solid", too, but soon contain bytes that text
  * does not have. */
 static bool looks_like_text(struct hatch_bytes file)
 {
-    struct hatch_mesh_text text = hatch_mesh_text_of(file);
     const size_t checked = 1024;
-    if (!is(hatch_mesh_text_any_word(&text), "solid"))
+    if (!hatch_stl_begins(file))
         return false;
     for (size_t i = 0; i < file.size && i < checked; i++)
         if (file.data[i] < '\t')

@@ -83,6 +83,25 @@ START_TEST(numbers_are_exact_without_rounding)
 }
 END_TEST
 
+/* Attributes of strokes are whole numbers of 16 bits; those of the same name that hold others stay as they are. */
+START_TEST(numbers_that_are_not_whole_stay_floats)
+{
+    static const float values[][3] = {{-1, 0.5f, 70000}, {0, 1, 65535}};
+    for (int whole = 0; whole < 2; whole++) {
+        float *data;
+        begin_torus(0);
+        HATCH_TEST_OK(hatch_mesh_add(&keep, &scene.meshes[0].mesh, "_HATCH_FACE", 1, &data, &err), &err);
+        memcpy(data, values[whole], sizeof values[whole]);
+        struct hatch_buffer file = written();
+        ck_assert(off(file, "_HATCH_FACE") <= 0);
+        char text[100];
+        snprintf(text, sizeof text, "\"componentType\":5123,\"count\":%u,\"type\":\"SCALAR\"",
+                 scene.meshes[0].mesh.vertex_count);
+        ck_assert_int_eq(has_text(file, text), whole);
+    }
+}
+END_TEST
+
 /* Numbers of 8 bits are off by half of 1/127 each, those of 16 by half of 1/32767. */
 START_TEST(vectors_are_off_by_no_more_than_the_rounding)
 {
@@ -169,6 +188,7 @@ static Suite *suite(void)
     TCase *tests = tcase_create("numbers");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, numbers_are_exact_without_rounding);
+    tcase_add_test(tests, numbers_that_are_not_whole_stay_floats);
     tcase_add_test(tests, vectors_are_off_by_no_more_than_the_rounding);
     tcase_add_test(tests, texture_coordinates_have_16_bits_where_they_fit);
     tcase_add_test(tests, vectors_over_one_stay_floats);

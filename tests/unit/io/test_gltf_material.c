@@ -299,6 +299,11 @@ START_TEST(members_of_materials_are_kept)
         NULL,
     };
     copies(json, texts);
+    static const char empty[] = HEAD ",\"materials\":[{\"extensions\":{\"KHR_materials_clearcoat\":{"
+                                     "\"clearcoatFactor\":1,\"clearcoatTexture\":{},"
+                                     "\"clearcoatNormalTexture\":{\"index\":null}}}}]}";
+    static const char *const rest[] = {"\"KHR_materials_clearcoat\":{\"clearcoatFactor\":1}", NULL};
+    copies(empty, rest);
     refuses(HEAD ",\"materials\":[{\"occlusionTexture\":{\"index\":1}}]}",
             "material 0: texture 1 does not exist, there are 0");
 }

@@ -109,6 +109,10 @@ START_TEST(formats_are_found_by_content_then_by_name)
     ck_assert_int_eq(hatch_mesh_format_of(text(" \n{}"), NULL), HATCH_MESH_GLTF);
     ck_assert_int_eq(hatch_mesh_format_of(text("COFF\n"), NULL), HATCH_MESH_OFF);
     ck_assert_int_eq(hatch_mesh_format_of(text("solid"), NULL), HATCH_MESH_STL);
+    ck_assert_int_eq(hatch_mesh_format_of(text(" \nSOLID x"), NULL), HATCH_MESH_STL);
+    ck_assert_int_eq(hatch_mesh_format_of(text("solidity"), NULL), HATCH_MESH_UNKNOWN);
+    ck_assert_int_eq(hatch_mesh_format_of(text("v\t0 0 0"), NULL), HATCH_MESH_OBJ);
+    ck_assert_int_eq(hatch_mesh_format_of(text("vat 0 0 0"), NULL), HATCH_MESH_UNKNOWN);
     ck_assert_int_eq(hatch_mesh_format_of(text("# x\n\nv 1 2 3"), NULL), HATCH_MESH_OBJ);
     ck_assert_int_eq(hatch_mesh_format_of(text("\1\2\3"), "a/b.StL"), HATCH_MESH_STL);
     ck_assert_int_eq(hatch_mesh_format_of(text("f 1 2 3"), "b.OBJ"), HATCH_MESH_OBJ);
@@ -243,6 +247,12 @@ START_TEST(files_of_other_programs_are_read)
                               "0 0 0 nan\n1 0 0 -inf\n0 1 0 1\n3 0 1 2\n";
     reads(text("\xef\xbb\xbf# marked\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 3, 1);
     reads(text("\xef\xbb\xbfOFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), 3, 1);
+    reads(text("CSTOFF\n3 1 0\n0 0 0 1 1 1 1 .5 .25\n1 0 0 1 1 1 1 1 0\n"
+               "0 1 0 1 1 1 1 0 1\n3 0 1 2\n"),
+          3, 1);
+    ck_assert_float_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2)[0], 0.5f);
+    ck_assert_float_eq(hatch_mesh_find(&mesh, "TEXCOORD_0", 2)[1], 0.75f); /* glTF's v points down */
+    ck_assert_int_eq(hatch_mesh_format_of(text("CCOFF\n"), NULL), HATCH_MESH_UNKNOWN);
     reads(text("STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), 3, 1);
     reads(text(ply), 3, 1);
     static const char stl[] = " \n\tSOLID x\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
