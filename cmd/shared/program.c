@@ -91,10 +91,8 @@ static void print_line(bool hold, const char *file, const char *kind, const char
     int length = snprintf(line, sizeof line - 1, "%s: %s%s%s%s", cmd_current_program->name, file ? file : "",
                           file ? ": " : "", kind, sentence);
     size_t size = length < (int)sizeof line - 1 ? (size_t)length : sizeof line - 2;
-    for (size_t i = 0; i < size; i++)
-        if ((unsigned char)line[i] < 0x20 || line[i] == 0x7f)
-            line[i] = '?';
     line[size] = '\n';
+    hatch_utf8_make_plain(line, size);
     if (hold && size + 1 <= sizeof held - held_bytes) {
         memcpy(held + held_bytes, line, size + 1);
         held_bytes += size + 1;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/json.h"
+#include "base/text.h"
 
 static void add_text(struct cmd_report *report, const char *text)
 {
@@ -14,11 +15,11 @@ static void add_text(struct cmd_report *report, const char *text)
 /* Adds a text with control characters replaced by '?'. */
 static void add_plain(struct cmd_report *report, const char *text)
 {
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        char plain[] = {c < 0x20 || c == 0x7f ? '?' : *text, '\0'};
-        add_text(report, plain);
-    }
+    size_t before = report->text.size;
+    add_text(report, text);
+    add_text(report, "\n"); /* ends the last character */
+    report->text.size--;
+    hatch_utf8_make_plain((char *)report->text.data + before, report->text.size - before);
 }
 
 struct cmd_output *cmd_open_report(const struct cmd_args *args, const char *path)

@@ -5,14 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static void make_printable(char *text)
-{
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c < 0x20 || c == 0x7f)
-            *text = '?';
-    }
-}
+#include "base/text.h"
 
 enum hatch_status hatch_fail(struct hatch_err *err, enum hatch_status status, const char *format, ...)
 {
@@ -21,7 +14,7 @@ enum hatch_status hatch_fail(struct hatch_err *err, enum hatch_status status, co
         va_start(args, format);
         vsnprintf(err->text, sizeof err->text, format, args);
         va_end(args);
-        make_printable(err->text);
+        hatch_utf8_make_plain(err->text, strlen(err->text));
         err->status = status;
     }
     return status;
@@ -58,7 +51,7 @@ enum hatch_status hatch_fail_at(struct hatch_err *err, const char *format, ...)
     va_start(args, format);
     vsnprintf(joined, sizeof joined, format, args);
     va_end(args);
-    make_printable(joined);
+    hatch_utf8_make_plain(joined, strlen(joined));
     size_t used = strlen(joined);
     snprintf(joined + used, sizeof joined - used, "%s", err->text);
     memcpy(err->text, joined, sizeof joined);

@@ -22,6 +22,9 @@ START_TEST(control_characters_are_replaced)
     hatch_fail_at(&err, "part\t%s: ", "a\rb");
     ck_assert_str_eq(err.text, "part?a?b: key '?[2J??\xc3\xa4'");
     ck_assert_int_eq(err.status, HATCH_BAD_INPUT);
+    /* U+0080 and U+009F, and their codes in Latin-1, among characters that have such bytes, too */
+    hatch_fail(&err, HATCH_BAD_INPUT, "\xc2\x80\xc2\x9f\xc2\xa0 \x80\x9f\xa0 \xe2\x80\x93\xc3\x9f \xc2");
+    ck_assert_str_eq(err.text, "????\xc2\xa0 ??\xa0 \xe2\x80\x93\xc3\x9f \xc2");
 }
 END_TEST
 
