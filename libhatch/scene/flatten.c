@@ -1,23 +1,23 @@
 #include <string.h>
 
 #include "math/vector.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 
 struct flat {
     const struct hatch_scene *scene;
-    const float *world; /* world matrices of the nodes */
+    struct hatch_pose pose; /* at rest */
     double origin[3];
     struct hatch_mesh mesh;
     float *normals, *texcoords; /* NULL: omitted */
     uint32_t vertex, face;      /* numbers of vertices and faces added so far */
 };
 
-static void transform(const float *matrix, const double origin[3], const float *p, float *out)
+static void transform(const float *matrix, const double origin[3], const double p[3], float *out)
 {
     for (int row = 0; row < 3; row++) {
         double sum = (double)matrix[12 + row] - origin[row];
         for (int k = 0; k < 3; k++)
-            sum += (double)matrix[k * 4 + row] * (double)p[k];
+            sum += (double)matrix[k * 4 + row] * p[k];
         out[row] = (float)sum;
     }
 }
@@ -34,26 +34,32 @@ static double cofactors(const float *matrix, double out[3][3])
     return hatch_vec_dot(column[0], out[0]);
 }
 
-static void turn_normal(double cofactor[3][3], double determinant, const float *normal, float *out)
+static void turn_normal(double cofactor[3][3], double determinant, const double normal[3], float *out)
 {
     double turned[3] = {0, 0, 0};
     for (int k = 0; k < 3; k++)
-        hatch_vec_add_scaled(turned, (determinant < 0 ? -1 : 1) * (double)normal[k], cofactor[k], turned);
+        hatch_vec_add_scaled(turned, (determinant < 0 ? -1 : 1) * normal[k], cofactor[k], turned);
     hatch_vec_normalize(turned);
     hatch_vec_round(turned, out);
 }
 
-static void add_mesh(struct flat *f, const struct hatch_mesh *mesh, const float *matrix)
+static void add_mesh(struct flat *f, uint32_t node, const struct hatch_mesh *mesh, const float *matrix)
 {
-    double cofactor[3][3], determinant = cofactors(matrix, cofactor);
+    double cofactor[3][3], determinant = cofactors(matrix, cofactor), at[3];
     const float *positions = mesh->attributes[0].data;
     const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    const struct hatch_mesh_attribute *moves = hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION);
+    const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
+    hatch_scene_weights(f->scene, node, HATCH_NONE, 0, hatch_mesh_target_count(mesh), f->pose.weights);
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         size_t to = f->vertex + v;
-        transform(matrix, f->origin, &positions[v * 3], &f->mesh.attributes[0].data[to * 3]);
-        if (f->normals)
-            turn_normal(cofactor, determinant, &normals[v * 3], &f->normals[to * 3]);
+        hatch_pose_morph(positions, moves, f->pose.weights, v, at);
+        transform(matrix, f->origin, at, &f->mesh.attributes[0].data[to * 3]);
+        if (f->normals) {
+            hatch_pose_morph(normals, turns, f->pose.weights, v, at);
+            turn_normal(cofactor, determinant, at, &f->normals[to * 3]);
+        }
         if (f->texcoords)
             memcpy(&f->texcoords[to * 2], &texcoords[v * 2], 2 * sizeof *texcoords);
     }
@@ -96,8 +102,8 @@ static enum hatch_status flatten(struct flat *f, struct totals total, struct hat
     for (uint32_t n = 0; n < f->scene->node_count; n++) {
         const struct hatch_node *node = &f->scene->nodes[n];
         for (uint32_t m = 0; m < node->mesh_count; m++)
-            add_mesh(f, &f->scene->meshes[node->first_mesh + m].mesh,
-                     node->skin == HATCH_NONE ? &f->world[(size_t)n * 16] : identity);
+            add_mesh(f, n, &f->scene->meshes[node->first_mesh + m].mesh,
+                     node->skin == HATCH_NONE ? &f->pose.world[(size_t)n * 16] : identity);
     }
     return hatch_mesh_check(&f->mesh, err);
 }
@@ -114,11 +120,12 @@ enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const dou
                           "the meshes of all nodes have %llu faces and %llu vertices, too many for one mesh",
                           (unsigned long long)total.faces, (unsigned long long)total.vertices);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    float *world;
-    HATCH_TRY(HATCH_ALLOC(scratch, &world, (size_t)scene->node_count * 16, err));
-    hatch_scene_pose(scene, HATCH_NONE, 0, world);
-    struct flat f = {.scene = scene, .world = world, .origin = {origin[0], origin[1], origin[2]}};
-    enum hatch_status status = flatten(&f, total, arena, err);
+    struct flat f = {.scene = scene, .origin = {origin[0], origin[1], origin[2]}};
+    enum hatch_status status = hatch_pose_make(scene, scratch, &f.pose, err);
+    if (status == HATCH_OK) {
+        hatch_pose_set(&f.pose, HATCH_NONE, 0);
+        status = flatten(&f, total, arena, err);
+    }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *mesh = f.mesh;

@@ -97,10 +97,8 @@ bool hatch_pose_deforms(const struct hatch_scene *scene, uint32_t node, const st
     return skinned || hatch_mesh_target_count(mesh) > 0;
 }
 
-/* Computes a vertex's position or normal with morph targets applied.
- *   moves  3 components per target; NULL: no targets */
-static void morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights, size_t vertex,
-                  double out[3])
+void hatch_pose_morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights,
+                      size_t vertex, double out[3])
 {
     hatch_vec_of(at_rest + 3 * vertex, out);
     for (uint32_t i = 0; moves && i < moves->components; i++)
@@ -127,13 +125,13 @@ void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_
     for (size_t v = 0; v < from->vertex_count; v++) {
         if (skinned)
             blend_joints(pose->joints, ids + 4 * v, weights + 4 * v, scene->skins[skin].joint_count, matrix);
-        morph(position, moves, pose->weights, v, p);
+        hatch_pose_morph(position, moves, pose->weights, v, p);
         for (int r = 0; r < 3; r++)
             positions[3 * v + (size_t)r] =
                 matrix[r] * p[0] + matrix[4 + r] * p[1] + matrix[8 + r] * p[2] + matrix[12 + r];
         if (!normals || !normal)
             continue;
-        morph(normal, turns, pose->weights, v, p);
+        hatch_pose_morph(normal, turns, pose->weights, v, p);
         transform_normal(matrix, p, normals + 3 * v);
     }
 }

@@ -55,6 +55,13 @@ void hatch_pose_vertices(struct hatch_pose *pose, uint32_t node, uint32_t mesh, 
 void hatch_pose_mesh(struct hatch_pose *pose, uint32_t node, const struct hatch_mesh *mesh, double *positions,
                      float *normals);
 
+/* Computes a vertex's position or normal with morph targets applied.
+ *   at_rest  3 per vertex
+ *   moves    3 components per target; NULL: no targets
+ *   weights  one per target */
+void hatch_pose_morph(const float *at_rest, const struct hatch_mesh_attribute *moves, const double *weights,
+                      size_t vertex, double out[3]);
+
 /* Returns whether a skin or morph targets deform a mesh at a node. */
 bool hatch_pose_deforms(const struct hatch_scene *scene, uint32_t node, const struct hatch_mesh *mesh);
 

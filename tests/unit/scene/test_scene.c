@@ -272,6 +272,39 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
 }
 END_TEST
 
+/* One mesh whose target moves it by 10 along x; at rest, the weights are the nodes' own. */
+START_TEST(a_flat_scene_is_morphed_as_its_nodes_say)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+    hatch_arena_init(&scratch, (size_t)1 << 28);
+    struct hatch_mesh sphere = make_sphere(), flat;
+    float *moves, *turns, half = 0.5f, low[3], high[3];
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sphere, HATCH_MORPH_POSITION, 3, &moves, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sphere, HATCH_MORPH_NORMAL, 3, &turns, &err), &err);
+    for (uint32_t v = 0; v < sphere.vertex_count; v++) {
+        moves[3 * v] = 10;
+        turns[3 * v + 1] = 2000;
+    }
+    struct hatch_scene_mesh meshes[1] = {{.mesh = sphere, .material = HATCH_NONE}};
+    struct hatch_node nodes[2] = {resting, resting};
+    nodes[0].mesh_count = nodes[1].mesh_count = 1;
+    nodes[1].weights = &half;
+    const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 2, .nodes = nodes};
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), &err);
+    hatch_mesh_bounds(&flat, low, high);
+    ck_assert_float_eq_tol(low[0], -1, 0.03f);
+    ck_assert_float_eq_tol(high[0], 6, 0.03f);
+    const float *normals = hatch_mesh_find(&flat, "NORMAL", 3), *before = hatch_mesh_find(&sphere, "NORMAL", 3);
+    for (uint32_t v = 0; v < sphere.vertex_count; v++) {
+        ck_assert_float_eq_tol(normals[3 * v + 1], before[3 * v + 1], 1e-6f);
+        ck_assert_float_eq_tol(normals[3 * (v + sphere.vertex_count) + 1], 1, 1e-5f);
+    }
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+END_TEST
+
 /* Two nodes 10^7 from the origin, where floats are a whole unit apart: a small mesh keeps its shape. */
 START_TEST(a_flat_scene_is_precise_near_its_origin)
 {
@@ -363,6 +396,7 @@ static Suite *suite(void)
     tcase_add_test(tests, rotations_turn_about_their_axis);
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);
+    tcase_add_test(tests, a_flat_scene_is_morphed_as_its_nodes_say);
     tcase_add_test(tests, a_flat_scene_is_precise_near_its_origin);
     tcase_add_test(tests, meshes_are_left_out_and_nodes_draw_the_others);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);
