@@ -73,11 +73,16 @@ static struct hatch_arena_block *add_block(struct hatch_arena *arena, size_t byt
     if (bytes > arena->limit_bytes - arena->used_bytes)
         return NULL;
     size_t capacity = block_capacity(arena, bytes);
+    if (arena->budget && !hatch_budget_take(arena->budget, capacity)) {
+        capacity = bytes;
+        if (!hatch_budget_take(arena->budget, capacity))
+            return NULL;
+    }
     size_t whole = sizeof(struct hatch_arena_block) + capacity;
-    if (whole < capacity || whole > SIZE_MAX - HATCH_ARENA_ALIGN)
+    if (whole < capacity || whole > SIZE_MAX - HATCH_ARENA_ALIGN) {
+        give_back(arena, capacity);
         return NULL;
-    if (arena->budget && !hatch_budget_take(arena->budget, capacity))
-        return NULL;
+    }
     whole = (whole + HATCH_ARENA_ALIGN - 1) / HATCH_ARENA_ALIGN * HATCH_ARENA_ALIGN;
     struct hatch_arena_block *block = aligned_alloc(HATCH_ARENA_ALIGN, whole);
     if (!block) {

@@ -19,7 +19,7 @@ enum hatch_status hatch_settings_number(struct hatch_text word, const char *key,
     if (!hatch_text_number(word, &number))
         return hatch_fail(err, HATCH_BAD_INPUT, "%s: '%.*s' is not a number", key, hatch_settings_shown(word), word.at);
     if (!(number >= low && number <= high))
-        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %g, want %g to %g", key, number, low, high);
+        return hatch_fail(err, HATCH_BAD_INPUT, "%s: %.10g, want %.10g to %.10g", key, number, low, high);
     *value = number;
     return HATCH_OK;
 }

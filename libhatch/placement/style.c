@@ -173,7 +173,7 @@ static enum hatch_status read_candidates(struct hatch_text *rest, struct reading
     HATCH_TRY(hatch_settings_next(rest, "candidates", 1, 1e6, &light, err));
     HATCH_TRY(hatch_settings_next(rest, "candidates", 1, 1e6, &dark, err));
     if (light != floor(light) || dark != floor(dark))
-        return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %g %g, want whole numbers", light, dark);
+        return hatch_fail(err, HATCH_BAD_INPUT, "candidates: %.10g %.10g, want whole numbers", light, dark);
     r->style.candidates_light = (uint32_t)light;
     r->style.candidates_dark = (uint32_t)dark;
     return HATCH_OK;

@@ -85,6 +85,26 @@ START_TEST(a_budget_holds_for_all_its_arenas)
 }
 END_TEST
 
+/* An arena asks for more than is needed, but does with that where a budget has no more. */
+START_TEST(a_budget_can_be_used_up)
+{
+    struct hatch_budget budget;
+    struct hatch_arena arenas[2];
+    struct hatch_err err;
+    hatch_budget_init(&budget, 100000);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_init_shared(&arenas[i], &budget);
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 50000, &err));
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 45000, &err));
+    ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 4000, &err));
+    ck_assert_ptr_null(HATCH_NEW(&arenas[1], char, 4000, &err));
+    ck_assert_uint_le(budget.used_bytes, 100000);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_free(&arenas[i]);
+    ck_assert_uint_eq(budget.used_bytes, 0);
+}
+END_TEST
+
 /* The arena that has too little left has used nothing itself. */
 START_TEST(a_refusal_tells_what_the_budget_has_given)
 {
@@ -186,6 +206,7 @@ static Suite *suite(void)
     tcase_add_test(tests, objects_do_not_overlap);
     tcase_add_test(tests, the_limit_holds);
     tcase_add_test(tests, a_budget_holds_for_all_its_arenas);
+    tcase_add_test(tests, a_budget_can_be_used_up);
     tcase_add_test(tests, a_refusal_tells_what_the_budget_has_given);
     tcase_add_test(tests, sizes_that_overflow_are_refused);
     tcase_add_test(tests, rewind_frees_later_allocations);
