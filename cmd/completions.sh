@@ -63,7 +63,7 @@ tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
         print "    else\n        mapfile -t COMPREPLY < <(compgen -f -- \"$current\")\n    fi\n}"
         print "complete -o filenames -F _hatch_" command " " command
     }
-    function print_zsh(    i, what, names) {
+    function print_zsh(    i, what, names, before) {
         print "#compdef " command "\n_arguments -s -S \\"
         for (i = 1; i <= count; i++) {
             what = ""
@@ -74,12 +74,12 @@ tail -n +2 | LC_ALL=C awk -F '\t' -v shell="$1" -v command="$2" '
                 else if (type[i] == "text") what = what "_files"
             }
             what = "[" described(help[i]) "]" what
-            names = (type[i] == "texts" ? "*" : "") "--" name[i] (type[i] == "flag" ? "" : "=")
+            names = "--" name[i] (type[i] == "flag" ? "" : "=")
+            before = type[i] == "texts" ? "*" : letter[i] == "" ? "" : "(-" letter[i] " --" name[i] ")"
             if (letter[i] != "")
-                print "    " quoted("(-" letter[i] " --" name[i] ")") "{-" letter[i] \
-                    (type[i] == "flag" ? "" : "+") "," names "}" quoted(what) " \\"
+                print "    " quoted(before) "{-" letter[i] (type[i] == "flag" ? "" : "+") "," names "}" quoted(what) " \\"
             else
-                print "    " quoted(names what) " \\"
+                print "    " quoted(before names what) " \\"
         }
         if (operands != "")
             print "    " quoted("1:" operand ":(" operands ")") " \\"

@@ -71,8 +71,8 @@ int main(int argc, char **argv)
     cmd_check(hatch_shape_make(shape, &shape_options, &args.keep, &args.scratch, &mesh, &err), NULL, &err);
     char comment[180], stretched[32] = "";
     if (stretch != 1)
-        snprintf(stretched, sizeof stretched, " --stretch %g", stretch);
-    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %g%s --noise %g --uv %s%s --seed %llu",
+        snprintf(stretched, sizeof stretched, " --stretch %.9g", stretch);
+    snprintf(comment, sizeof comment, "meshgen %s --faces %u --jitter %.9g%s --noise %.9g --uv %s%s --seed %llu",
              hatch_shape_names[shape], shape_options.faces, jitter, stretched, noise, uv_choices[uv],
              field ? " --field" : "", (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};

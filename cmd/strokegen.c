@@ -273,8 +273,8 @@ int main(int argc, char **argv)
 
     char comment[256];
     snprintf(comment, sizeof comment,
-             "strokegen --gap %g --levels %u --angles %.100s --length %g --hard %g --seed %llu", gap, (unsigned)levels,
-             angles, length, hard_deg, (unsigned long long)args.seed);
+             "strokegen --gap %.9g --levels %u --angles %.100s --length %.9g --hard %.9g --seed %llu", gap,
+             (unsigned)levels, angles, length, hard_deg, (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};
     cmd_check(hatch_glb_write_scene(&scene, comment, &args.scratch, &file, &err), name, &err);
     cmd_write(output, file.data, file.size);

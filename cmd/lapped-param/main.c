@@ -232,8 +232,8 @@ int main(int argc, char **argv)
 
     char comment[256];
     snprintf(comment, sizeof comment,
-             "lapped-param --size %g --curved %g --stretch %g --turn %g --tile %g --roughness %g --feather %g%s "
-             "--seed %llu",
+             "lapped-param --size %.9g --curved %.9g --stretch %.9g --turn %.9g --tile %.9g "
+             "--roughness %.9g --feather %.9g%s --seed %llu",
              size, curved, stretch, turn_deg, tile, roughness, feather, atlas ? " --atlas" : "",
              (unsigned long long)args.seed);
     struct hatch_buffer file = {.arena = &args.keep};

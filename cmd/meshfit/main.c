@@ -108,10 +108,10 @@ static void describe(char text[COMMENT_MAX])
     if (faces > 0)
         snprintf(goal, sizeof goal, "--faces %lld", (long long)faces);
     else
-        snprintf(goal, sizeof goal, "--error %g --levels %d", error_px, (int)level_count);
+        snprintf(goal, sizeof goal, "--error %.9g --levels %d", error_px, (int)level_count);
     if (chosen.alone)
-        snprintf(from, sizeof from, " --from %g:%g", chosen.from_deg[0], chosen.from_deg[1]);
-    snprintf(text, COMMENT_MAX, "meshfit %s --size %gx%g%s --fov %g --zoom %g", goal, chosen.size_px[0],
+        snprintf(from, sizeof from, " --from %.9g:%.9g", chosen.from_deg[0], chosen.from_deg[1]);
+    snprintf(text, COMMENT_MAX, "meshfit %s --size %.9gx%.9g%s --fov %.9g --zoom %.9g", goal, chosen.size_px[0],
              chosen.size_px[1], from, chosen.fov_deg, chosen.zoom);
 }
 

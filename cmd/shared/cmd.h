@@ -135,7 +135,7 @@ const char *cmd_installed_path(struct cmd_args *args, const char *relative);
 /* Returns the name of an input for messages: path, or "standard input" for NULL or "-". */
 const char *cmd_input_name(const char *path);
 
-#define CMD_OUTPUTS_MAX 4096
+#define CMD_OUTPUTS_MAX 4097 /* the most frames of render-gl, and their times */
 
 struct cmd_output;
 

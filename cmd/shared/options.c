@@ -273,16 +273,16 @@ static const struct cmd_option *option_of_code(const struct table *table, int co
     return NULL;
 }
 
-static noreturn void refuse_unknown(const struct table *table, char **argv)
+static noreturn void refuse_unknown(const struct table *table, const char *word)
 {
-    const char *word = argv[optind - 1]; /* of a letter among others, the word before */
     const struct cmd_option *option = option_of_code(table, optopt);
     if (option && option->type == CMD_FLAG)
         cmd_usage("--%s takes no value", option->name);
     if (optopt > 0 && optopt < CODE_OF(0))
         cmd_usage("unknown option -%c", optopt);
-    const struct hatch_text name = {word + 2, strcspn(word + 2, "=")};
-    for (size_t i = 0; i < table->count; i++)
+    const bool is_long = strncmp(word, "--", 2) == 0;
+    const struct hatch_text name = {word + (is_long ? 2 : 0), strcspn(word, "=") - (is_long ? 2 : 0)};
+    for (size_t i = 0; is_long && i < table->count; i++)
         if (hatch_text_is_near(name, table->options[i].name))
             cmd_usage("unknown option %s (is it --%s?)", word, table->options[i].name);
     cmd_usage("unknown option %s", word);
@@ -308,7 +308,7 @@ static void parse_words(struct table *table, int argc, char **argv, struct cmd_a
             continue;
         }
         if (code == '?')
-            refuse_unknown(table, argv);
+            refuse_unknown(table, argv[begin]);
         const struct cmd_option *option = option_of_code(table, code == ':' ? optopt : code);
         if (code >= CODE_OF(0) || (code == ':' && optopt >= CODE_OF(0)))
             refuse_abbreviation(option, argv[begin]);

@@ -365,7 +365,7 @@ struct cmd_output *cmd_open_output(const char *path, const char *endings, bool b
     output->descriptor = -1;
     if (exists && S_ISDIR(info.st_mode))
         die_errno(path, "cannot write", EISDIR);
-    int descriptor = exists && !S_ISCHR(info.st_mode) ? cmd_descriptor_of(path) : -1;
+    int descriptor = exists ? cmd_descriptor_of(path) : -1;
     if (exists && descriptor < 0 && access(path, W_OK) < 0)
         die_errno(path, "cannot write", errno);
     if (exists && (descriptor >= 0 || !S_ISREG(info.st_mode))) {

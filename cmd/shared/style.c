@@ -77,7 +77,7 @@ const char *cmd_find_style(struct cmd_args *args, const char *name, const char *
 void cmd_name_style(const char *path, char name[HATCH_NAME_MAX])
 {
     const char *slash = strrchr(path, '/'), *stem = slash ? slash + 1 : path;
-    const char *dot = strchr(stem, '.');
+    const char *dot = strrchr(stem, '.');
     int length = (int)(dot ? (size_t)(dot - stem) : strlen(stem));
     bool named = length > 0 && strcmp(path, "-") != 0;
     snprintf(name, HATCH_NAME_MAX, "%.*s", named ? length : 6, named ? stem : "custom");

@@ -174,6 +174,24 @@ is "an empty environment and a file name that is not UTF-8" "$status $(cat .err)
 try env -u HOME TMPDIR=/nonesuch "$BIN/render-gl" mesh.glb --tam "$(printf 'm\377 p.exr')" --size 64x48 -o a.png
 is "no home and no folder for temporary files" "$status $(cat .err)" "0 "
 says "a name with control characters" 4 1 "a?[1mb.glb: cannot open" dirfield "$(printf 'a\033[1mb.glb')"
-try sh -c 'meshgen torus >&-'
-is "a closed standard output" "$status $(wc -l <.err)" "4 1"
+printf 'mtllib \302\2332J\233.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >clear.obj
+try hatchstat mesh clear.obj
+is "a warning has no sequences that a terminal obeys" "$(tr -d -c '\200-\237' <.err | wc -c) $(grep -c '??2J?.mtl' .err)" "0 1"
+cp clear.obj "$(printf '\302\2332J.obj')"
+hatchstat mesh "$(printf '\302\2332J.obj')" 2>.err | tr -d -c '\200-\237' >.out
+is "nor has a report" "$(wc -c <.out)" 0
+for name in - /dev/stdout; do
+    try sh -c "meshgen torus -o $name >&-"
+    is "a closed standard output, as $name" "$status $(wc -l <.err)" "4 1"
+done
+says "a letter that is not ASCII" 2 2 "unknown option -é" tamgen --seed 1 -é
+says "a letter that is not ASCII, among others" 2 2 "unknown option -vé" tamgen -vé
+echo 'candidates 1000001 5' >many.style
+says "a number just over its range" 3 1 "candidates: 1000001, want 1 to 1000000" tamgen --style many.style
+echo 'candidates 123456.5 5' >many.style
+says "a number that is not whole" 3 1 "candidates: 123456.5 5, want whole numbers" tamgen --style many.style
+mkdir frames
+says "the most outputs that a command may have" 4 1 "none.glb: cannot open" \
+    render-gl none.glb -t gouraud --frames 4096 -o frames/f%04d.png --times times.tsv
+is "none of them is left" "$(ls -A frames)" ""
 finish

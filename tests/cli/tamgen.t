@@ -22,6 +22,10 @@ is "a style is read from a pipe" "$status" 0
 is "the map names the style by its file or its name" \
     "$(grep -aoc dots dots.exr) $(grep -aoc custom piped.exr) $(grep -aoc pencil pencil.exr)" "2 2 2"
 
+cp dots dots.wide.style
+tamgen $small --style dots.wide.style -o wide.exr
+is "a name may have a dot" "$(grep -aoc 'dots\.wide' wide.exr) $(grep -aoc 'wide\.style' wide.exr)" "2 0"
+
 try tamgen $small --style nowhere -o x.exr
 refused "an unknown style is wrong usage" 2 2
 try tamgen $small --style nowhere.style -o x.exr
