@@ -14,9 +14,10 @@ static void revolve(double u, double radius, double height, double normal_radial
                     struct hatch_parametric_point *point)
 {
     double c = cos(2 * PI * u), s = sin(2 * PI * u);
+    /* 0 is added to, or subtracted from, so that a pole has no -0. */
     *point = (struct hatch_parametric_point){
-        .position = {radius * c, height, -radius * s},
-        .normal = {normal_radial * c, normal_height, -normal_radial * s},
+        .position = {radius * c + 0.0, height, 0.0 - radius * s},
+        .normal = {normal_radial * c + 0.0, normal_height, 0.0 - normal_radial * s},
         .along_u = {-s, 0, -c},
     };
 }

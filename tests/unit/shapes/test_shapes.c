@@ -20,6 +20,24 @@ static struct hatch_mesh_figures measure(const struct hatch_mesh *mesh)
     return figures;
 }
 
+/* The vertices of a pole are one point for programs that compare bytes, too: no coordinate is -0. */
+START_TEST(poles_have_one_position)
+{
+    static const enum hatch_shape shapes[] = {HATCH_SHAPE_SPHERE, HATCH_SHAPE_ELLIPSOID, HATCH_SHAPE_CONE};
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        struct hatch_mesh mesh = make(shapes[i], 200, 0, 0, 0);
+        const float *at = hatch_mesh_find(&mesh, "POSITION", 3);
+        uint32_t poles = 0;
+        for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+            poles += at[3 * v] == 0 && at[3 * v + 2] == 0;
+            for (uint32_t k = 0; k < 3; k++)
+                ck_assert(at[3 * v + k] != 0 || !signbit(at[3 * v + k]));
+        }
+        ck_assert_uint_ge(poles, 8);
+    }
+}
+END_TEST
+
 /* ∫∫ √(1 + x² + y²) over [-1, 1]², by the midpoint rule */
 static double saddle_area(void)
 {
@@ -420,6 +438,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("shapes");
     TCase *tests = tcase_create("shapes");
     tcase_add_checked_fixture(tests, begin, end);
+    tcase_add_test(tests, poles_have_one_position);
     tcase_add_test(tests, areas_match_closed_forms);
     tcase_add_test(tests, a_bump_ends_at_60_degrees);
     tcase_add_test(tests, topology_is_correct);
