@@ -33,6 +33,21 @@ for count in 31 127 4095; do
     ok "collage: a border between objects whose numbers differ by $((count + 1))" cmp balls0.png balls$count.png
 done
 
+# Feature lines over a collage: those of a ball are seen, and those of another behind it are not.
+for behind in 0 1; do
+    perl -MJSON::PP -0777 -pe '
+        BEGIN { $behind = shift }
+        my $scene = decode_json($_);
+        $scene->{nodes} = [{mesh => 0}, $behind ? {mesh => 0, translation => [0, 0, -3], scale => [.3, .3, .3]} : ()];
+        $scene->{scenes} = [{nodes => [0 .. $behind]}];
+        $_ = encode_json($scene)' $behind ball.gltf >behind$behind.gltf
+    for lines in none silhouettes; do
+        $draw behind$behind.gltf --camera 0,0,6:0,0,0 --look collage --bands 1 --lines $lines -o $lines$behind.png
+    done
+done
+is "collage: the outline of a ball is drawn" "$(cmp -s none0.png silhouettes0.png; echo $?)" 1
+ok "collage: an outline behind the ball is not" cmp silhouettes0.png silhouettes1.png
+
 # A texture for each tone.
 for bands in 2 3; do
     $draw ball.glb --solid waves.ktx2,waves.ktx2,waves.ktx2 --look collage --bands $bands -o three.png

@@ -162,6 +162,9 @@ render-gl torus.glb --size 160x120 --turntable --frames 4 --needs -o small.needs
 tamgen -q --tones 4 -o large.exr
 tamgen -v --tones 4 --needs small.needs -o small.exr 2>said
 is "finer levels are left out" "$(grep -c 'levels finer than 128 pixels left out' said)" 1
+columns=$(hatchstat tam small.exr | awk '$1 ~ /^[0-9]/ {print $1}' | sort -u | wc -l)
+is "which leaves a quarter of the texels" "$(sed -n 's/^tamgen: \(.*\) % of the texels are made/\1/p' said)" \
+    "$(awk -v n="$columns" 'BEGIN {printf "%.3g", 100 * n / 4 / 4}')"
 tamgen -q --tones 4 --size 128 -o smaller.exr
 is "as if --size were smaller" "$(rounded small smaller)" rounded
 tamgen -q --tones 4 --levels 4 --needs small.needs -o levels.exr

@@ -4,7 +4,9 @@
 
 #include "arenas.h"
 #include "fail_alloc.h"
+#include "math/vector.h"
 #include "measure/lapped_figures.h"
+#include "measure/stretch.h"
 
 #define SAMPLES 200000
 #define SIDE 64u
@@ -174,6 +176,25 @@ START_TEST(a_patch_under_an_opaque_one_is_hidden)
 }
 END_TEST
 
+/* A face of which the texture is a line or a point is stretched without bound, and u has no direction on it. */
+START_TEST(a_face_whose_texture_has_no_area_has_no_direction)
+{
+    static const float textures[][6] = {{0, 0, 1, 1, 2, 2}, {0, 0, 1, 0, 2, 0}, {3, 3, 3, 3, 3, 3}};
+    struct hatch_mesh triangle;
+    struct hatch_stretch stretch;
+    HATCH_TEST_OK(hatch_mesh_make(&keep, 3, 1, &triangle, &err), &err);
+    static const float at[9] = {0, 0, 0, 2, 0, 0, 0, 1, 0};
+    memcpy(triangle.attributes[0].data, at, sizeof at);
+    for (uint32_t i = 0; i < 3; i++)
+        triangle.indices[i] = i;
+    for (size_t i = 0; i < sizeof textures / sizeof *textures; i++) {
+        ck_assert(hatch_measure_stretch(&triangle, textures[i], 0, &stretch));
+        ck_assert(isinf(stretch.ratio) && stretch.uv_area == 0);
+        ck_assert_double_eq(hatch_vec_length(stretch.u), 0);
+    }
+}
+END_TEST
+
 START_TEST(stretch_is_the_ratio_of_singular_values)
 {
     struct made wide = plain;
@@ -329,6 +350,7 @@ static Suite *suite(void)
     tcase_add_test(tests, opacities_compose);
     tcase_add_test(tests, complements_cover_all);
     tcase_add_test(tests, a_patch_under_an_opaque_one_is_hidden);
+    tcase_add_test(tests, a_face_whose_texture_has_no_area_has_no_direction);
     tcase_add_test(tests, stretch_is_the_ratio_of_singular_values);
     tcase_add_test(tests, mirrored_and_flat_faces_are_flipped);
     tcase_add_test(tests, angles_are_measured_to_rising_u);
