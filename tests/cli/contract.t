@@ -19,6 +19,7 @@ fixture() {
         echo '<circle cx="5" cy="4" r="3" stroke="#214"/></g></svg>'
         ;;
     solid.ktx2) solidgen --size 64 ;;
+    small.png) solidgen --size 16 --slices - -o /dev/null ;;
     picture.png) tamgen --size 64 --tones 2 --levels 1 --contact-sheet - -o /dev/null ;;
     esac >"$FIXTURES/$1"
     [ -s "$FIXTURES/$1" ] || fail "fixture $1 is made"

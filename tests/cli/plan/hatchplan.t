@@ -5,6 +5,7 @@ TMPDIR=$WORK/own
 export TMPDIR
 small="--size 96x72"
 few="--techniques tam,rptam"
+flat="--techniques tam-flat"
 meshgen torus --faces 400 -o torus.glb
 printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'v 0 0 1' 'f 1 3 2' 'f 1 2 4' 'f 1 4 3' 'f 2 3 4' >bare.obj
 
@@ -32,7 +33,7 @@ is "any tolerance: the fastest, or one that is as fast" \
 hatchplan $small $few --budget mb=.2 torus.glb >table.tsv
 is "a budget: the most exact, or one that is as exact" "$(awk -F'\t' 'NR > 1 && (!least || $6 < least) {least = $6}
     $8 == "yes" {error = $6; bytes = $4} END {print (error <= 1.03 * least), (bytes <= 2e5)}' table.tsv)" "1 1"
-hatchplan $small $few --budget mb=.2 --json torus.glb >table.json
+hatchplan $small $flat --budget mb=.2 --json torus.glb >table.json
 is "the table as JSON" "$(perl -MJSON::PP -0ne 'print ref decode_json($_)' table.json)" ARRAY
 hatchplan $small $few --budget mb=0 torus.glb >table.tsv
 is "no files: strokes at seed points" "$(chosen <table.tsv | cut -d' ' -f1)" rptam
@@ -59,7 +60,7 @@ for technique in solid traced; do
     try hatchplan $small --techniques $technique --budget s=.001 torus.glb
     is "a limit of the set-up time of $technique" "$status $(grep -c 'times the limit s$' .err)" "1 1"
 done
-ok "a limit of more seconds than a process can count" hatchplan $small --techniques traced --budget s=1e20 torus.glb
+ok "a limit of more seconds than a process can count" hatchplan $small $flat --budget s=1e20 torus.glb
 try hatchplan $small --techniques tam --budget mb=.01 torus.glb
 is "a limit of the bytes" "$status $(grep -c 'times the limit mb$' .err)" "1 1"
 
@@ -68,15 +69,15 @@ is "a limit of the bytes" "$status $(grep -c 'times the limit mb$' .err)" "1 1"
 choice() {
     grep -v '^INPUTS\|^STAMPS' "$1"
 }
-hatchplan $small $few --budget mb=.2 --make torus.glb >named.mk
-hatchplan $small $few --budget mb=.2 --make <torus.glb >piped.mk
+hatchplan $small $flat --budget mb=.2 --make torus.glb >named.mk
+hatchplan $small $flat --budget mb=.2 --make <torus.glb >piped.mk
 is "from standard input" "$(choice piped.mk)" "$(choice named.mk)"
 mkfifo pipe
 cat torus.glb >pipe &
-hatchplan $small $few --budget mb=.2 --make pipe >piped.mk
+hatchplan $small $flat --budget mb=.2 --make pipe >piped.mk
 is "from a pipe with a name" "$(choice piped.mk)" "$(choice named.mk)"
 cp torus.glb "a torus.glb"
-hatchplan $small $few --budget mb=.2 --make "a torus.glb" >spaces.mk
+hatchplan $small $flat --budget mb=.2 --make "a torus.glb" >spaces.mk
 is "from a name with spaces" "$(choice spaces.mk)" "$(choice named.mk)"
 try hatchplan $small - - <torus.glb
 is "two scenes from standard input" "$status $(head -n 1 .err)" \
@@ -157,7 +158,7 @@ if command -v make >/dev/null; then
     done
     ok "plan.mk: patches" $plan MESH=bare.obj OUT=patches BUDGET=mb=9 OPTIONS="--techniques rptam"
     ok "plan.mk: a colour in quotes" timeout 60 $plan MESH=torus.glb OUT=quoted BUDGET=mb=9 \
-        OPTIONS='--techniques solid --draw "--paper #ffeedd"'
+        OPTIONS='--techniques tam-flat --draw "--paper #ffeedd"'
     try $plan MESH=torus.glb OUT=none TOLERANCE=.0001 OPTIONS="--techniques rptam"
     is "plan.mk: nothing is exact enough" "$((status > 0)) $(grep -c '^hatchplan: nothing is within' .err) \
 $(ls none/*.png 2>/dev/null)" "1 1 "
