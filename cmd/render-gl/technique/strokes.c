@@ -193,7 +193,7 @@ static enum hatch_status take_pen(struct technique_context *context, struct tech
     double *width_px = &rptam_options.stroke_px[1];
     double wanted_px = pen_px * hatch_zigzag_stretch(&source->drawing.pen.look) /
                        fmax(rptam_mean_ink(&stroke->alpha, &stroke->grain), 1e-3);
-    if (!(fabs(wanted_px - *width_px) > 1e-9 * wanted_px) && !(rptam_options.overlap > 0))
+    if (!(fabs(wanted_px - *width_px) > 0) && !(rptam_options.overlap > 0))
         return HATCH_OK;
     *width_px = wanted_px;
     rptam_options.overlap = 0;

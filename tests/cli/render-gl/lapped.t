@@ -24,6 +24,11 @@ done
 for what in patches field; do
     ok "--show $what" render-gl torus.lapped.glb --show "$what" --size 64x48 -o "$what.png"
 done
+meshgen torus --faces 800 -o bare.glb
+render-gl torus.lapped.glb bare.glb --show patches --size 96x48 --samples 1 -o both.png
+render-gl torus.lapped.glb --show patches --size 96x48 --samples 1 -o patches.png
+is "--show patches: a mesh without patches is light" "$(hatchstat frames both.png patches.png | awk '
+    NR > 1 {mean[NR] = $2} END {print (mean[2] > .88 && mean[2] > mean[3])}')" 1
 ok "in one pipe, from a name with a space" make -s -f "$TOP/pipelines/lapped.mk" \
     MESH="an edge.obj" SIZE=64x48 OPTIONS='--samples 1'
 is "lapped.mk writes the picture" "$(ls "an edge.png")" "an edge.png"

@@ -106,6 +106,8 @@ drag() {
 
 open_window teapot.glb shot --tam map.exr
 shot shot1
+render-gl teapot.glb --tam map.exr --size 320x240 --samples 1 -o drawn.png
+ok "the first picture is the one without a window" cmp shot1.png drawn.png
 drag 1
 shot shot2
 ok "dragging turns" changed shot1 shot2
