@@ -150,8 +150,10 @@ void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap
  * neighbour's middle may reach it. */
 static bool near_halo(const struct hatch_line_strip *strip, uint32_t i, const uint8_t *seen)
 {
-    uint32_t last = strip->first + strip->count - 1;
-    return ((seen[i] | seen[i > strip->first ? i - 1 : i] | seen[i < last ? i + 1 : i]) & HATCH_LINE_TOUCHED) != 0;
+    uint32_t first = strip->first, last = first + strip->count - 1;
+    uint32_t before = i > first ? i - 1 : strip->closed ? last : i;
+    uint32_t after = i < last ? i + 1 : strip->closed ? first : i;
+    return ((seen[i] | seen[before] | seen[after]) & HATCH_LINE_TOUCHED) != 0;
 }
 
 /* Returns the piece to begin at, so that no path is split where a closed strip happens to begin: a visible one after a

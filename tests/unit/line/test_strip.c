@@ -248,6 +248,29 @@ START_TEST(specks_between_haloes_are_hidden)
 }
 END_TEST
 
+/* The first and the last piece of a closed line are neighbours. */
+START_TEST(haloes_reach_over_the_start_of_a_closed_line)
+{
+    struct hatch_line_strips strips = square();
+    uint8_t seen[268], visible[268];
+    struct hatch_line_segment segments[268];
+    memset(visible, 1, sizeof visible);
+    for (uint32_t touched = 267; touched <= 268; touched++) {
+        memset(seen, HATCH_LINE_VISIBLE, sizeof seen);
+        seen[touched % 268] |= HATCH_LINE_TOUCHED;
+        uint32_t count = hatch_line_strips_visible(&strips, visible, seen, NULL, segments);
+        double length = 0;
+        for (uint32_t i = 0; i < count; i++)
+            if (segments[i].in_halo > 0)
+                length += hypot((double)segments[i].b[0] - (double)segments[i].a[0],
+                                (double)segments[i].b[1] - (double)segments[i].a[1]);
+        double piece = hypot((double)strips.pieces[0].b[0] - (double)strips.pieces[0].a[0],
+                             (double)strips.pieces[0].b[1] - (double)strips.pieces[0].a[1]);
+        ck_assert_double_eq_tol(length, 3 * piece, 1e-3);
+    }
+}
+END_TEST
+
 START_TEST(only_pieces_near_haloes_are_tested_again)
 {
     struct hatch_line_strips strips = square();
@@ -439,6 +462,7 @@ static Suite *suite(void)
     tcase_add_test(tests, pieces_of_a_straight_line_are_drawn_as_one);
     tcase_add_test(tests, objects_without_size_have_no_lines);
     tcase_add_test(tests, specks_between_haloes_are_hidden);
+    tcase_add_test(tests, haloes_reach_over_the_start_of_a_closed_line);
     tcase_add_test(tests, only_pieces_near_haloes_are_tested_again);
     tcase_add_test(tests, longer_gaps_are_closed_where_nothing_hides_the_line);
     tcase_add_loop_test(tests, folds_are_bridged, 0, 12);
