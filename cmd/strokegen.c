@@ -1,5 +1,6 @@
 /* strokegen: traces strokes on surfaces along a direction field, nested by density. */
 #include <math.h>
+#include <string.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,6 +20,7 @@
 /* Strokes side by side, of all levels, over a gap of the finest. There are more, but render-gl judges by the nearest
  * corner of the box around a mesh, and wider strokes make lighter tones. */
 #define STROKES_PER_GAP 0.7
+#define NARROW_STROKES_MAX 1e5
 #define HALVINGS_MAX 40u  /* of the gap on a mesh that is smaller than it */
 #define LEVELS_DEFORMED 9 /* by needs, on a mesh on which render-gl traces no finer ones */
 
@@ -159,15 +161,18 @@ static bool has_all(const struct hatch_curves *curves, uint32_t families)
 }
 
 /* Traces strokes. A mesh that is too small for those of a family gets one level, with the widest gap at which it has
- * some: render-gl traces finer ones only of families that a file has.
- *   how   its gap is in mesh units
- *   must  false: strokes that are too few are enough */
+ * some: render-gl traces finer ones only of families that a file has. One that is so long and narrow that this would
+ * take more than about NARROW_STROKES_MAX strokes keeps what it has. how   its gap is in mesh units must  false:
+ * strokes that are too few are enough */
 static void trace_some(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                        const struct hatch_frames *frames, const double *direction,
                        const struct hatch_trace_options *how, bool must, struct hatch_scene_mesh *mesh)
 {
     struct hatch_trace_options local = *how;
     struct hatch_err err;
+    double area = 0;
+    for (uint32_t f = 0; f < mesh->mesh.face_count; f++)
+        area += hatch_mesh_face_area(&mesh->mesh, f);
     for (uint32_t i = 0; i <= HALVINGS_MAX; i++) {
         cmd_check(hatch_trace_make(surface, &mesh->mesh, frames, direction, &local, cmd_pool(args), &args->keep,
                                    &args->scratch, &mesh->curves, &err),
@@ -176,7 +181,26 @@ static void trace_some(struct cmd_args *args, const char *name, const struct hat
             break;
         local.gap = ldexp(local.gap, -(int)local.levels);
         local.levels = 1;
+        if (area > NARROW_STROKES_MAX * local.gap * local.gap)
+            break;
     }
+}
+
+/* Makes a mesh anew that has a direction field, if its surface has other faces, or other vertices of faces. */
+static void repair(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
+                   struct hatch_scene_mesh *mesh)
+{
+    struct hatch_err err;
+    struct hatch_mesh made;
+    uint32_t *vertex_point;
+    cmd_check(hatch_surface_to_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err),
+              name, &err);
+    const size_t indices = 3 * (size_t)made.face_count;
+    if (made.face_count == mesh->mesh.face_count && made.vertex_count == mesh->mesh.vertex_count &&
+        memcmp(made.indices, mesh->mesh.indices, indices * sizeof *made.indices) == 0)
+        return;
+    mesh->mesh = made;
+    mesh->curves = (struct hatch_curves){0}; /* they lie on the old faces */
 }
 
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
@@ -197,12 +221,10 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     if (!(local.gap > 0 && isfinite(local.gap)))
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "the size of a mesh in the scene is zero or infinite"), name, &err);
     if (surface && hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
-        cut = *surface;
-    else {
-        if (surface)
-            cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
-        cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
-    }
+        repair(args, name, surface, mesh);
+    else if (surface)
+        cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
+    cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
     cmd_check(hatch_frames_make(&cut, &args->keep, &args->scratch, &frames, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);

@@ -117,17 +117,36 @@ enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_e
     return hatch_fail(err, HATCH_BAD_INPUT, "no face has an area");
 }
 
+/* Returns whether a face has one position alone, as those have that some scanners write for missing ones. */
+static bool is_one_point(const struct hatch_mesh *mesh, size_t face)
+{
+    const float *positions = mesh->attributes[0].data;
+    const uint32_t *corner = &mesh->indices[3 * face];
+    for (size_t k = 0; k < 3; k++)
+        for (size_t c = 1; c < 3; c++)
+            if (positions[3 * (size_t)corner[c] + k] < positions[3 * (size_t)corner[0] + k] ||
+                positions[3 * (size_t)corner[c] + k] > positions[3 * (size_t)corner[0] + k])
+                return false;
+    return true;
+}
+
 bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3])
 {
     const float *positions = mesh->attributes[0].data;
+    bool any = false;
     for (size_t i = 0; i < (size_t)mesh->face_count * 3; i++) {
         const float *p = &positions[(size_t)mesh->indices[i] * 3];
+        if (i % 3 == 0 && is_one_point(mesh, i / 3)) {
+            i += 2;
+            continue;
+        }
         for (int k = 0; k < 3; k++) {
-            if (i == 0 || p[k] < low[k])
+            if (!any || p[k] < low[k])
                 low[k] = p[k];
-            if (i == 0 || p[k] > high[k])
+            if (!any || p[k] > high[k])
                 high[k] = p[k];
         }
+        any = true;
     }
-    return mesh->face_count > 0;
+    return any;
 }

@@ -113,7 +113,8 @@ double hatch_mesh_face_area(const struct hatch_mesh *mesh, uint32_t face);
  * face with an area. */
 enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the axis-aligned bounding box of the vertices that faces use; returns false if there are no faces. */
+/* Computes the axis-aligned bounding box of the vertices that faces use, but for faces with one position alone. Returns
+ * false if there are no others. */
 bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3]);
 
 /* Adds NORMAL where it is missing: the mean of the normals of the faces around a vertex, weighted by their angles there

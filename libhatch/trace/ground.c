@@ -69,18 +69,21 @@ static void set_turn(struct hatch_trace_ground *ground, uint32_t side)
     face->turn[c][1] = (float)((edge[0] * next[1] - edge[1] * next[0]) / size);
 }
 
-/* Joins the faces at the edges that strokes cross.
+/* Joins the faces at the edges that strokes cross. Across a contrary edge, the angle to the field is counted the other
+ * way round, so that strokes go on only where it is a multiple of a right angle.
  *   number  per face of the surface: its number on the ground */
-static void join_sides(const struct hatch_surface *surface, const uint32_t *number, double hard_rad,
+static void join_sides(const struct hatch_surface *surface, const uint32_t *number, double angle_rad, double hard_rad,
                        struct hatch_trace_ground *ground)
 {
+    const bool slanted = fabs(sin(2 * angle_rad)) > ROUNDING_RAD;
     for (uint32_t side = 0; side < 3 * surface->face_count; side++) {
         uint32_t from = 3 * ground->source[side / 3] + side % 3, to = surface->opposite[from], other = to;
         struct hatch_trace_face *face = &ground->faces[side / 3];
         if (to != HATCH_NO_SIDE)
             other = 3 * number[to / 3] + to % 3;
         bool contrary = to != HATCH_NO_SIDE && surface->corners[from] == surface->corners[to];
-        bool open = to != HATCH_NO_SIDE && bend_of(surface, from, to, contrary) <= hard_rad + ROUNDING_RAD;
+        bool open = to != HATCH_NO_SIDE && !(contrary && slanted) &&
+                    bend_of(surface, from, to, contrary) <= hard_rad + ROUNDING_RAD;
         face->beyond[side % 3] = open ? other : HATCH_NO_SIDE;
         face->contrary |= (uint8_t)((uint32_t)contrary << side % 3);
         if (open)
@@ -174,7 +177,7 @@ enum hatch_status hatch_trace_lay_out(const struct hatch_surface *surface, const
         }
         set_changes(&made.faces[f], z, &made.poses[f]);
     }
-    join_sides(surface, number, hard_rad, &made);
+    join_sides(surface, number, angle_rad, hard_rad, &made);
     HATCH_TRY(hatch_trace_find_ends(&made, arena, &made.ends, err));
     *ground = made;
     return HATCH_OK;

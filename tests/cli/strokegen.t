@@ -112,4 +112,38 @@ for command in "strokegen" "dirfield" "hatchstat mesh"; do
     refused "$command refuses damaged strokes" 3 1
     ok "$command: the message names the place" grep -q 'damaged.gltf: mesh 0, primitive 4: strokes: family' .err
 done
+# A strip a million times as long as wide has few strokes, or none, but is done soon.
+printf 'v 0 0 0\nv 1 0 0\nv 1 1e-6 0\nv 0 1e-6 0\nf 1 2 3\nf 1 3 4\n' >narrow.obj
+ok "a strip that is narrower than any gap" timeout 20 strokegen -q narrow.obj -o narrow.glb
+ok "has a small file" test "$(wc -c <narrow.glb)" -lt 100000
+# Facets of zeros, which scanners write for missing ones, have no place.
+{
+    echo solid body
+    awk 'function facet(a, b, c) {print "facet normal 0 0 0 outer loop vertex " a " vertex " b " vertex " c " endloop endfacet"}
+        function at(i, j) {return 100 + i / 10 " " 100 + j / 10 " " 100 + sin(i / 3) / 4}
+        BEGIN {for (i = 0; i < 10; i++) for (j = 0; j < 10; j++) {
+            facet(at(i, j), at(i + 1, j), at(i + 1, j + 1)); facet(at(i, j), at(i + 1, j + 1), at(i, j + 1))}}'
+} >body.stl
+{
+    cat body.stl
+    echo facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop endfacet endsolid
+} >padded.stl
+echo endsolid >>body.stl
+strokegen -q body.stl -o body.glb
+strokegen -q padded.stl -o padded.glb
+ok "strokes of a scan with facets of zeros" cmp body.glb padded.glb
+# The mesh that is written is the repaired one, with a direction field, too.
+meshgen torus --faces 400 | dirfield -q -o field.glb
+unpack field.glb field
+perl -MJSON::PP -0777 -e '
+    my $scene = decode_json(<>);
+    my $view = $scene->{bufferViews}[$scene->{accessors}[$scene->{meshes}[0]{primitives}[0]{indices}]{bufferView}];
+    open my $file, "+<:raw", "field.bin" or die;
+    seek $file, $view->{byteOffset}, 0;
+    read $file, my $face, 6;
+    seek $file, $view->{byteOffset} + 6, 0;
+    print $file $face;' field.gltf
+strokegen field.gltf -o mended.glb 2>said
+is "a face that is given twice" "$(grep -c '1 face given twice left out' said) $(hatchstat mesh mended.glb |
+    awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) c[$i] = i} NR == 2 {print $c["duplicates"]}')" "1 0"
 finish

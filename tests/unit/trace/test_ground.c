@@ -350,6 +350,31 @@ START_TEST(headings_keep_their_angle_to_edges)
 }
 END_TEST
 
+/* On a Möbius strip, the line at 60 degrees to the field is one at -60 degrees beyond the edge where the outside
+ * changes: strokes end there, and go on at right angles to the field. */
+START_TEST(slanted_strokes_end_where_the_outside_changes)
+{
+    struct field_case strip = case_of(band(40, 3, true));
+    const struct hatch_surface *surface = &strip.surface;
+    static const double degrees[] = {0, 90, -180, 60, 45};
+    for (size_t a = 0; a < sizeof degrees / sizeof *degrees; a++) {
+        struct hatch_trace_ground ground = lay_out(&strip, degrees[a] * PI / 180, PI);
+        uint32_t contrary = 0, closed = 0;
+        for (uint32_t i = 0; i < 3 * surface->face_count; i++) {
+            uint32_t side = 3 * ground.source[i / 3] + i % 3, other = surface->opposite[side];
+            if (other == HATCH_NO_SIDE)
+                continue;
+            bool turns = surface->corners[side] == surface->corners[other];
+            contrary += turns;
+            closed += ground.faces[i / 3].beyond[i % 3] == HATCH_NO_SIDE;
+            ck_assert(turns || ground.faces[i / 3].beyond[i % 3] != HATCH_NO_SIDE);
+        }
+        ck_assert_uint_gt(contrary, 0);
+        ck_assert_uint_eq(closed, a < 3 ? 0 : contrary);
+    }
+}
+END_TEST
+
 START_TEST(a_turn_is_a_right_angle)
 {
     struct hatch_trace_place place = {0, 0, 0, {0.6, 0.8}};
@@ -392,6 +417,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_walk_over_a_plane_is_straight);
     tcase_add_test(tests, a_walk_around_a_cube_closes);
     tcase_add_test(tests, headings_keep_their_angle_to_edges);
+    tcase_add_test(tests, slanted_strokes_end_where_the_outside_changes);
     tcase_add_test(tests, a_turn_is_a_right_angle);
     tcase_add_test(tests, a_walk_along_the_field_is_a_helix);
     suite_add_tcase(suite, tests);
