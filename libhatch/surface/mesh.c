@@ -17,17 +17,20 @@ static void find_orientations(const struct hatch_surface *s, const struct hatch_
     }
 }
 
-/* Negates the normals of reversed vertices. w of a tangent changes sign too, which keeps the bitangent w * (NORMAL ×
- * TANGENT), the direction in which v falls. */
+/* Negates the normals of reversed vertices, and their moves by morph targets. w of a tangent changes sign too, which
+ * keeps the bitangent w * (NORMAL × TANGENT), the direction in which v falls. */
 static void flip_normals(const uint8_t *orientations, struct hatch_mesh *mesh)
 {
     float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
     float *tangents = hatch_mesh_find(mesh, "TANGENT", 4);
+    const struct hatch_mesh_attribute *moves = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         if (orientations[v] != REVERSED)
             continue;
         for (size_t k = 0; normals && k < 3; k++)
             normals[v * 3 + k] = -normals[v * 3 + k];
+        for (size_t k = 0; moves && k < moves->components; k++)
+            moves->data[v * moves->components + k] = -moves->data[v * moves->components + k];
         if (normals && tangents)
             tangents[v * 4 + 3] = -tangents[v * 4 + 3];
     }
