@@ -36,10 +36,11 @@ static uint32_t point_count(const struct gathering *gathering)
     return (uint32_t)(gathering->slack.size / sizeof(float));
 }
 
-static enum hatch_status add_point(struct gathering *gathering, const double at[3], float slack, struct hatch_err *err)
+static enum hatch_status add_point(struct gathering *gathering, const double at[3], float slack, bool blank,
+                                   struct hatch_err *err)
 {
     HATCH_TRY(hatch_buffer_add(&gathering->points, at, 3 * sizeof *at, err));
-    HATCH_TRY(hatch_buffer_add(&gathering->blank, &(bool){false}, sizeof(bool), err));
+    HATCH_TRY(hatch_buffer_add(&gathering->blank, &blank, sizeof blank, err));
     return hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err);
 }
 
@@ -78,7 +79,7 @@ static enum hatch_status add_silhouette(struct gathering *gathering, const doubl
         double here = project(gathering->occluders, middle, at_px);
         double step = known ? hatch_occluders_step(gathering->occluders, at_px, away, here) : HUGE_VAL;
         const struct piece piece = {known ? length / count : 0, step, step > STEP_PX};
-        HATCH_TRY(add_point(gathering, at, slack, err));
+        HATCH_TRY(add_point(gathering, at, slack, false, err));
         HATCH_TRY(hatch_buffer_add(&gathering->pieces, &piece, sizeof piece, err));
     }
     return HATCH_OK;
@@ -136,22 +137,21 @@ static enum hatch_status add_outline(struct gathering *gathering, const struct h
                                  &trace->nodes[3 * (size_t)nodes[k + 1]], trace->slack[segment],
                                  trace->surface[segment], err));
     }
-    HATCH_TRY(add_point(gathering, &trace->nodes[3 * (size_t)nodes[chain->segment_count]], 0, err));
+    HATCH_TRY(add_point(gathering, &trace->nodes[3 * (size_t)nodes[chain->segment_count]], 0, false, err));
     blank_flat(gathering, first);
     return HATCH_OK;
 }
 
-/* Adds a chain of creases or boundaries. */
+/* Adds a chain of creases or boundaries. Where no face at an edge can be seen, the edge is not drawn either, but it is
+ * hidden only where surfaces hide it. */
 static enum hatch_status add_feature(struct gathering *gathering, const struct hatch_line_curves *from,
                                      const struct hatch_line_chain *chain, const uint32_t *nodes, struct hatch_err *err)
 {
     for (uint32_t k = 0; k <= chain->segment_count; k++) {
         uint32_t segment = from->chains.segments[chain->first + (k < chain->segment_count ? k : k - 1)];
         const double *at = &from->trace.nodes[3 * (size_t)nodes[k]];
-        float slack = from->trace.slack[segment];
-        if (slack >= 0)
-            slack = (float)(FEATURE_SLACK_PX * hatch_line_pixel(&gathering->eye, at) + FLOAT_SLACK);
-        HATCH_TRY(add_point(gathering, at, slack, err));
+        float slack = (float)(FEATURE_SLACK_PX * hatch_line_pixel(&gathering->eye, at) + FLOAT_SLACK);
+        HATCH_TRY(add_point(gathering, at, slack, from->trace.slack[segment] < 0, err));
     }
     return HATCH_OK;
 }

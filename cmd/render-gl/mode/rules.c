@@ -108,6 +108,7 @@ static const struct cmd_rule rules[] = {
     {PATTERN_OPTIONS, patterned_script, "a drawing consists of lines"},
     {TONE_OPTIONS, inked, "a drawing without strokes has no tone"},
     {"paper " TONE_OPTIONS, scripted, "a stroke script of lines alone has neither paper nor tone"},
+    {"hidden", "lines!=none", "it dashes feature lines"},
     {"margin", "page", "the page without it is as large as the picture"},
     {"pen", "!line-width", "give one of them"},
     {NULL, NULL, NULL},

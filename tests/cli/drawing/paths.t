@@ -285,4 +285,11 @@ ok "plot.mk draws into another folder" make -s -f "$TOP/pipelines/plot.mk" SCENE
     OPTIONS=-q
 is "plot.mk names the drawing after the scene" "$(grep -c 'viewBox="0 0 210 148"' 'away/two squares.svg')" 1
 
+
+# A single-sided square from behind: nothing of it is in sight, and no surface hides it.
+meshgen plane --faces 2 -o back.glb
+unpack back.glb back
+sed -i 's/"meshes":/"materials":[{}],&/; s/"indices":/"material":0,&/' back.gltf
+try render-gl back.gltf --camera 0,0,-4:0,0,0 --hidden dash -o back.svg
+is "edges of faces that are seen from behind are not hidden ones" "$status $(grep -c '<path' back.svg) $(grep -c 'is empty' .err)" "0 0 1"
 finish
