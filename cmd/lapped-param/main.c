@@ -11,6 +11,7 @@
 #define PX_PER_TEXEL 4      /* pixels of a picture that a texel of the mask may cover: borders of patches are soft */
 #define FEATHER_PX 11       /* of the mask, so that three quarters of the soft border are left in it */
 #define UNEVENNESS_MAX 1.1  /* of the scales of a mesh, before a warning */
+#define TILE_RANGE 1e6      /* largest ratio of a tile to the scene's diagonal, or of that to a tile */
 #define TILES_ON_DIAGONAL 4 /* default ratio of the scene's diagonal to the side of a tile */
 
 static double size, curved = 0.5, stretch = 1.5, turn_deg = 14, tile, roughness = 0.3, feather = 0.045;
@@ -133,6 +134,11 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
     cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
     warn_uneven(cmd_input_name(input), &extent, scene->mesh_count);
+    if (settings->tile > TILE_RANGE * extent.diagonal ||
+        (settings->tile > 0 && settings->tile * TILE_RANGE < extent.diagonal))
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "--tile %g: want a millionth to a million times the diagonal, %.3g",
+                             settings->tile, extent.diagonal),
+                  cmd_input_name(input), &err);
     double faces = 0;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         faces += scene->meshes[i].mesh.face_count;

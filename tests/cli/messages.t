@@ -21,6 +21,9 @@ says "--replay with --method" 2 2 "--method cannot be combined with --replay: it
 says "--exact with --mask" 2 2 "--mask cannot be combined with --exact" \
     tamthresh --exact --mask a.png
 says "--atlas with --tile" 2 2 "--tile cannot be combined with --atlas" lapped-param --atlas --tile 1
+meshgen torus --faces 60 -o mesh.glb
+says "a tile that is far too large" 3 1 "mesh.glb: --tile 1e+09: want a millionth to a million times the diagonal, 3.93" lapped-param --tile 1e9 mesh.glb
+says "--hidden without feature lines" 2 2 "--hidden cannot be combined with --lines none: it dashes feature lines" render-gl mesh.glb --hidden dash --lines none -t traced -o x.svg
 says "angles that are no numbers" 2 2 "--angles: '0,,60' is not a list of numbers from -360 to 360" strokegen --angles 0,,60
 says "too many angles" 2 2 "--angles: more than 8" strokegen --angles 1,2,3,4,5,6,7,8,9
 echo '{"asset":{"version":"2.0"},"nodes":[{"mesh":0,"scale":[0,0,0]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
