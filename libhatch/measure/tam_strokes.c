@@ -136,7 +136,9 @@ enum hatch_status hatch_measure_evenness(const struct hatch_tam *tam, const stru
 {
     assert(draws > 0);
     for (uint32_t i = 0; i < tam->tones * HATCH_EVENNESS_BOXES; i++)
-        ratio[i] = 0;
+        ratio[i] = strokes->growth > 0 ? NAN : 0;
+    if (strokes->growth > 0)
+        return HATCH_OK;
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     for (uint32_t draw = 0; draw < draws; draw++) {
         enum hatch_status status = add_drawing(tam, strokes, draw, scratch, ratio, err);

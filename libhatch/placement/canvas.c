@@ -83,7 +83,9 @@ double hatch_canvas_try(struct hatch_canvas *canvas, const struct hatch_stroke *
     return measure_change(canvas, stroke, level);
 }
 
-static void mark_ids(struct hatch_canvas *canvas, uint32_t level, uint32_t id)
+/* Gives a stroke's pixels to it that no other has.
+ *   scale  of its length: places along it are those along the whole stroke, of which the middle is drawn first */
+static void mark_ids(struct hatch_canvas *canvas, uint32_t level, uint32_t id, float scale)
 {
     const struct hatch_footprint *f = &canvas->footprint;
     for (uint32_t i = 0; i < f->count; i++) {
@@ -91,7 +93,7 @@ static void mark_ids(struct hatch_canvas *canvas, uint32_t level, uint32_t id)
         if (*owner > 0)
             continue;
         *owner = (float)id;
-        canvas->along[level][f->at[i]] = f->along[i];
+        canvas->along[level][f->at[i]] = 0.5f + (f->along[i] - 0.5f) * scale;
     }
 }
 
@@ -113,5 +115,5 @@ void hatch_canvas_draw(struct hatch_canvas *canvas, const struct hatch_stroke *s
             memcpy(canvas->rgb[level] + 3 * (size_t)f->at[i], rgb, sizeof rgb);
     }
     if (canvas->id[level])
-        mark_ids(canvas, level, stroke->id);
+        mark_ids(canvas, level, stroke->id, scale);
 }

@@ -57,6 +57,7 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
     for (uint32_t c = 0; c < choice->candidates; c++) {
         struct scored entry = {0, hatch_choice_candidate(style, choice, c)};
         entry.stroke.length *= choice->scale; /* it is scored at the size at which it will first be drawn */
+        entry.stroke.bend_rad *= choice->scale;
         entry.score = hatch_potential_score(field, &entry.stroke, COARSE_SAMPLES);
         count = insert(list, count, &entry);
     }
@@ -67,5 +68,6 @@ struct hatch_stroke hatch_place_by_field(const struct hatch_style *style, const 
             best = other;
     }
     best.stroke.length /= choice->scale;
+    best.stroke.bend_rad /= choice->scale;
     return best.stroke;
 }

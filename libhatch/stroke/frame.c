@@ -22,6 +22,8 @@ struct hatch_frame hatch_frame_make(const struct hatch_stroke *stroke, const str
     f.sine = (float)sin((double)stroke->angle_rad);
     f.half_width = stroke->width_px * width_scale * 0.5f;
     f.half_length = stroke->length * (float)size_px * length_scale * 0.5f;
+    f.grain_half[1] = stroke->width_px * 0.5f;
+    f.grain_half[0] = fmaxf(stroke->length * (float)size_px * 0.5f, f.grain_half[1]);
     f.radius = radius_of(stroke, size_px);
     /* Caps extend a path beyond its end points; the length of other strokes includes them. */
     f.core = f.half_length - (stroke->path ? 0 : f.half_width);
@@ -56,8 +58,8 @@ static float cumulative_at(const float *column, uint32_t height, float across)
 static float grain_at(const struct hatch_brush *brush, const struct hatch_frame *f, float along, float across)
 {
     /* Nearest neighbour, because interpolation would blur the grain. */
-    uint32_t x = (uint32_t)(int32_t)floorf(along + f->half_length) + f->grain_x;
-    uint32_t y = (uint32_t)(int32_t)floorf(across + f->half_width) + f->grain_y;
+    uint32_t x = (uint32_t)(int32_t)floorf(along + f->grain_half[0]) + f->grain_x;
+    uint32_t y = (uint32_t)(int32_t)floorf(across + f->grain_half[1]) + f->grain_y;
     return brush->grain[y % HATCH_GRAIN_SIZE * HATCH_GRAIN_SIZE + x % HATCH_GRAIN_SIZE];
 }
 

@@ -17,6 +17,7 @@ struct hatch_frame {
     float opacity;               /* of the stroke, 0 .. 1 */
     float alpha_per_width;       /* converts a difference of cumulative alphas to the alpha of a pixel */
     uint32_t grain_x, grain_y;   /* offset into the grain, px */
+    float grain_half[2]; /* px: half the length and the width at scale 1, so that the grain stays as a stroke grows */
 };
 
 /* Makes the frame of a stroke; arguments as for hatch_footprint_draw. */

@@ -88,4 +88,9 @@ try hatchstat tam mine.exr --strokes mine.tsv
 refused "a path in the metadata of a map is not opened" 2 2
 try hatchstat tam ink.exr --style pencil
 refused "--style without --strokes" 2 2
+# Strokes that grow have other sizes in each column than the drawings at random positions would have.
+tamgen -q --size 64 --tones 3 --levels 1 --growth 0.6 --strokes grown.tsv -o grown.exr
+is "evenness of strokes that grow is unknown" \
+    "$(hatchstat tam grown.exr -r grown.tsv | awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) if ($i ~ /^even/) c[i]}
+        NR > 1 && $1 == "all" {for (i in c) printf "%s ", $i}')" "nan nan nan nan "
 finish

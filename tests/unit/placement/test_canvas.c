@@ -101,16 +101,22 @@ END_TEST
 START_TEST(a_stroke_grown_in_steps_equals_the_whole_stroke)
 {
     struct hatch_canvas whole;
-    style.overlap = _i ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
-    HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err), &err); /* no grain, no taper */
-    HATCH_TEST_OK(make_canvas(false, false, &whole), &err);
+    style.overlap = _i % 2 ? HATCH_OVERLAP_DARKENS : HATCH_OVERLAP_FLAT;
+    float *grain = _i / 2 ? brush.grain : NULL;
+    HATCH_TEST_OK(hatch_brush_make(HATCH_BRUSH_STIPPLE, &keep, &brush, &err), &err); /* no taper */
+    brush.grain = grain;
+    HATCH_TEST_OK(make_canvas(false, true, &whole), &err);
     struct hatch_stroke stroke = random_stroke(5);
+    const float half_pixel = 0.5f / (stroke.length * SIZE);
     hatch_canvas_draw(&canvas, &stroke, 0, 0, 0.4f);
     hatch_canvas_draw(&canvas, &stroke, 0, 0.4f, 0.7f);
     hatch_canvas_draw(&canvas, &stroke, 0, 0.7f, 1);
     hatch_canvas_draw(&whole, &stroke, 0, 0, 1);
-    for (uint32_t k = 0; k < SIZE * SIZE; k++)
+    for (uint32_t k = 0; k < SIZE * SIZE; k++) {
         ck_assert_float_eq_tol(canvas.paper[0][k], whole.paper[0][k], 1e-5f);
+        ck_assert_float_eq(canvas.id[0][k], whole.id[0][k]);
+        ck_assert_float_eq_tol(canvas.along[0][k], whole.along[0][k], half_pixel); /* pixels at ends are of the end */
+    }
     ck_assert_double_eq_tol(canvas.darkness[0], whole.darkness[0], 1e-5);
 }
 END_TEST
@@ -188,7 +194,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, strokes_only_darken_and_the_mean_is_tracked, 0, 2);
     tcase_add_test(tests, strokes_overlap_as_the_style_defines);
-    tcase_add_loop_test(tests, a_stroke_grown_in_steps_equals_the_whole_stroke, 0, 2);
+    tcase_add_loop_test(tests, a_stroke_grown_in_steps_equals_the_whole_stroke, 0, 4);
     tcase_add_test(tests, the_first_stroke_keeps_its_pixels);
     tcase_add_loop_test(tests, colors_overlap_as_the_style_defines, 0, 3);
     tcase_add_test(tests, every_failed_allocation_is_a_status);

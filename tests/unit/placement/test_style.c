@@ -218,7 +218,7 @@ static const struct {
      "line 9: more than 8 direction lines"},
     {"candidates 100", "line 1: candidates: a value is missing"},
     {"candidates 0 1", "line 1: candidates: 0"},
-    {"candidates 1 1e7", "line 1: candidates: 1e+07"},
+    {"candidates 1 1e7", "line 1: candidates: 10000000, want 1 to 1000000"},
     {"candidates 1.5 1", "line 1: candidates: 1.5 1, want whole numbers"},
     {"brush", "line 1: brush: a value is missing"},
     {"brush quill", "line 1: brush: 'quill', want ink"},
