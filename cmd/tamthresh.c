@@ -14,12 +14,12 @@
 #define ERROR_WARNED 0.02
 
 static const char *bins = "7", *modulation_path, *mask_path, *needs_path;
-static bool exact;
+static bool exact, bins_given;
 static double tolerance; /* of the needs */
 
 static const struct cmd_option options[] = {
     {'b', "bins", CMD_TEXT, 0, 0, "BINS",
-     "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, NULL},
+     "number of ranges of tone, 1 to 7, or the borders between them: .4,.7,.9 (default 7)", &bins, NULL, &bins_given},
     {'x', "exact", CMD_FLAG, 0, 0, NULL, "write all changes of every texel, run-length encoded, instead of thresholds",
      &exact, NULL, NULL},
     {'N', "needs", CMD_TEXT, 0, 0, "FILE", "leave out tones and levels that views do not need (render-gl --needs)",
@@ -142,20 +142,21 @@ static void compress(struct cmd_args *args, const char *name, struct hatch_thres
 }
 
 /* Makes thresholds; with needs, of few bins in half of the layers if their mean error is within the tolerance, and
- * compressed in a KTX2 file.
+ * compressed in a KTX2 file. More bins that are asked for stay.
  *   how  in, out: its number of bins */
 static void make(struct cmd_args *args, const char *name, const struct hatch_tam *tam,
                  struct hatch_threshold_options *how, struct hatch_thresholds *made)
 {
     struct hatch_err err;
     const uint32_t bins_wanted = how->bins;
-    bool may_pack = needs_path && !how->border && !how->modulation && !how->mask;
+    bool may_pack = needs_path && !how->border && !how->modulation && !how->mask &&
+                    !(bins_given && how->bins > HATCH_THRESHOLD_BINS_FEW);
     if (may_pack && how->bins > HATCH_THRESHOLD_BINS_FEW)
         how->bins = HATCH_THRESHOLD_BINS_FEW;
     cmd_check(hatch_thresholds_make(tam, how, cmd_pool(args), &args->keep, &args->scratch, made, &err), name, &err);
     if (may_pack && made->figures.error <= tolerance) {
-        cmd_note("%u bins, not %u, in %u layers: their mean error is within the tolerance", how->bins, bins_wanted,
-                 HATCH_THRESHOLD_LAYERS_FEW);
+        cmd_note("%u %s of %u, in %u layers: their mean error is within the tolerance", how->bins,
+                 cmd_plural(how->bins, "bin", "bins"), bins_wanted, HATCH_THRESHOLD_LAYERS_FEW);
         hatch_thresholds_pack(made);
         if (!cmd_is_exr_path(args->output))
             compress(args, name, made);

@@ -318,7 +318,9 @@ this view shows levels with fewer than 4 slices of tone; want tamvol --layout ar
 tamthresh -q --exact --needs turn.needs whole.exr -o exact.ktx2
 tamthresh -q whole.exr -o bins.ktx2
 tamthresh -v --needs turn.needs whole.exr -o few.ktx2 2>said
-is "tamthresh, that it makes fewer bins" "$(grep -c '4 bins, not 7, in 2 layers' said)" 1
+is "tamthresh, that it makes fewer bins" "$(grep -c '4 bins of 7, in 2 layers' said)" 1
+tamthresh -v --bins 7 --needs turn.needs whole.exr -o seven.ktx2 2>asked
+is "bins that are asked for stay" "$(grep -c ' in 2 layers' asked) $(grep -c '^tamthresh: bins 0 [0-9. ]* 1; ' asked)" "0 1"
 is "which need a quarter of the bytes, compressed" \
     "$(($(wc -c <bins.ktx2) * 10 / $(wc -c <few.ktx2))) $(grep -c 'compression error: 0.0' said)" "39 1"
 tamthresh -q --needs turn.needs whole.exr -o few.exr
