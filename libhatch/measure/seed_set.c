@@ -209,9 +209,12 @@ static enum hatch_status measure_distances(const struct hatch_seed_set *set, uin
 static double correlate(const struct hatch_seed_point *places, uint32_t count)
 {
     double u = 0, v = 0, uu = 0, vv = 0, uv = 0;
+    bool differ[2] = {false, false};
     for (uint32_t i = 0; i < count; i++) {
         u += to_unit(places[i].u) / count;
         v += to_unit(places[i].v) / count;
+        differ[0] |= places[i].u != places[0].u;
+        differ[1] |= places[i].v != places[0].v;
     }
     for (uint32_t i = 0; i < count; i++) {
         double du = to_unit(places[i].u) - u, dv = to_unit(places[i].v) - v;
@@ -219,7 +222,7 @@ static double correlate(const struct hatch_seed_point *places, uint32_t count)
         vv += dv * dv;
         uv += du * dv;
     }
-    return uu * vv > 0 ? uv / sqrt(uu * vv) : NAN;
+    return differ[0] && differ[1] ? uv / sqrt(uu * vv) : NAN;
 }
 
 static enum hatch_status measure(const struct hatch_seed_set *set, uint32_t throws, struct hatch_arena *scratch,

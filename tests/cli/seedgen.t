@@ -40,4 +40,5 @@ seedgen -n 16 --layers 6 >piped.seeds
 cmp -s piped.seeds six.seeds
 is "a plot changes nothing in the sets" $? 0
 is "nothing else is written" "$(ls | paste -sd' ')" "piped.seeds plot.pl plot.svg six.seeds"
+is "points with one u have no correlation" "$(printf '111333\n' | hatchstat seeds | awk -F'\t' 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "correlation") c = i} NR == 2 {print $c}')" nan
 finish
