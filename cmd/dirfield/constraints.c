@@ -195,8 +195,9 @@ static enum hatch_status add_row(struct cmd_args *args, const struct targets *ta
         HATCH_TRY(find_vertex(targets, values[VERTEX], row, &job, &at, err));
     } else {
         if (!find_nearest(targets, &values[X], &job, &pose, &at))
-            return hatch_fail(err, HATCH_BAD_INPUT,
-                              "line %u: no node of the scene shows a mesh in its size; use the column vertex instead of x y z", row);
+            return hatch_fail(
+                err, HATCH_BAD_INPUT,
+                "line %u: no node of the scene shows a mesh in its size; use the column vertex instead of x y z", row);
         made.pose = pose;
         at = targets->groups[job].group[at];
     }

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "base/json.h"
-#include "base/text.h"
 
 static void add_text(struct cmd_report *report, const char *text)
 {

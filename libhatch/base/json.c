@@ -1,7 +1,5 @@
 #include "base/json.h"
 
-#include "base/text.h"
-
 enum hatch_status hatch_json_add_string(struct hatch_buffer *buffer, const char *text, struct hatch_err *err)
 {
     HATCH_TRY(hatch_buffer_add(buffer, "\"", 1, err));

@@ -7,6 +7,8 @@
 #ifndef HATCH_BASE_STATUS_H
 #define HATCH_BASE_STATUS_H
 
+#include <stddef.h>
+
 /* The values are the exit statuses of the commands (hatch(7)). */
 enum hatch_status {
     HATCH_OK = 0,
@@ -55,5 +57,15 @@ enum hatch_status hatch_fail_quoting(struct hatch_err *err, enum hatch_status st
         if (hatch_try_status_ != HATCH_OK)                                                                             \
             return hatch_try_status_;                                                                                  \
     } while (0)
+
+/* Returns the length of the UTF-8 character at the start of a text: 1 to 4; 0 if the text begins with no character.
+ * Overlong forms, surrogates and numbers over 0x10ffff are none (RFC 3629, section 4).
+ *   text  ends with a byte that continues no character, such as 0 */
+size_t hatch_utf8_length(const char *text);
+
+/* Replaces the bytes of control characters by '?', so that a terminal shows the text and obeys none of it: U+0000 to
+ * U+001F, U+007F to U+009F, and bytes 80 to 9f that belong to no character. The text may contain zeros.
+ *   text  length bytes, and one more, which ends it */
+void hatch_utf8_make_plain(char *text, size_t length);
 
 #endif

@@ -44,14 +44,4 @@ bool hatch_text_number(struct hatch_text text, double *number);
 /* Parses three finite numbers separated by commas, as in "0,1.5,2"; returns false for any other text. */
 bool hatch_text_vector(struct hatch_text text, double xyz[3]);
 
-/* Returns the length of the UTF-8 character at the start of a text: 1 to 4; 0 if the text begins with no character.
- * Overlong forms, surrogates and numbers over 0x10ffff are none (RFC 3629, section 4).
- *   text  ends with a byte that continues no character, such as 0 */
-size_t hatch_utf8_length(const char *text);
-
-/* Replaces the bytes of control characters by '?', so that a terminal shows the text and obeys none of it: U+0000 to
- * U+001F, U+007F to U+009F, and bytes 80 to 9f that belong to no character. The text may contain zeros.
- *   text  length bytes, and one more, which ends it */
-void hatch_utf8_make_plain(char *text, size_t length);
-
 #endif

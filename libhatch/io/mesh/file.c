@@ -60,7 +60,7 @@ static enum hatch_mesh_format by_content(struct hatch_bytes file)
         return HATCH_MESH_PLY;
     if (hatch_off_keyword((const char *)rest.data, rest.size))
         return HATCH_MESH_OFF;
-    return hatch_stl_begins(file) ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
+    return starts_with(file, "solid") || hatch_stl_begins(file) ? HATCH_MESH_STL : HATCH_MESH_UNKNOWN;
 }
 
 enum hatch_mesh_format hatch_mesh_format_of(struct hatch_bytes file, const char *name)

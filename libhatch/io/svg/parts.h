@@ -74,10 +74,10 @@ struct hatch_svg_style {
     bool capped;                         /* round or square caps: lines of length 0 are visible */
     bool invisible;                      /* visibility is hidden */
     bool undisplayed, own_undisplayed;   /* display is none: of the element or of a group around it; of itself */
-    bool incomplete;                     /* has a filter, a mask, a clipping path, or other properties that are left out */
+    bool incomplete;                     /* some of its properties are left out: filter, mask, clip-path and others */
     struct hatch_text own_transform, own_origin; /* transform and transform-origin of the element; empty: none */
     bool own_box;                                /* of the element: its origin refers to another box than the page */
-    bool own_pen; /* of the element: its width is in units of the page (vector-effect: non-scaling-stroke) */
+    bool own_pen;                                /* of the element: its width is in units of the page (vector-effect) */
     struct hatch_svg_matrix matrix;              /* from user units to tiles */
 };
 
@@ -97,8 +97,7 @@ enum hatch_status hatch_svg_blank_comments(struct hatch_text *text, struct hatch
 /* Applies a list of declarations: "stroke:#000; stroke-width:2". A declaration whose value is malformed or unknown is
  * ignored (CSS 2.1, section 4.2); the style is incomplete then.
  *   important  whether those that end with "!important" are applied, or the others */
-void hatch_svg_declarations(struct hatch_text declarations, double page, bool important,
-                            struct hatch_svg_style *style);
+void hatch_svg_declarations(struct hatch_text declarations, double page, bool important, struct hatch_svg_style *style);
 
 /* A callback that receives a finished line, in tiles. */
 typedef enum hatch_status (*hatch_svg_finish)(void *context, struct hatch_path_builder *line, struct hatch_err *err);

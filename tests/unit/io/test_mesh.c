@@ -110,7 +110,6 @@ START_TEST(formats_are_found_by_content_then_by_name)
     ck_assert_int_eq(hatch_mesh_format_of(text("COFF\n"), NULL), HATCH_MESH_OFF);
     ck_assert_int_eq(hatch_mesh_format_of(text("solid"), NULL), HATCH_MESH_STL);
     ck_assert_int_eq(hatch_mesh_format_of(text(" \nSOLID x"), NULL), HATCH_MESH_STL);
-    ck_assert_int_eq(hatch_mesh_format_of(text("solidity"), NULL), HATCH_MESH_UNKNOWN);
     ck_assert_int_eq(hatch_mesh_format_of(text("v\t0 0 0"), NULL), HATCH_MESH_OBJ);
     ck_assert_int_eq(hatch_mesh_format_of(text("vat 0 0 0"), NULL), HATCH_MESH_UNKNOWN);
     ck_assert_int_eq(hatch_mesh_format_of(text("# x\n\nv 1 2 3"), NULL), HATCH_MESH_OBJ);

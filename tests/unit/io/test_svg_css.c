@@ -63,14 +63,16 @@ END_TEST
 /* CSS 2.1, section 4.2: a declaration with an unknown value is ignored. */
 START_TEST(unknown_values_in_css_are_ignored_and_counted)
 {
-    static const char *const values[] = {"stroke:light-dark(red, blue)", "stroke:var(--ink)", "stroke-width:1rem",
-                                         "stroke-width:-1",              "opacity:calc(1)",   "stroke-dashoffset:1rem"};
+    static const char *const values[] = {
+        "stroke:light-dark(red, blue)", "stroke:var(--ink)", "stroke-width:1rem", "stroke-width:-1", "opacity:calc(1)",
+        "stroke-dashoffset:1rem"};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
         char text[300];
         snprintf(text, sizeof text, "<path stroke='lime' stroke-width='2' style='%s' d='M0 0 9 9'/>", values[i]);
         read_page(text);
         ck_assert_msg(list.count == 1 && list.items[0].rgb[1] == 1 && notes.others == 1, "%s", values[i]);
-        snprintf(text, sizeof text, "<style>.a{stroke:lime}path.a{%s}</style><path class='a' d='M0 0 9 9'/>", values[i]);
+        snprintf(text, sizeof text, "<style>.a{stroke:lime}path.a{%s}</style><path class='a' d='M0 0 9 9'/>",
+                 values[i]);
         read_page(text);
         ck_assert_msg(list.count == 1 && list.items[0].rgb[1] == 1 && notes.others == 1, "%s", values[i]);
     }
