@@ -167,7 +167,7 @@ static bool tangent(const struct run *run, uint32_t i, bool first, double out[2]
 static void add(struct work *w, struct hatch_line_chain *chain, uint32_t *nodes, uint32_t end, uint32_t like)
 {
     uint32_t segment = w->trace.segment_count++;
-    w->trace.slack[segment] = w->from->slack[like];
+    w->trace.slack_px[segment] = w->from->slack_px[like];
     w->trace.surface[segment] = w->from->surface[like];
     w->refined.segments[segment] = segment;
     nodes[++chain->segment_count] = end;
@@ -236,7 +236,7 @@ enum hatch_status hatch_line_refine(const struct hatch_line_eye *eye, struct hat
     HATCH_TRY(HATCH_ALLOC(arena, &w.places, places, err));
     HATCH_TRY(HATCH_ALLOC(arena, &w.smooth, places, err));
     HATCH_TRY(HATCH_ALLOC(arena, &w.trace.nodes, 3 * (trace->node_count + most), err));
-    HATCH_TRY(HATCH_ALLOC(arena, &w.trace.slack, most, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &w.trace.slack_px, most, err));
     HATCH_TRY(HATCH_ALLOC(arena, &w.trace.surface, most, err));
     HATCH_TRY(HATCH_ALLOC(arena, &w.refined.chains, chains->count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &w.refined.nodes, most + chains->count, err));

@@ -3,8 +3,8 @@
 #include "line/edges.h"
 #include "line/trace.h"
 
-#define EDGE_ON 1e-7 /* cosine between a face's normal and the view below which the face counts as seen edge-on */
-#define SLACK_PX 2.0 /* slack of every segment */
+#define EDGE_ON 1e-7  /* cosine between a face's normal and the view below which the face counts as seen edge-on */
+#define SLACK_PX 2.0f /* slack of every segment */
 
 struct work {
     const struct hatch_line_shape *shape;
@@ -91,7 +91,7 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
         segments += side_of(w, e) != 0;
     HATCH_TRY(HATCH_ALLOC(arena, &trace->nodes, 6 * segments, err));
     HATCH_TRY(HATCH_ALLOC(arena, &trace->ends, 2 * segments, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &trace->slack, segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &trace->slack_px, segments, err));
     HATCH_TRY(HATCH_ALLOC(arena, &trace->surface, segments, err));
     HATCH_TRY(HATCH_ALLOC(arena, &trace->fixed, 2 * segments, err));
     for (uint32_t e = 0; e < lines->turns.count; e++) {
@@ -104,8 +104,7 @@ static enum hatch_status find(struct work *w, struct hatch_arena *arena, struct 
             uint32_t node = trace->ends[2 * segment + k] = add_node(w, lines->mesh.indices[corners[k]]);
             trace->fixed[node] = trace->fixed[node] || lines->turns.creases[e];
         }
-        const double *at = &trace->nodes[3 * (size_t)trace->ends[2 * segment]];
-        trace->slack[segment] = (float)(SLACK_PX * hatch_line_pixel(w->eye, at));
+        trace->slack_px[segment] = SLACK_PX;
         trace->surface[segment] = (int8_t)side;
     }
     return HATCH_OK;

@@ -84,19 +84,19 @@ static bool clip_depth(const struct hatch_view *view, const struct hatch_tile *t
 }
 
 /* Projects a segment and clips it to the tile. Returns false when nothing remains. */
-static bool cut_segment(const struct walk *w, double points[2][3], double slack, struct cut *cut)
+static bool cut_segment(const struct walk *w, double points[2][3], double slack_px, struct cut *cut)
 {
     const struct hatch_view *view = w->view;
     const struct hatch_tile *tile = w->tile;
     double depth[2] = {hatch_line_depth(view, points[0]), hatch_line_depth(view, points[1])};
     double begin = 0, end = 1;
     bool whole[2];
-    if (!(slack >= 0) || !clip_depth(view, tile, points, depth, whole))
+    if (!(slack_px >= 0) || !clip_depth(view, tile, points, depth, whole))
         return false;
     for (int i = 0; i < 2; i++) {
         project(view, tile, points[i], depth[i], cut->at[i]);
         double pixel = 2 * view->half_height * (view->orthographic ? 1 : depth[i]) / tile->full_height;
-        cut->limit[i] = buffer_depth(view, depth[i] - slack);
+        cut->limit[i] = buffer_depth(view, depth[i] - slack_px * pixel);
         cut->depth[i] = buffer_depth(view, depth[i]);
         cut->behind[i] = fmax(buffer_depth(view, depth[i] + STEP_PX * pixel), DEPTH_LEAST);
         hatch_vec_copy(points[i], cut->place[i]);
@@ -223,17 +223,17 @@ static void walk_chain(struct walk *w, const struct hatch_line_chains *chains, u
         uint32_t segment = chains->segments[chain->first + i];
         for (uint32_t k = 0; k < 2; k++)
             hatch_vec_copy(&w->trace->nodes[3 * (size_t)nodes[i + k]], points[k]);
-        bool drawn = cut_segment(w, points, (double)w->trace->slack[segment], &cut);
+        bool drawn = cut_segment(w, points, (double)w->trace->slack_px[segment], &cut);
         whole = whole && drawn && cut.begins && cut.ends;
         if (!drawn || !cut.begins)
-            end_strip(w, w->trace->slack[segment] >= 0);
+            end_strip(w, w->trace->slack_px[segment] >= 0);
         if (drawn) {
             begin_strip(w, joined);
             add_pieces(w, &cut, segment);
         }
         if (drawn && !cut.ends)
             end_strip(w, true);
-        joined = w->trace->slack[segment] >= 0;
+        joined = w->trace->slack_px[segment] >= 0;
     }
     w->strip.closed = chain->closed && whole;
     end_strip(w, chain->closed || chain->joined[1]);

@@ -2,7 +2,7 @@
 
 #include "math/vector.h"
 
-#define SLACK_PX 1.5  /* an edge's own faces, at their full slope, must not hide it within this distance from it */
+#define SLACK_PX 1.5f /* an edge's own faces, at their full slope, must not hide it within this distance from it */
 #define SLOPE_MAX 4.0 /* largest slope that counts: steeper faces recede from the line, or are seen from behind */
 
 double hatch_line_depth(const struct hatch_view *view, const double point[3])
@@ -46,7 +46,7 @@ static double facing(const struct hatch_line_shape *shape, const struct hatch_li
 /* Returns the slack of an edge, from the slope of its visible face that is turned most towards the eye; -1 if no face
  * is visible. */
 static float feature_slack(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
-                           const struct hatch_line_feature *feature, const double at[3])
+                           const struct hatch_line_feature *feature)
 {
     double flattest = -1; /* the largest cosine, of the face that is turned most towards the eye */
     for (int i = 0; i < 2 && feature->faces[i] != HATCH_NONE; i++) {
@@ -57,9 +57,9 @@ static float feature_slack(const struct hatch_line_shape *shape, const struct ha
     if (flattest < 0)
         return -1.0f;
     if (feature->faces[1] == HATCH_NONE)
-        return (float)(SLACK_PX * hatch_line_pixel(eye, at)); /* no surface on the other side */
+        return SLACK_PX; /* no surface on the other side */
     double slope = sqrt(fmax(1 - flattest * flattest, 0)) / fmax(flattest, 1 / SLOPE_MAX);
-    return (float)(SLACK_PX * hatch_line_pixel(eye, at) * (1 + slope));
+    return SLACK_PX * (float)(1 + slope);
 }
 
 enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape, const struct hatch_line_eye *eye,
@@ -70,14 +70,11 @@ enum hatch_status hatch_line_trace_features(const struct hatch_line_shape *shape
     size_t nodes = lines->node_count, segments = lines->feature_count;
     struct hatch_line_trace made = {.node_count = lines->node_count, .segment_count = lines->feature_count};
     HATCH_TRY(HATCH_ALLOC(arena, &made.nodes, 3 * nodes, err));
-    HATCH_TRY(HATCH_ALLOC(arena, &made.slack, segments, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &made.slack_px, segments, err));
     for (size_t i = 0; i < nodes; i++)
         hatch_line_place(shape, lines->node_vertices[i], &made.nodes[3 * i]);
-    for (size_t s = 0; s < segments; s++) {
-        double at[3];
-        hatch_line_place(shape, lines->features[s].ends[0], at);
-        made.slack[s] = feature_slack(shape, eye, &lines->features[s], at);
-    }
+    for (size_t s = 0; s < segments; s++)
+        made.slack_px[s] = feature_slack(shape, eye, &lines->features[s]);
     *trace = made;
     return HATCH_OK;
 }

@@ -23,10 +23,10 @@ struct hatch_line_eye {
 /* Line segments in the unit scene. */
 struct hatch_line_trace {
     uint32_t node_count, segment_count;
-    double *nodes;  /* positions: 3 per node */
-    uint32_t *ends; /* 2 per segment: its nodes */
-    float *slack; /* per segment: distance along the view axis by which a surface may be nearer without hiding it; below
-                     0: the segment is not drawn */
+    double *nodes;   /* positions: 3 per node */
+    uint32_t *ends;  /* 2 per segment: its nodes */
+    float *slack_px; /* per segment: distance along the view axis by which a surface may be nearer without hiding it, in
+                        the size that a pixel has at each of its places; below 0: the segment is not drawn */
     int8_t *surface; /* silhouettes only, per segment: the side of it on which the picture shows its surface, from its
                         first end to its second: 1: left, -1: right */
     uint8_t *fixed;  /* silhouettes only, per node: not 0: a crease of the silhouette ends there */

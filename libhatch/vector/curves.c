@@ -95,12 +95,20 @@ static void shorten(struct hatch_sight_line *line, double begin, double end)
     }
 }
 
-/* Adds slack to the limits of a line, which are the nearness of its ends so far. */
-static void give_slack(const struct hatch_occluders *occluders, double slack, struct hatch_sight_line *line)
+/* Adds slack to the limits of a line, which are the nearness of its ends so far. The line is a part of a segment.
+ *   ends    of the segment, projected
+ *   slacks  at these ends; linear between them in space
+ *   shares  of the line's ends, 0 .. 1 along the segment in the picture */
+static void give_slack(const struct hatch_occluders *occluders, double ends[2][3], const double slacks[2],
+                       const double shares[2], struct hatch_sight_line *line)
 {
+    bool orthographic = occluders->view.orthographic;
     for (int i = 0; i < 2; i++) {
-        double depth = occluders->view.orthographic ? -line->limit[i] : 1 / line->limit[i];
-        line->limit[i] = hatch_occluders_nearness(occluders, depth - fmax(slack, 0) - ROUNDING * (1 + fabs(depth)));
+        double depth = orthographic ? -line->limit[i] : 1 / line->limit[i];
+        double near = shares[i] * (orthographic ? 1 : ends[0][2]),
+               far = (1 - shares[i]) * (orthographic ? 1 : ends[1][2]);
+        double slack = fmax(slacks[0] + near / (near + far) * (slacks[1] - slacks[0]), 0);
+        line->limit[i] = hatch_occluders_nearness(occluders, depth - slack - ROUNDING * (1 + fabs(depth)));
     }
 }
 
@@ -111,8 +119,8 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
 {
     const struct hatch_vector_curves *curves = w->curves;
     const struct hatch_occluders *occluders = w->occluders;
-    double slack = curves->slack ? (double)curves->slack[point] : 0, ends[2][3], shares[2], wanted_px[2];
-    double begin = 0, end = 1;
+    double ends[2][3], shares[2], wanted_px[2], slacks[2] = {0, 0}, begin = 0, end = 1;
+    const bool unseen = curves->slack && curves->slack[point] < 0;
     struct hatch_sight_line line = {.reach_px = curve->reach_px};
     for (uint32_t i = 0; i < 2; i++) {
         hatch_occluders_project(occluders, &curves->points[3 * (size_t)(point + i)], ends[i]);
@@ -127,6 +135,8 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
         for (int k = 0; k < 2; k++)
             line.at[i][k] = ends[i][k] / size;
         line.limit[i] = hatch_occluders_nearness(occluders, ends[i][2]);
+        if (curves->slack)
+            slacks[i] = (1 - shares[i]) * (double)curves->slack[point] + shares[i] * (double)curves->slack[point + 1];
         if (curves->widths_px)
             wanted_px[i] =
                 (1 - shares[i]) * (double)curves->widths_px[point] + shares[i] * (double)curves->widths_px[point + 1];
@@ -136,8 +146,8 @@ static enum hatch_status add_segment(struct work *w, const struct hatch_vector_c
         hatch_vector_runs_skip(&w->runs);
     if (drawn) {
         shorten(&line, begin, end);
-        give_slack(occluders, slack, &line);
-        HATCH_TRY(add_line(w, &line, slack < 0, curves->blank && curves->blank[point], err));
+        give_slack(occluders, ends, slacks, (const double[]){begin, end}, &line);
+        HATCH_TRY(add_line(w, &line, unseen, curves->blank && curves->blank[point], err));
     }
     return HATCH_OK;
 }

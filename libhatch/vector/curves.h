@@ -21,8 +21,8 @@ struct hatch_vector_curves {
     const double *points;   /* 3 per point, in the unit scene */
     const uint32_t *faces;  /* per point: the face it lies on, as in hatch_occluders_face, or HATCH_NONE; NULL: none */
     const float *widths_px; /* per point: the width wanted there; 0: not drawn; NULL: all is drawn */
-    const float *slack; /* per point: distance along the view axis by which a surface may be nearer to the segment from
-                           it to the next point without hiding it; below 0: the segment is hidden; NULL: 0 */
+    const float *slack; /* per point: distance along the view axis by which a surface may be nearer without hiding the
+                           curve; linear between points. Below 0: the segment to the next point is hidden. NULL: 0 */
     const bool *blank;  /* per point: whether the segment from it to the next point is not drawn where it is in sight;
                            NULL: none is */
 };

@@ -4,15 +4,15 @@
 
 #include "vector/step.h"
 
-#define REACH_PX 0.5          /* largest distance in the picture from a smooth silhouette to the outline of the faces */
-#define FEATURE_SLACK_PX 0.05 /* an edge's own faces do not hide it */
-#define FLOAT_SLACK 5e-7      /* rounding of positions in the unit scene to floats */
-#define PIECE_PX 4.0          /* steps are looked for at least this often */
-#define PIECES_MAX 10000.0    /* of a segment */
-#define STEP_PX 4.0           /* a part has a step in depth if it is deeper somewhere, */
-#define SHALLOW_PX 1.5        /* and nowhere shallower */
-#define GAP_PX 16.0           /* shorter parts without a step are drawn, between parts with one */
-#define SPECK_PX 4.0          /* shorter parts with a step are not, between parts without one */
+#define REACH_PX 0.5 /* largest distance in the picture from a smooth silhouette to the outline of the faces */
+#define FEATURE_SLACK_PX 0.05f /* an edge's own faces do not hide it */
+#define FLOAT_SLACK 5e-7       /* rounding of positions in the unit scene to floats */
+#define PIECE_PX 4.0           /* steps are looked for at least this often */
+#define PIECES_MAX 10000.0     /* of a segment */
+#define STEP_PX 4.0            /* a part has a step in depth if it is deeper somewhere, */
+#define SHALLOW_PX 1.5         /* and nowhere shallower */
+#define GAP_PX 16.0            /* shorter parts without a step are drawn, between parts with one */
+#define SPECK_PX 4.0           /* shorter parts with a step are not, between parts without one */
 
 #define RANKS 3 /* of curves: rank_of */
 
@@ -36,9 +36,12 @@ static uint32_t point_count(const struct gathering *gathering)
     return (uint32_t)(gathering->slack.size / sizeof(float));
 }
 
-static enum hatch_status add_point(struct gathering *gathering, const double at[3], float slack, bool blank,
+/* Adds a point with the distance by which a surface may be nearer without hiding it.
+ *   slack_px  of that, in the size that a pixel has there */
+static enum hatch_status add_point(struct gathering *gathering, const double at[3], float slack_px, bool blank,
                                    struct hatch_err *err)
 {
+    const float slack = (float)((double)slack_px * hatch_line_pixel(&gathering->eye, at) + FLOAT_SLACK);
     HATCH_TRY(hatch_buffer_add(&gathering->points, at, 3 * sizeof *at, err));
     HATCH_TRY(hatch_buffer_add(&gathering->blank, &blank, sizeof blank, err));
     return hatch_buffer_add(&gathering->slack, &slack, sizeof slack, err);
@@ -62,8 +65,8 @@ static void mix(const double a[3], const double b[3], double share, double out[3
 }
 
 /* Adds a segment of a silhouette, without its last point, in pieces, and finds the step across each. */
-static enum hatch_status add_silhouette(struct gathering *gathering, const double a[3], const double b[3], float slack,
-                                        int surface, struct hatch_err *err)
+static enum hatch_status add_silhouette(struct gathering *gathering, const double a[3], const double b[3],
+                                        float slack_px, int surface, struct hatch_err *err)
 {
     double ends[2][2], depth[2];
     depth[0] = project(gathering->occluders, a, ends[0]);
@@ -79,7 +82,7 @@ static enum hatch_status add_silhouette(struct gathering *gathering, const doubl
         double here = project(gathering->occluders, middle, at_px);
         double step = known ? hatch_occluders_step(gathering->occluders, at_px, away, here) : HUGE_VAL;
         const struct piece piece = {known ? length / count : 0, step, step > STEP_PX};
-        HATCH_TRY(add_point(gathering, at, slack, false, err));
+        HATCH_TRY(add_point(gathering, at, slack_px, false, err));
         HATCH_TRY(hatch_buffer_add(&gathering->pieces, &piece, sizeof piece, err));
     }
     return HATCH_OK;
@@ -134,10 +137,12 @@ static enum hatch_status add_outline(struct gathering *gathering, const struct h
     for (uint32_t k = 0; k < chain->segment_count; k++) {
         uint32_t segment = from->chains.segments[chain->first + k];
         HATCH_TRY(add_silhouette(gathering, &trace->nodes[3 * (size_t)nodes[k]],
-                                 &trace->nodes[3 * (size_t)nodes[k + 1]], trace->slack[segment],
+                                 &trace->nodes[3 * (size_t)nodes[k + 1]], trace->slack_px[segment],
                                  trace->surface[segment], err));
     }
-    HATCH_TRY(add_point(gathering, &trace->nodes[3 * (size_t)nodes[chain->segment_count]], 0, false, err));
+    uint32_t last = from->chains.segments[chain->first + chain->segment_count - 1];
+    HATCH_TRY(add_point(gathering, &trace->nodes[3 * (size_t)nodes[chain->segment_count]], trace->slack_px[last], false,
+                        err));
     blank_flat(gathering, first);
     return HATCH_OK;
 }
@@ -150,8 +155,7 @@ static enum hatch_status add_feature(struct gathering *gathering, const struct h
     for (uint32_t k = 0; k <= chain->segment_count; k++) {
         uint32_t segment = from->chains.segments[chain->first + (k < chain->segment_count ? k : k - 1)];
         const double *at = &from->trace.nodes[3 * (size_t)nodes[k]];
-        float slack = (float)(FEATURE_SLACK_PX * hatch_line_pixel(&gathering->eye, at) + FLOAT_SLACK);
-        HATCH_TRY(add_point(gathering, at, slack, from->trace.slack[segment] < 0, err));
+        HATCH_TRY(add_point(gathering, at, FEATURE_SLACK_PX, from->trace.slack_px[segment] < 0, err));
     }
     return HATCH_OK;
 }

@@ -285,11 +285,31 @@ ok "plot.mk draws into another folder" make -s -f "$TOP/pipelines/plot.mk" SCENE
     OPTIONS=-q
 is "plot.mk names the drawing after the scene" "$(grep -c 'viewBox="0 0 210 148"' 'away/two squares.svg')" 1
 
-
 # A single-sided square from behind: nothing of it is in sight, and no surface hides it.
 meshgen plane --faces 2 -o back.glb
 unpack back.glb back
 sed -i 's/"meshes":/"materials":[{}],&/; s/"indices":/"material":0,&/' back.gltf
 try render-gl back.gltf --camera 0,0,-4:0,0,0 --hidden dash -o back.svg
 is "edges of faces that are seen from behind are not hidden ones" "$status $(grep -c '<path' back.svg) $(grep -c 'is empty' .err)" "0 0 1"
+
+# A pipe along the view, and a bar before its near end, nearer by much less than a pixel is large at its far end: the bar
+# hides the outline, whichever end of the pipe comes first in the file.
+for far in 0 1; do
+    awk -v far=$far 'BEGIN {
+        for (ring = 0; ring < 2; ring++)
+            for (i = 0; i < 64; i++)
+                print "v", .1 * cos(i * .09817477), .1 * sin(i * .09817477) - .3, ring == far ? 9 : -190
+        for (i = 1; i <= 64; i++)
+            print "f", i, i % 64 + 1, i % 64 + 65, i + 64
+        print "v -.3 -.3 8.2\nv .3 -.3 8.2\nv .3 -.261 8.2\nv -.3 -.261 8.2\nf 129 130 131 132"
+    }' >pipe.obj
+    view='pipe.obj --camera 0,0,10:0,0,0 --fov 22.62 --size 400x400 --lines silhouettes'
+    # shellcheck disable=SC2086
+    render-gl -q $view -o pipe$far.svg
+    # shellcheck disable=SC2086
+    render-gl -q $view -t gouraud --tone-range 0:0 -o pipe$far.png
+done
+is "a bar hides a pipe's outline, whichever end is first" "$(measure pipe0.svg | cut -d' ' -f 1-2) $(measure pipe1.svg)" \
+    "outlines 3 $(measure pipe0.svg)"
+is "in pictures, too" "$(hatchstat diff pipe0.png pipe1.png | awk 'NR == 2 {print ($6 < 1e-4)}')" 1
 finish

@@ -47,14 +47,14 @@ START_TEST(creases_of_a_cube_have_the_slope_of_their_flatter_face)
         for (uint32_t s = 0; s < 12; s++) {
             double cosine = flattest(&lines, &lines.features[s], view.back, turned ? -1 : 1);
             double slope = sqrt(1 - cosine * cosine) / cosine;
-            ck_assert_double_eq_tol((double)trace.slack[s], cosine < 0 ? -1 : SLACK_PX / 100 * (1 + slope), 1e-6);
-            drawn += trace.slack[s] >= 0;
+            ck_assert_double_eq_tol((double)trace.slack_px[s], cosine < 0 ? -1 : SLACK_PX * (1 + slope), 1e-4);
+            drawn += trace.slack_px[s] >= 0;
         }
         ck_assert_uint_eq(drawn, 9);
         set_sides(&shape, true);
         trace = features_of(&shape, &view);
         for (uint32_t s = 0; s < 12; s++)
-            ck_assert(trace.slack[s] > 0);
+            ck_assert(trace.slack_px[s] > 0);
     }
 }
 END_TEST
@@ -69,10 +69,10 @@ START_TEST(boundaries_have_the_size_of_a_pixel)
     struct hatch_line_trace trace = features_of(&shape, &slant);
     ck_assert_uint_gt(trace.segment_count, 3);
     for (uint32_t s = 0; s < trace.segment_count; s++)
-        ck_assert_double_eq_tol((double)trace.slack[s], SLACK_PX / 100, 1e-6);
+        ck_assert_double_eq_tol((double)trace.slack_px[s], SLACK_PX, 1e-6);
     trace = features_of(&shape, &near);
     for (uint32_t s = 0; s < trace.segment_count; s++)
-        ck_assert_double_eq_tol((double)trace.slack[s], 4 * SLACK_PX / 100, 1e-6);
+        ck_assert_double_eq_tol((double)trace.slack_px[s], SLACK_PX, 1e-6);
 }
 END_TEST
 

@@ -12,7 +12,7 @@ static struct hatch_line_trace polyline(const double *points, uint32_t count)
     struct hatch_line_trace trace = {.node_count = count - closed, .segment_count = count - 1};
     trace.nodes = HATCH_NEW(&keep, double, 3 * (size_t)count, &err);
     trace.ends = HATCH_NEW(&keep, uint32_t, 2 * (size_t)count, &err);
-    trace.slack = HATCH_NEW(&keep, float, count, &err);
+    trace.slack_px = HATCH_NEW(&keep, float, count, &err);
     memcpy(trace.nodes, points, 24 * (size_t)trace.node_count);
     for (uint32_t s = 0; s < trace.segment_count; s++) {
         trace.ends[2 * s] = s;
@@ -405,7 +405,7 @@ START_TEST(short_lines_along_longer_ones_are_hidden)
     struct hatch_view view = view_from(0, 0, 4, true);
     trace.nodes = HATCH_NEW(&keep, double, 24, &err);
     trace.ends = HATCH_NEW(&keep, uint32_t, 8, &err);
-    trace.slack = HATCH_NEW(&keep, float, 4, &err);
+    trace.slack_px = HATCH_NEW(&keep, float, 4, &err);
     memcpy(trace.nodes, beside, sizeof beside);
     for (uint32_t i = 4; i < 8; i++) {
         trace.nodes[3 * i] = i % 2 ? 1 : -1;

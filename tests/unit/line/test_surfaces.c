@@ -67,7 +67,7 @@ static double drawn(uint32_t kinds, uint32_t *paths)
         for (uint32_t c = 0; c < chains->count; c++)
             for (uint32_t k = chains->chains[c].first; k < chains->chains[c].first + chains->chains[c].segment_count;
                  k++)
-                if (curves[i].trace.slack[chains->segments[k]] >= 0)
+                if (curves[i].trace.slack_px[chains->segments[k]] >= 0)
                     length += unit.bounds.radius *
                               hatch_vec_distance(&curves[i].trace.nodes[3 * (size_t)chains->nodes[k + c]],
                                                  &curves[i].trace.nodes[3 * (size_t)chains->nodes[k + c + 1]]);

@@ -267,7 +267,7 @@ START_TEST(slack_of_an_edge_does_not_depend_on_the_size_of_faces)
     ck_assert_uint_ge(a.segment_count, 12);
     ck_assert_uint_eq(a.segment_count, b.segment_count);
     for (uint32_t i = 0; i < a.segment_count; i++)
-        ck_assert_float_eq_tol(a.slack[i], b.slack[i], 1e-6f);
+        ck_assert_float_eq_tol(a.slack_px[i], b.slack_px[i], 1e-6f);
 }
 END_TEST
 
@@ -278,7 +278,7 @@ static void chain_through(const double (*places_px)[2], uint32_t count, struct h
     *trace = (struct hatch_line_trace){.node_count = count, .segment_count = count - 1};
     trace->nodes = HATCH_NEW(&keep, double, 3 * (size_t)count, &err);
     trace->ends = HATCH_NEW(&keep, uint32_t, 2 * (size_t)count, &err);
-    trace->slack = HATCH_NEW(&keep, float, count, &err);
+    trace->slack_px = HATCH_NEW(&keep, float, count, &err);
     trace->surface = HATCH_NEW(&keep, int8_t, count, &err);
     trace->fixed = HATCH_NEW(&keep, uint8_t, count, &err);
     for (uint32_t i = 0; i < count; i++) {

@@ -177,9 +177,12 @@ START_TEST(slack_and_own_faces_keep_a_line_on_its_surface)
     hide_behind(&face, &view_facing);
     see(&curves, &visible, &hidden);
     ck_assert_uint_eq(visible.count, 0);
-    curves.slack = (const float[]){0.02f, 0};
+    curves.slack = (const float[]){0.02f, 0.02f};
     see(&curves, &visible, &hidden);
     ck_assert_uint_eq(hidden.count, 0);
+    curves.slack = (const float[]){0.02f, 0}; /* linear: over 0.01 along the first half */
+    see(&curves, &visible, &hidden);
+    ck_assert_double_eq_tol(total(&visible) / (total(&visible) + total(&hidden)), 0.5, 0.01);
     curves.slack = NULL;
     /* Face 1 is beside face 0 and faces the same way. */
     curves.faces = (const uint32_t[]){0, 0};

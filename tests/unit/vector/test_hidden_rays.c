@@ -140,7 +140,7 @@ static void check(const struct hatch_mesh *mesh, const struct hatch_view *view, 
     uint32_t missing = 0, left = 0, seen = 0, clear = 0;
     for (uint32_t i = 0; i < SEGMENTS; i++) {
         curves[i] = (struct hatch_vector_curve){.first = 2 * i, .count = 2, .id = i};
-        slack[2 * i] = 1e-6f;
+        slack[2 * i] = slack[2 * i + 1] = 1e-6f;
     }
     const struct hatch_vector_curves all = {
         .count = SEGMENTS, .curves = curves, .points = segments->points, .faces = faces, .slack = slack};
