@@ -186,21 +186,26 @@ static void trace_some(struct cmd_args *args, const char *name, const struct hat
     }
 }
 
-/* Makes a mesh anew that has a direction field, if its surface has other faces, or other vertices of faces. */
-static void repair(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
+/* Makes a mesh anew that has a direction field, if its surface has other faces, or other vertices of faces. Returns
+ * whether it has. */
+static bool repair(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                    struct hatch_scene_mesh *mesh)
 {
     struct hatch_err err;
     struct hatch_mesh made;
     uint32_t *vertex_point;
+    struct hatch_arena_mark mark = hatch_arena_mark(&args->keep);
     cmd_check(hatch_surface_to_mesh(surface, &mesh->mesh, &args->keep, &args->scratch, &made, &vertex_point, &err),
               name, &err);
     const size_t indices = 3 * (size_t)made.face_count;
     if (made.face_count == mesh->mesh.face_count && made.vertex_count == mesh->mesh.vertex_count &&
-        memcmp(made.indices, mesh->mesh.indices, indices * sizeof *made.indices) == 0)
-        return;
+        memcmp(made.indices, mesh->mesh.indices, indices * sizeof *made.indices) == 0) {
+        hatch_arena_rewind(&args->keep, mark);
+        return false;
+    }
     mesh->mesh = made;
     mesh->curves = (struct hatch_curves){0}; /* they lie on the old faces */
+    return true;
 }
 
 /* Traces the strokes of a mesh, whose direction field is computed if it has none.
@@ -220,11 +225,13 @@ static void trace(struct cmd_args *args, const char *name, const struct hatch_su
     local.gap /= scale;
     if (!(local.gap > 0 && isfinite(local.gap)))
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "the size of a mesh in the scene is zero or infinite"), name, &err);
-    if (surface && hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
-        repair(args, name, surface, mesh);
-    else if (surface)
-        cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
-    cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
+    if (surface && hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4) && !repair(args, name, surface, mesh)) {
+        cut = *surface;
+    } else {
+        if (surface && !hatch_mesh_find(&mesh->mesh, "_HATCH_DIR", 4))
+            cmd_add_field(args, name, surface, mesh); /* which makes the mesh anew */
+        cmd_check(hatch_surface_make_cut(&mesh->mesh, &args->keep, &args->scratch, &cut, &notes, &err), name, &err);
+    }
     cmd_check(hatch_frames_make(&cut, &args->keep, &args->scratch, &frames, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &direction, 3 * (size_t)cut.point_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &confidence, cut.point_count, &err), name, &err);
