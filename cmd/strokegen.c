@@ -162,8 +162,9 @@ static bool has_all(const struct hatch_curves *curves, uint32_t families)
 
 /* Traces strokes. A mesh that is too small for those of a family gets one level, with the widest gap at which it has
  * some: render-gl traces finer ones only of families that a file has. One that is so long and narrow that this would
- * take more than about NARROW_STROKES_MAX strokes keeps what it has. how   its gap is in mesh units must  false:
- * strokes that are too few are enough */
+ * take more than about NARROW_STROKES_MAX strokes keeps what it has.
+ *   how   its gap is in mesh units
+ *   must  false: strokes that are too few are enough */
 static void trace_some(struct cmd_args *args, const char *name, const struct hatch_surface *surface,
                        const struct hatch_frames *frames, const double *direction,
                        const struct hatch_trace_options *how, bool must, struct hatch_scene_mesh *mesh)

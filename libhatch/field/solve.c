@@ -202,7 +202,8 @@ static void write_field(const struct work *w, const struct hatch_field_system *s
 }
 
 /* Divides |z| by that of data that agree, where these count most: smoothing over a whole surface leaves little of
- * either, because no direction goes on over all of it. agreed  from solve_linear */
+ * either, because no direction goes on over all of it.
+ *   agreed  from solve_linear */
 static enum hatch_status scale_confidence(const struct work *w, const struct hatch_field_system *system,
                                           const double *agreed, struct hatch_field *field, struct hatch_err *err)
 {

@@ -128,8 +128,9 @@ enum hatch_status hatch_mesh_add_normals(struct hatch_arena *arena, struct hatch
 
 /* Adds NORMAL to a mesh with HATCH_MORPH_POSITION and without NORMAL: each face gets vertices and a normal of its own.
  * Adds HATCH_MORPH_NORMAL: what each target alone turns, exact where its weight is as at rest, and where it is by 1
- * more, or less: flat faces stay flat when they move. mesh  in, out less  per target: whether the turn is exact for a
- * weight that is by 1 less */
+ * more, or less: flat faces stay flat when they move.
+ *   mesh  in, out
+ *   less  per target: whether the turn is exact for a weight that is by 1 less */
 enum hatch_status hatch_mesh_add_flat_normals(struct hatch_arena *arena, struct hatch_mesh *mesh, const bool *less,
                                               struct hatch_err *err) HATCH_MUST_USE;
 

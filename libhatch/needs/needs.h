@@ -58,9 +58,9 @@ uint32_t hatch_needs_size(const struct hatch_needs *needs, uint32_t size_px, uin
 uint32_t hatch_needs_tile(const struct hatch_needs *needs, uint32_t size_px, uint32_t size_min_px);
 
 /* Returns how many slices of tone a volume needs on its finest level: so many that on its coarsest one, a stroke
- * appears between slices that are at most HATCH_NEEDS_SLICE tolerances apart. levels  number of levels that hold
- * strokes, each with half of the slices of the one before; 1: all have the same slices  a power of two; the result is
- * one, too, at least 4 on the coarsest level, at most `slices` */
+ * appears between slices that are at most HATCH_NEEDS_SLICE tolerances apart.
+ *   levels  number of levels that hold strokes, each with half of the slices of the one before; 1: all have the same
+ *   slices  a power of two; the result is one, too, at least 4 on the coarsest level, at most `slices` */
 uint32_t hatch_needs_slices(const struct hatch_needs *needs, uint32_t levels, uint32_t slices);
 
 /* Returns the texels along a side that a solid texture needs, size or a smaller power of two, at least size_min. */

@@ -92,8 +92,9 @@ struct hatch_film {
 
 /* Chooses moments whose bounds are those of a whole film: the times of its pictures and of the keys that it passes,
  * each once although the animation repeats. Where a film is long or its meshes are large, times are left out evenly, so
- * that posing the scene at all moments takes bounded time; 17 are always left. span  out: its times, 0 .. the
- * animation's duration and ascending, are in arena; a film of one picture or at rest has one moment */
+ * that posing the scene at all moments takes bounded time; 17 are always left.
+ *   span  out: its times, 0 .. the animation's duration and ascending, are in arena; a film of one picture or at rest
+ *         has one moment */
 enum hatch_status hatch_film_span(const struct hatch_scene *scene, const struct hatch_film *film,
                                   struct hatch_arena *arena, struct hatch_pose_span *span,
                                   struct hatch_err *err) HATCH_MUST_USE;

@@ -127,7 +127,8 @@ enum hatch_status hatch_view_find_middle(struct hatch_pose *pose, const struct h
 /* Moves the eye along the view axis: in the view in which the middle was found, until it is closer to that by a factor;
  * in others by the same length, or, if their eye is nearer to the middle, until that distance is divided by the factor.
  * The views of a film that share a middle are therefore as steady as they were. The far plane stays in its place. For
- * an orthographic view, half the picture's height is divided by the factor instead. factor  over 0 */
+ * an orthographic view, half the picture's height is divided by the factor instead.
+ *   factor  over 0 */
 void hatch_view_zoom(const struct hatch_view_middle *middle, double factor, struct hatch_view *view);
 
 #endif

@@ -49,7 +49,8 @@ static void divide_cube(struct hatch_mesh sides[SIDES])
 }
 
 /* Returns the length of the lines of the scene, in its units, from the direction (3, 2, 4). Creases and boundaries
- * count where a face is visible. paths  out: number of chains */
+ * count where a face is visible.
+ *   paths  out: number of chains */
 static double drawn(uint32_t kinds, uint32_t *paths)
 {
     const struct hatch_line_style style = {.kinds = kinds, .width_px = 2, .crease_rad = 0.7};

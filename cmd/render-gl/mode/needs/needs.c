@@ -174,7 +174,8 @@ static void check_map(const struct job *job, const struct needs_measure *measure
 }
 
 /* Exits with a message if a view shows levels of a volume that was made for needs on which strokes are grey, since
- * there are few slices. measure, drawn  as for check_map */
+ * there are few slices.
+ *   measure, drawn  as for check_map */
 static void check_slices(const struct job *job, const struct needs_measure *measure, uint64_t drawn)
 {
     struct hatch_err err;
