@@ -353,13 +353,13 @@ START_TEST(normals_flip_when_all_their_faces_do)
     const float positions[] = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 2, 0, 0};
     const uint32_t faces[] = {0, 2, 1, 1, 2, 3, 2, 3, 4};
     struct hatch_mesh mesh = mesh_of(positions, 5, faces, 3), back;
-    float *normal, *tangent;
+    float *normal, *tangent, *moves; /* of two morph targets */
     uint32_t *point;
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "NORMAL", 3, &normal, &err), &err);
     HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, "TANGENT", 4, &tangent, &err), &err);
-    for (int v = 0; v < 5; v++) {
-        normal[3 * v + 2] = tangent[4 * v] = tangent[4 * v + 3] = 1;
-    }
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &mesh, HATCH_MORPH_NORMAL, 6, &moves, &err), &err);
+    for (int v = 0; v < 5; v++)
+        normal[3 * v + 2] = tangent[4 * v] = tangent[4 * v + 3] = moves[6 * v + 1] = moves[6 * v + 5] = 1;
     struct hatch_surface s = surface_of(&mesh);
     ck_assert_uint_eq(notes.flipped, 1);
     HATCH_TEST_OK(hatch_surface_to_mesh(&s, &mesh, &keep, &scratch, &back, &point, &err), &err);
@@ -367,7 +367,10 @@ START_TEST(normals_flip_when_all_their_faces_do)
     ck_assert_mem_eq(&back.indices[6], want, sizeof want);
     normal = hatch_mesh_find(&back, "NORMAL", 3);
     tangent = hatch_mesh_find(&back, "TANGENT", 4);
+    moves = hatch_mesh_find(&back, HATCH_MORPH_NORMAL, 6);
     for (int v = 0; v < 5; v++) {
+        ck_assert_float_eq(moves[6 * v + 1], v == 4 ? -1 : 1);
+        ck_assert_float_eq(moves[6 * v + 5], v == 4 ? -1 : 1);
         ck_assert_float_eq(normal[3 * v + 2], v == 4 ? -1 : 1);
         ck_assert_float_eq(tangent[4 * v], 1);
         ck_assert_float_eq(tangent[4 * v + 3], v == 4 ? -1 : 1);
