@@ -90,12 +90,20 @@ static void drop_specks(const struct hatch_line_strips *strips, const struct hat
     }
 }
 
-/* Returns whether the piece before or after piece i of a strip is visible. */
-static bool is_beside(const struct hatch_line_strip *strip, uint32_t i, const uint8_t *visible)
+/* Finds the pieces before and after a piece of a strip: itself where an open strip ends. */
+static void find_neighbours(const struct hatch_line_strip *strip, uint32_t piece, uint32_t neighbours[2])
 {
-    uint32_t before = i > 0 ? i - 1 : strip->closed ? strip->count - 1 : i;
-    uint32_t after = i + 1 < strip->count ? i + 1 : strip->closed ? 0 : i;
-    return visible[strip->first + before] == HATCH_LINE_VISIBLE || visible[strip->first + after] == HATCH_LINE_VISIBLE;
+    uint32_t first = strip->first, last = first + strip->count - 1;
+    neighbours[0] = piece > first ? piece - 1 : strip->closed ? last : piece;
+    neighbours[1] = piece < last ? piece + 1 : strip->closed ? first : piece;
+}
+
+/* Returns whether the piece before or after a piece of a strip is visible. */
+static bool is_beside(const struct hatch_line_strip *strip, uint32_t piece, const uint8_t *visible)
+{
+    uint32_t at[2];
+    find_neighbours(strip, piece, at);
+    return visible[at[0]] == HATCH_LINE_VISIBLE || visible[at[1]] == HATCH_LINE_VISIBLE;
 }
 
 /* Shortens visible runs where they meet hidden ones. Trimmed pieces are only marked at first, so that the pass in the
@@ -123,7 +131,7 @@ static void trim_runs(const struct hatch_line_strips *strips, const struct hatch
 static void keep_beside(const struct hatch_line_strip *strip, uint8_t *visible)
 {
     for (uint32_t i = 0; i < strip->count; i++)
-        if (visible[strip->first + i] == COVERED && !is_beside(strip, i, visible))
+        if (visible[strip->first + i] == COVERED && !is_beside(strip, strip->first + i, visible))
             visible[strip->first + i] = 0;
     for (uint32_t i = strip->first; i < strip->first + strip->count; i++)
         visible[i] = visible[i] == COVERED ? HATCH_LINE_VISIBLE : visible[i];
@@ -148,12 +156,11 @@ void hatch_line_strips_smooth(const struct hatch_line_strips *strips, double gap
 
 /* Returns whether a halo may cover a part of a piece: halo tests are at the middles of pieces, so a halo at a
  * neighbour's middle may reach it. */
-static bool near_halo(const struct hatch_line_strip *strip, uint32_t i, const uint8_t *seen)
+static bool near_halo(const struct hatch_line_strip *strip, uint32_t piece, const uint8_t *seen)
 {
-    uint32_t first = strip->first, last = first + strip->count - 1;
-    uint32_t before = i > first ? i - 1 : strip->closed ? last : i;
-    uint32_t after = i < last ? i + 1 : strip->closed ? first : i;
-    return ((seen[i] | seen[before] | seen[after]) & HATCH_LINE_TOUCHED) != 0;
+    uint32_t at[2];
+    find_neighbours(strip, piece, at);
+    return ((seen[piece] | seen[at[0]] | seen[at[1]]) & HATCH_LINE_TOUCHED) != 0;
 }
 
 /* Returns the piece to begin at, so that no path is split where a closed strip happens to begin: a visible one after a
