@@ -63,15 +63,21 @@ START_TEST(the_limit_holds)
 }
 END_TEST
 
+/* Makes two arenas with a budget of 100000 bytes. */
+static void share(struct hatch_budget *budget, struct hatch_arena arenas[2])
+{
+    hatch_budget_init(budget, 100000);
+    for (int i = 0; i < 2; i++)
+        hatch_arena_init_shared(&arenas[i], budget);
+}
+
 /* Arenas with a budget have its limit together, and give back what they free. */
 START_TEST(a_budget_holds_for_all_its_arenas)
 {
     struct hatch_budget budget;
     struct hatch_arena arenas[2];
     struct hatch_err err;
-    hatch_budget_init(&budget, 100000);
-    for (int i = 0; i < 2; i++)
-        hatch_arena_init_shared(&arenas[i], &budget);
+    share(&budget, arenas);
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 60000, &err));
     ck_assert_ptr_null(HATCH_NEW(&arenas[1], char, 60000, &err));
     ck_assert_int_eq(err.status, HATCH_LIMIT);
@@ -91,9 +97,7 @@ START_TEST(a_budget_can_be_used_up)
     struct hatch_budget budget;
     struct hatch_arena arenas[2];
     struct hatch_err err;
-    hatch_budget_init(&budget, 100000);
-    for (int i = 0; i < 2; i++)
-        hatch_arena_init_shared(&arenas[i], &budget);
+    share(&budget, arenas);
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 50000, &err));
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 45000, &err));
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[1], char, 4000, &err));
@@ -112,9 +116,7 @@ START_TEST(a_refusal_tells_what_the_budget_has_given)
     struct hatch_arena arenas[2];
     struct hatch_err err;
     char want[200];
-    hatch_budget_init(&budget, 100000);
-    for (int i = 0; i < 2; i++)
-        hatch_arena_init_shared(&arenas[i], &budget);
+    share(&budget, arenas);
     ck_assert_ptr_nonnull(HATCH_NEW(&arenas[0], char, 60000, &err));
     ck_assert_ptr_null(hatch_arena_array(&arenas[1], 15000, 4, &err));
     snprintf(want, sizeof want, "out of memory: 15000 items of 4 bytes needed, %zu bytes in use, limit 100000",
