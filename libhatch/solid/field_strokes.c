@@ -18,6 +18,7 @@ enum { STREAM_TURN = 0x74757268, STREAM_FAMILY };
 
 struct stroke {
     float middle[3], half[3]; /* half: from the middle to the end */
+    float squared_half;       /* squared length of that */
     float rank;
 };
 
@@ -30,18 +31,26 @@ struct state {
     float reach;     /* distance from its axis within which a stroke has an effect */
 };
 
+/* Returns the whole number nearest to one of a few units; those that are .5 above one are rounded up. */
+static float nearest_whole(float number)
+{
+    int32_t whole = (int32_t)(number + 0.5f);
+    return (float)(whole - ((float)whole > number + 0.5f));
+}
+
 /* Returns the squared distance of a place from the nearest copy of a stroke. Its length and reach are at most half a
  * side together, so that this is the copy whose middle is nearest. */
 static float squared_distance(const struct stroke *stroke, const float at[3])
 {
-    float from[3], along = 0, length = 0, squared = 0;
+    float from[3], along = 0, squared = 0;
     for (int i = 0; i < 3; i++) {
         from[i] = at[i] - stroke->middle[i];
-        from[i] -= floorf(from[i] + 0.5f);
+        from[i] -= nearest_whole(from[i]);
         along += from[i] * stroke->half[i];
-        length += stroke->half[i] * stroke->half[i];
     }
-    along = fminf(fmaxf(along / length, -1), 1);
+    along /= stroke->squared_half;
+    along = along < 1 ? along : 1;
+    along = along > -1 ? along : -1;
     for (int i = 0; i < 3; i++) {
         float away = from[i] - along * stroke->half[i];
         squared += away * away;
@@ -62,7 +71,7 @@ static float value(const void *context, const float at[3])
         /* A stroke grows fast to its width and slowly beyond it: with the fourth root of the tone. */
         float share = squared_distance(stroke, at) / (radius * radius),
               tone = stroke->rank + style->grow * share * share;
-        least = fminf(least, tone);
+        least = tone < least ? tone : least;
     }
     return least;
 }
@@ -125,6 +134,7 @@ static enum hatch_status scatter(const struct solid_job *job, struct state *stat
         for (int c = 0; c < 3; c++) {
             stroke->middle[c] = points.at[i][c];
             stroke->half[c] *= job->style->length / 2;
+            stroke->squared_half += stroke->half[c] * stroke->half[c];
         }
     }
     return HATCH_OK;

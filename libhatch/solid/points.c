@@ -10,7 +10,7 @@
 #define ROUNDS 12
 #define REACH 1.5f /* of the repulsion, in mean distances count^(-1/3) */
 #define PUSH 0.25f /* of a pair at distance 0, in mean distances */
-#define TASK_CELLS 64u
+#define TASK_POINTS 64u
 
 enum { STREAM_JITTER = 0x706f6974, STREAM_START, STREAM_SHAKE, STREAM_FACTOR };
 
@@ -86,27 +86,26 @@ static void start(uint32_t count, float spacing, uint64_t seed, float (*at)[3])
 /* State of the repulsion. */
 struct repelling {
     const struct hatch_solid_points *points; /* at present */
-    float spacing;
+    float spacing, reach;
     float (*moved)[3]; /* by number */
 };
 
-/* Adds the push of the points of a cell to that of a point.
- *   offset  of the cell's copy from the cell itself */
-static void push(const struct repelling *r, uint32_t cell, const float offset[3], uint32_t point, float sum[3])
+/* Adds the pushes of a run of points, first .. end - 1, to that of a point.
+ *   offset  of the cube to which this copy of the run belongs */
+static void push(const struct repelling *r, uint32_t first, uint32_t end, const float at[3], const float offset[3],
+                 float sum[3])
 {
-    const struct hatch_solid_points *points = r->points;
-    float reach = REACH * r->spacing;
-    for (uint32_t other = points->first[cell]; other < points->first[cell + 1]; other++) {
-        float away[3], squared = 0;
-        for (int c = 0; c < 3; c++) {
-            away[c] = points->at[point][c] - points->at[other][c] - offset[c];
-            squared += away[c] * away[c];
-        }
+    const float reach = r->reach;
+    for (uint32_t other = first; other < end; other++) {
+        const float *from = r->points->at[other];
+        float x = at[0] - from[0] - offset[0], y = at[1] - from[1] - offset[1], z = at[2] - from[2] - offset[2];
+        float squared = x * x + y * y + z * z;
         if (!(squared > 0 && squared < reach * reach))
             continue;
-        float distance = sqrtf(squared), left = 1 - distance / reach;
-        for (int c = 0; c < 3; c++)
-            sum[c] += away[c] / distance * (left * left * PUSH * r->spacing);
+        float distance = sqrtf(squared), left = 1 - distance / reach, factor = left * left * PUSH * r->spacing;
+        sum[0] += x / distance * factor;
+        sum[1] += y / distance * factor;
+        sum[2] += z / distance * factor;
     }
 }
 
@@ -118,37 +117,70 @@ static float wrap_cell(int32_t *cell, int32_t cells)
     return (float)turn;
 }
 
-static void repel_point(const struct repelling *r, const int32_t cell[3], uint32_t point)
+/* Cells along an axis, not wrapped. */
+struct range {
+    int32_t low, high;
+};
+
+/* Returns the cells with places that are at most `reach` from a coordinate. */
+static struct range cells_within(float coordinate, float reach, int32_t cells)
 {
-    int32_t cells = (int32_t)r->points->cells, reach = (int32_t)ceilf(REACH * r->spacing * (float)cells);
+    float margin = reach + 1e-3f / (float)cells; /* points on the border of two cells may be in either */
+    return (struct range){(int32_t)floorf((coordinate - margin) * (float)cells),
+                          (int32_t)floorf((coordinate + margin) * (float)cells)};
+}
+
+/* Returns the least distance along an axis from a coordinate to a cell. */
+static float distance_to(int32_t cell, float coordinate, int32_t cells)
+{
+    float low = (float)cell / (float)cells, high = (float)(cell + 1) / (float)cells;
+    return coordinate < low ? low - coordinate : coordinate > high ? coordinate - high : 0;
+}
+
+/* Adds the pushes of a row of cells, those of one cube after the other.
+ *   row     number of its first cell
+ *   x       cells of the row, not wrapped
+ *   offset  as in push; along the row, it is set here */
+static void push_row(const struct repelling *r, int32_t row, struct range x, const float at[3], float offset[3],
+                     float sum[3])
+{
+    int32_t cells = (int32_t)r->points->cells;
+    while (x.low <= x.high) {
+        int32_t first = x.low;
+        offset[0] = wrap_cell(&first, cells);
+        int32_t count = first + x.high - x.low < cells ? x.high - x.low + 1 : cells - first;
+        push(r, r->points->first[row + first], r->points->first[row + first + count], at, offset, sum);
+        x.low += count;
+    }
+}
+
+static void repel_point(const struct repelling *r, uint32_t point)
+{
+    const float *at = r->points->at[point], squared = r->reach * r->reach;
+    int32_t cells = (int32_t)r->points->cells;
+    struct range layers = cells_within(at[2], r->reach, cells), rows = cells_within(at[1], r->reach, cells);
     float sum[3] = {0, 0, 0}, offset[3];
-    for (int32_t dz = -reach; dz <= reach; dz++) {
-        int32_t z = cell[2] + dz;
+    for (int32_t layer = layers.low; layer <= layers.high; layer++) {
+        float above = distance_to(layer, at[2], cells);
+        int32_t z = layer;
         offset[2] = wrap_cell(&z, cells);
-        for (int32_t dy = -reach; dy <= reach; dy++) {
-            int32_t y = cell[1] + dy;
+        for (int32_t row = rows.low; row <= rows.high; row++) {
+            float beside = distance_to(row, at[1], cells), left = squared - above * above - beside * beside;
+            int32_t y = row;
             offset[1] = wrap_cell(&y, cells);
-            for (int32_t dx = -reach; dx <= reach; dx++) {
-                int32_t x = cell[0] + dx;
-                offset[0] = wrap_cell(&x, cells);
-                push(r, (uint32_t)((z * cells + y) * cells + x), offset, point, sum);
-            }
+            if (left > 0)
+                push_row(r, (z * cells + y) * cells, cells_within(at[0], sqrtf(left), cells), at, offset, sum);
         }
     }
     for (int c = 0; c < 3; c++)
-        r->moved[r->points->numbers[point]][c] = wrapped(r->points->at[point][c] + sum[c]);
+        r->moved[r->points->numbers[point]][c] = wrapped(at[c] + sum[c]);
 }
 
 static void repel(void *context, uint32_t task)
 {
     const struct repelling *r = context;
-    uint32_t cells = r->points->cells, count = cells * cells * cells;
-    for (uint32_t cell = task * TASK_CELLS; cell < (task + 1) * TASK_CELLS && cell < count; cell++) {
-        const int32_t at[3] = {(int32_t)(cell % cells), (int32_t)(cell / cells % cells),
-                               (int32_t)(cell / cells / cells)};
-        for (uint32_t point = r->points->first[cell]; point < r->points->first[cell + 1]; point++)
-            repel_point(r, at, point);
-    }
+    for (uint32_t point = task * TASK_POINTS; point < (task + 1) * TASK_POINTS && point < r->points->count; point++)
+        repel_point(r, point);
 }
 
 static enum hatch_status spread(uint32_t count, uint64_t seed, struct hatch_pool *pool,
@@ -156,12 +188,12 @@ static enum hatch_status spread(uint32_t count, uint64_t seed, struct hatch_pool
                                 struct hatch_solid_points *points, struct hatch_err *err)
 {
     struct repelling r = {.points = points, .spacing = (float)(1 / cbrt(count))};
+    r.reach = REACH * r.spacing;
     HATCH_TRY(HATCH_ALLOC(scratch, &r.moved, count, err));
     start(count, r.spacing, seed, r.moved);
     for (int round = 0; round < ROUNDS; round++) {
         sort(r.moved, points);
-        uint32_t cell_count = points->cells * points->cells * points->cells;
-        hatch_parallel_for(pool, (cell_count + TASK_CELLS - 1) / TASK_CELLS, repel, &r);
+        hatch_parallel_for(pool, (count + TASK_POINTS - 1) / TASK_POINTS, repel, &r);
         hatch_progress_report(progress, (round + 1.0) / ROUNDS);
     }
     sort(r.moved, points);
