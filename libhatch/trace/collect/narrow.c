@@ -11,6 +11,7 @@
 #define EVEN 1.1        /* ratio of widths that are the same */
 #define INSIDE 1e-5     /* of the way to the middle of a face */
 #define ROUNDS_MAX 6    /* of measuring farther around a place */
+#define LEGS_MAX 1024u  /* faces across which a way is walked: over more of them, none is narrow */
 #define CLEARLY 0.85    /* a family crosses instead of one before it if its way is at most so long */
 
 /* A straight way. */
@@ -32,7 +33,7 @@ static void rotate(const double vector[2], const double by[2], double rotated[2]
 static struct way walk(const struct hatch_trace_ground *ground, struct hatch_trace_place *place, double reach)
 {
     struct way way = {.ended = false};
-    for (uint32_t n = 0; n < HATCH_TRACE_LEGS_MAX && reach - way.length > 1e-6 * reach; n++) {
+    for (uint32_t n = 0; n < LEGS_MAX && reach - way.length > 1e-6 * reach; n++) {
         struct hatch_trace_leg leg;
         bool goes_on = hatch_trace_walk(ground, place, reach - way.length, HATCH_TRACE_STRAIGHT, &leg);
         way.length += leg.length;
