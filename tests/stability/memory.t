@@ -36,6 +36,11 @@ takes 9 dirfield meshes.glb -o field.glb
 takes 52 lapped-param meshes.glb -o lapped.glb
 takes 11 meshfit meshes.glb -o fitted.glb
 takes 11 strokegen --levels 3 meshes.glb -o strokes.glb
+awk 'BEGIN {for (i = 0; i < 1000; i++) {
+    for (c = 0; c < 4; c++) print "v", 2 * (i % 40) + c % 2, 2 * int(i / 40) + int(c / 2), i % 7
+    print "f -4 -3 -1 -2"
+}}' >parts.obj
+takes 4 strokegen --gap 0.02 --levels 2 parts.obj -o strokes.glb
 takes 5 hatchstat mesh meshes.glb
 takes 11 hatchstat field meshes.glb
 

@@ -93,8 +93,8 @@ static enum hatch_status add_curve(const struct hatch_tracer *tracer, const stru
     return HATCH_OK;
 }
 
-enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct hatch_trace_sink *sink,
-                                      struct hatch_err *err)
+static enum hatch_status add_curves(const struct hatch_tracer *tracer, struct hatch_trace_sink *sink,
+                                    struct hatch_err *err)
 {
     double tolerance = TOLERANCE * tracer->gap;
     struct joints joints = {0};
@@ -109,4 +109,13 @@ enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct 
             HATCH_TRY(add_curve(tracer, stroke, gap, joints.list, count, sink, err));
     }
     return HATCH_OK;
+}
+
+enum hatch_status hatch_trace_collect(const struct hatch_tracer *tracer, struct hatch_trace_sink *sink,
+                                      struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(tracer->scratch);
+    enum hatch_status status = add_curves(tracer, sink, err);
+    hatch_arena_rewind(tracer->scratch, mark);
+    return status;
 }
