@@ -99,18 +99,18 @@ static void copy_positions(const struct work *w, uint32_t face)
 /* Returns whether the normal of a side of triangle a is a separating axis of the two triangles. */
 static bool side_separates(const double *a, const double *b, int side)
 {
-    const double *from = &a[2 * side], *to = &a[2 * ((side + 1) % 3)];
-    double x = to[1] - from[1], y = from[0] - to[0], range[2][2];
-    for (int t = 0; t < 2; t++) {
-        const double *at = t ? b : a;
-        for (int c = 0; c < 3; c++) {
-            double along = x * (at[2 * c] - from[0]) + y * (at[2 * c + 1] - from[1]);
-            range[t][0] = c == 0 || along < range[t][0] ? along : range[t][0];
-            range[t][1] = c == 0 || along > range[t][1] ? along : range[t][1];
-        }
+    const double *from = &a[2 * side], *to = &a[2 * ((side + 1) % 3)], *apex = &a[2 * ((side + 2) % 3)];
+    double x = to[1] - from[1], y = from[0] - to[0];
+    double height = x * (apex[0] - from[0]) + y * (apex[1] - from[1]);
+    double own_low = height < 0 ? height : 0, own_high = height > 0 ? height : 0, low = 0, high = 0;
+    for (int c = 0; c < 3; c++) {
+        double along = x * (b[2 * c] - from[0]) + y * (b[2 * c + 1] - from[1]);
+        low = c == 0 || along < low ? along : low;
+        high = c == 0 || along > high ? along : high;
     }
-    double common = fmin(range[0][1], range[1][1]) - fmax(range[0][0], range[1][0]);
-    return common <= OVERLAP_TOLERANCE * fmin(range[0][1] - range[0][0], range[1][1] - range[1][0]);
+    double common = (own_high < high ? own_high : high) - (own_low > low ? own_low : low);
+    double narrower = own_high - own_low < high - low ? own_high - own_low : high - low;
+    return common <= OVERLAP_TOLERANCE * narrower;
 }
 
 static bool overlap(const double *a, const double *b)

@@ -154,7 +154,7 @@ static double distance_to_side(const double center[2], const double a[2], const 
 {
     double x = b[0] - a[0], y = b[1] - a[1], length = x * x + y * y;
     double t = length > 0 ? ((center[0] - a[0]) * x + (center[1] - a[1]) * y) / length : 0;
-    t = fmin(1, fmax(0, t));
+    t = t > 0 ? t < 1 ? t : 1 : 0;
     double dx = a[0] + t * x - center[0], dy = a[1] + t * y - center[1];
     return sqrt(dx * dx + dy * dy);
 }
