@@ -3,42 +3,12 @@
 #include "math/vector.h"
 #include "mesh/fans.h"
 #include "mesh/remap.h"
+#include "mesh/skin/motion.h"
 #include "line/prune.h"
-#include "line/surface/motion.h"
 
 #define WELD 4e-5 /* tolerance of loose welding, in diagonals of the mesh: 1/20 of a pixel in a picture of it */
 #define COS_SAME_NORMAL 0.9999                 /* cosine of the largest angle between normals that count as equal */
 #define SMOOTHED_CREASE_RAD 1.0471975511965976 /* 60 degrees: sharper edges stay creases whatever the normals */
-
-/* Returns the diagonal of the mesh's bounding box. */
-static double size_of(const struct hatch_mesh *mesh)
-{
-    float low[3], high[3];
-    double a[3], b[3];
-    if (!hatch_mesh_bounds(mesh, low, high))
-        return 0;
-    hatch_vec_of(low, a);
-    hatch_vec_of(high, b);
-    return hatch_vec_distance(a, b);
-}
-
-/* Numbers the different places of vertices.
- *   motion  3 per vertex, from hatch_line_motion: vertices that move differently have different places; NULL: none move
- *   point   out: per vertex: the number of its place */
-static enum hatch_status number_places(const struct hatch_mesh *mesh, float *motion, struct hatch_arena *scratch,
-                                       uint32_t *point, uint32_t *count, struct hatch_err *err)
-{
-    struct hatch_remap remap = {.count = 0};
-    if (!motion)
-        return hatch_mesh_weld(mesh, scratch, point, count, err);
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = hatch_remap_by_values(mesh, motion, scratch, scratch, &remap, err);
-    for (uint32_t v = 0; v < mesh->vertex_count && status == HATCH_OK; v++)
-        point[v] = remap.number[v];
-    *count = remap.count;
-    hatch_arena_rewind(scratch, mark);
-    return status;
-}
 
 /* Rounds the positions or the motion of the vertices of loose points to a grid; others are copied.
  *   from   3 per vertex
@@ -54,7 +24,7 @@ static void snap(const float *from, uint32_t vertex_count, const uint32_t *point
 
 /* Joins loose points at a distance of up to about WELD, and renumbers all points. Points are joined if they fall into
  * one cell of either of two grids, one of which is shifted by half a cell; so do the amounts by which they move.
- *   motion     as for number_places
+ *   motion     3 per vertex, from hatch_mesh_motion: vertices that move differently stay apart; NULL: none move
  *   of_vertex  in and out: point of each vertex */
 static enum hatch_status weld(const struct hatch_mesh *mesh, const float *motion, const uint8_t *loose,
                               struct hatch_arena *scratch, uint32_t *of_vertex, uint32_t *count, struct hatch_err *err)
@@ -63,7 +33,7 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const float *motion
     size_t vertices = mesh->vertex_count;
     uint32_t *cell, *first, cells;
     float *amounts = NULL;
-    const double step = WELD * size_of(mesh);
+    const double step = WELD * hatch_mesh_diagonal(mesh);
     HATCH_TRY(HATCH_ALLOC(scratch, &moved.attributes[0].data, 3 * vertices, err));
     if (motion)
         HATCH_TRY(HATCH_ALLOC(scratch, &amounts, 3 * vertices, err));
@@ -77,7 +47,8 @@ static enum hatch_status weld(const struct hatch_mesh *mesh, const float *motion
              moved.attributes[0].data);
         if (motion)
             snap(motion, mesh->vertex_count, of_vertex, loose, step, 0.5 * grid, amounts);
-        HATCH_TRY(number_places(&moved, amounts, scratch, cell, &cells, err));
+        HATCH_TRY(motion ? hatch_remap_weld(&moved, amounts, scratch, cell, &cells, err)
+                         : hatch_mesh_weld(&moved, scratch, cell, &cells, err));
         for (uint32_t v = mesh->vertex_count; v-- > 0;)
             first[cell[v]] = v;
         for (uint32_t v = 0; v < mesh->vertex_count; v++)
@@ -132,12 +103,13 @@ static enum hatch_status find(const struct hatch_mesh *mesh, bool deformed, stru
     float *motion = NULL;
     if (deformed) {
         HATCH_TRY(HATCH_ALLOC(scratch, &motion, 3 * (size_t)mesh->vertex_count, err));
-        hatch_line_motion(mesh, size_of(mesh), motion);
+        hatch_mesh_motion(mesh, motion);
     }
     HATCH_TRY(HATCH_ALLOC(scratch, &of_vertex, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &loose, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    HATCH_TRY(number_places(mesh, motion, scratch, of_vertex, &made->point_count, err));
+    HATCH_TRY(deformed ? hatch_mesh_weld_moving(mesh, scratch, of_vertex, &made->point_count, err)
+                       : hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
     HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     if (mark_loose(made, loose)) {
         hatch_arena_rewind(arena, mark);
@@ -263,7 +235,7 @@ static enum hatch_status judge(const struct hatch_mesh *mesh, double crease_rad,
     for (uint32_t i = 0; i < graph.segment_count; i++)
         bounds[i] = made->kinds[edge_of[i]] == HATCH_EDGE_BOUNDARY;
     HATCH_TRY(hatch_line_find_cracks(&graph, bounds, arena, pruned, err));
-    HATCH_TRY(hatch_line_prune(&graph, bounds, flat, size_of(mesh), scratch, arena, pruned, err));
+    HATCH_TRY(hatch_line_prune(&graph, bounds, flat, hatch_mesh_diagonal(mesh), scratch, arena, pruned, err));
     for (uint32_t i = 0; i < graph.segment_count; i++)
         if (pruned[i])
             made->kinds[edge_of[i]] = HATCH_EDGE_SMOOTH;

@@ -150,3 +150,14 @@ bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3
     }
     return any;
 }
+
+double hatch_mesh_diagonal(const struct hatch_mesh *mesh)
+{
+    float low[3], high[3];
+    double a[3], b[3];
+    if (!hatch_mesh_bounds(mesh, low, high))
+        return 0;
+    hatch_vec_of(low, a);
+    hatch_vec_of(high, b);
+    return hatch_vec_distance(a, b);
+}

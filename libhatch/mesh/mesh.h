@@ -117,6 +117,9 @@ enum hatch_status hatch_mesh_check(const struct hatch_mesh *mesh, struct hatch_e
  * false if there are no others. */
 bool hatch_mesh_bounds(const struct hatch_mesh *mesh, float low[3], float high[3]);
 
+/* Returns the diagonal of that box; 0 without one. */
+double hatch_mesh_diagonal(const struct hatch_mesh *mesh);
+
 /* Adds NORMAL where it is missing: the mean of the normals of the faces around a vertex, weighted by their angles there
  * (Thürmer & Wüthrich 1998), in doubles. Vertices at one position share a normal.
  *   crease_rad  vertices are split at edges sharper than this, over 0 and under π; 0: at no edge. Where such an edge

@@ -4,22 +4,24 @@
 
 #include "base/keys.h"
 
-/* Numbers the different vertices: those that are equal in position and values get the same number.
+/* Numbers the different vertices: those that are one point and equal in values get the same number.
+ *   point   per vertex; NULL: by position
  *   values  3 per vertex */
-static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
-                                         struct hatch_remap *remap, struct hatch_err *err)
+static enum hatch_status number_vertices(const struct hatch_mesh *mesh, const uint32_t *point, float *values,
+                                         struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
 {
-    uint32_t *point, *value, unused;
-    HATCH_TRY(HATCH_ALLOC(scratch, &point, mesh->vertex_count, err));
+    uint32_t *welded, *value, unused;
+    HATCH_TRY(HATCH_ALLOC(scratch, &welded, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &value, mesh->vertex_count, err));
     struct hatch_mesh others = {.vertex_count = mesh->vertex_count, .attribute_count = 1};
     others.attributes[0].data = values;
-    HATCH_TRY(hatch_mesh_weld(mesh, scratch, point, &unused, err));
+    if (!point)
+        HATCH_TRY(hatch_mesh_weld(mesh, scratch, welded, &unused, err));
     HATCH_TRY(hatch_mesh_weld(&others, scratch, value, &unused, err));
     struct hatch_keys keys;
     HATCH_TRY(hatch_keys_make(scratch, &keys, err));
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        uint64_t key = (uint64_t)point[v] << 32 | value[v];
+        uint64_t key = (uint64_t)(point ? point : welded)[v] << 32 | value[v];
         HATCH_TRY(hatch_keys_number(&keys, key, &remap->number[v], err));
         if (keys.count > remap->count)
             remap->first[remap->count++] = v;
@@ -27,24 +29,32 @@ static enum hatch_status number_vertices(const struct hatch_mesh *mesh, float *v
     return HATCH_OK;
 }
 
-enum hatch_status hatch_remap_by_values(const struct hatch_mesh *mesh, float *values, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
+enum hatch_status hatch_remap_by_values(const struct hatch_mesh *mesh, const uint32_t *point, float *values,
+                                        struct hatch_arena *arena, struct hatch_arena *scratch,
+                                        struct hatch_remap *remap, struct hatch_err *err)
 {
     struct hatch_remap made = {0};
     HATCH_TRY(HATCH_ALLOC(arena, &made.number, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &made.first, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = number_vertices(mesh, values, scratch, &made, err);
+    enum hatch_status status = number_vertices(mesh, point, values, scratch, &made, err);
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)
         *remap = made;
     return status;
 }
 
-enum hatch_status hatch_remap_by_normal(const struct hatch_mesh *mesh, struct hatch_arena *arena,
-                                        struct hatch_arena *scratch, struct hatch_remap *remap, struct hatch_err *err)
+enum hatch_status hatch_remap_weld(const struct hatch_mesh *mesh, float *values, struct hatch_arena *scratch,
+                                   uint32_t *vertex_to_point, uint32_t *point_count, struct hatch_err *err)
 {
-    return hatch_remap_by_values(mesh, hatch_mesh_find(mesh, "NORMAL", 3), arena, scratch, remap, err);
+    struct hatch_remap remap = {.count = 0};
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    enum hatch_status status = hatch_remap_by_values(mesh, NULL, values, scratch, scratch, &remap, err);
+    for (uint32_t v = 0; v < mesh->vertex_count && status == HATCH_OK; v++)
+        vertex_to_point[v] = remap.number[v];
+    *point_count = remap.count;
+    hatch_arena_rewind(scratch, mark);
+    return status;
 }
 
 enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct hatch_arena *arena,
@@ -55,7 +65,7 @@ enum hatch_status hatch_remap_by_texcoord(const struct hatch_mesh *mesh, struct 
     HATCH_TRY(HATCH_ALLOC(arena, &values, 3 * (size_t)mesh->vertex_count, err));
     for (size_t v = 0; v < mesh->vertex_count; v++)
         memcpy(values + 3 * v, texcoord + 2 * v, 2 * sizeof *values);
-    return hatch_remap_by_values(mesh, values, arena, arena, remap, err);
+    return hatch_remap_by_values(mesh, NULL, values, arena, arena, remap, err);
 }
 
 enum hatch_status hatch_remap_attributes(const struct hatch_mesh *from, const uint32_t *origin_of,

@@ -4,6 +4,7 @@
 
 #include "base/keys.h"
 #include "mesh/remap.h"
+#include "mesh/skin/motion.h"
 
 static bool is_patch(const struct hatch_scene *scene, const struct hatch_scene_mesh *mesh)
 {
@@ -134,7 +135,7 @@ static enum hatch_status join(const struct hatch_scene_mesh *from, uint32_t coun
     struct joining joining = {.from = from, .patches = patches, .joined = joined};
     struct hatch_mesh *surface = &patches->surface;
     HATCH_TRY(concatenate(from, count, arena, patches, joined, err));
-    HATCH_TRY(hatch_remap_by_normal(joined, arena, scratch, &joining.weld, err));
+    HATCH_TRY(hatch_mesh_remap_by_normal(joined, arena, scratch, &joining.weld, err));
     patches->vertex_of = joining.weld.first;
     HATCH_TRY(hatch_mesh_make(arena, joining.weld.count, joined->face_count, surface, err));
     HATCH_TRY(hatch_remap_attributes(joined, joining.weld.first, arena, surface, err));

@@ -2,6 +2,7 @@
 #include "mesh/dropped.h"
 #include "mesh/fans.h"
 #include "mesh/orient.h"
+#include "mesh/skin/motion.h"
 #include "surface/work.h"
 
 static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_surface_notes *notes,
@@ -12,11 +13,11 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
     HATCH_TRY(HATCH_ALLOC(w->scratch, &vertex_to_point, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(w->scratch, &w->point, (size_t)mesh->face_count * 3, err));
     HATCH_TRY(HATCH_ALLOC(w->scratch, &w->dropped, mesh->face_count, err));
-    HATCH_TRY(hatch_mesh_weld(mesh, w->scratch, vertex_to_point, &w->position_count, err));
+    HATCH_TRY(hatch_mesh_weld_moving(mesh, w->scratch, vertex_to_point, &w->position_count, err));
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
     struct hatch_mesh_duplicates duplicates;
-    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch, &duplicates, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(mesh, w->point, w->dropped, w->scratch, &duplicates, err));
     notes->duplicate = duplicates.count;
     notes->reversed = duplicates.reversed;
     if (notes->degenerate + notes->duplicate == mesh->face_count)

@@ -1,6 +1,7 @@
 /* Cleaned meshes. Algorithms on surfaces (curvature, direction fields, patches) take this structure and no other.
  *
- * A point is a position: vertices at the same position are one point. Where the mesh is not manifold, it is cut. The
+ * A point is a position: vertices at the same position are one point, unless skins or morph targets move them apart.
+ * Where the mesh is not manifold, it is cut. The
  * faces at an edge with more than two faces are separated and then joined again in pairs, so that several edges may
  * lie there, some of them on a border. A point whose faces are not connected through edges becomes several points.
  * Two points may therefore be joined by several edges and occur repeatedly in each other's rings.
@@ -68,9 +69,9 @@ struct hatch_surface_notes {
     uint32_t components;   /* of the surface; not a change */
 };
 
-/* Makes the surface of a mesh, which hatch_mesh_check must accept. Vertices are welded where positions are equal (-0
- * equals 0). A face is degenerate when a corner repeats or its area is 0 in doubles; (a, b, c) and (a, c, b) are
- * duplicates. Time and memory are linear, except for one sort.
+/* Makes the surface of a mesh, which hatch_mesh_check must accept. Vertices are welded by hatch_mesh_weld_moving. A
+ * face is degenerate when a corner repeats or its area is 0 in doubles; (a, b, c) and (a, c, b) are duplicates. Time
+ * and memory are linear, except for one sort.
  *   surface  out: arrays in arena, no pointer into the mesh
  *   notes    out
  * HATCH_BAD_INPUT when the check fails or no face remains. */
