@@ -4,6 +4,7 @@
 
 #include "io/glb/parts.h"
 
+#define STEPS_HIGH 16                     /* mean height of faces in texture coordinates that are rounded, in steps */
 #define ROUNDED_8 (0.5 / 127 * 1.7320508) /* greatest error of a vector of three numbers of 8 bits */
 
 static bool begins(const char *name, const char *start)
@@ -18,6 +19,40 @@ static bool all_within(const struct hatch_mesh *mesh, const struct hatch_mesh_at
         if (!(a->data[i] >= low && a->data[i] <= 1))
             return false;
     return true;
+}
+
+/* Returns twice the signed area of a face in an attribute of two components, and its longest side, where the numbers
+ * are rounded to multiples of `step`; 0: they are not. */
+static double double_area(const struct hatch_mesh *mesh, const struct hatch_mesh_attribute *a, size_t face, double step,
+                          double *longest)
+{
+    double at[3][2], squared = 0;
+    for (size_t c = 0; c < 3; c++)
+        for (size_t k = 0; k < 2; k++) {
+            double value = (double)a->data[2 * (size_t)mesh->indices[3 * face + c] + k];
+            at[c][k] = step > 0 ? floor(value / step + 0.5) * step : value;
+        }
+    for (size_t c = 0; c < 3; c++) {
+        double x = at[(c + 1) % 3][0] - at[c][0], y = at[(c + 1) % 3][1] - at[c][1];
+        squared = fmax(squared, x * x + y * y);
+    }
+    *longest = sqrt(squared);
+    return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) - (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
+}
+
+/* Returns whether texture coordinates can be rounded to multiples of `step`: no face turns over, and in the mean over
+ * the area faces are many steps high. */
+static bool faces_survive(const struct hatch_mesh *mesh, const struct hatch_mesh_attribute *a, double step)
+{
+    double areas = 0, errors = 0, longest;
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        double rounded = double_area(mesh, a, f, step, &longest), area = double_area(mesh, a, f, 0, &longest);
+        if (area != 0 && !(rounded * area > 0))
+            return false;
+        areas += fabs(area);
+        errors += longest * step; /* the area times the share of the height that a step is */
+    }
+    return errors * STEPS_HIGH <= areas;
 }
 
 /* Returns whether all numbers of an attribute are whole ones of 16 bits. */
@@ -40,9 +75,12 @@ void hatch_glb_choose_numbers(struct hatch_glb *glb, const struct hatch_mesh *me
     view->component = whole && all_whole(mesh, a) ? HATCH_GLB_U16 : HATCH_GLB_F32;
     if (!(rounding > 0) || !(texcoord || vector || direction) || !all_within(mesh, a, -1))
         return;
+    bool positive = texcoord && all_within(mesh, a, 0);
+    if (texcoord && !faces_survive(mesh, a, 1.0 / (positive ? UINT16_MAX : INT16_MAX)))
+        return;
     view->normalized = true;
     if (texcoord)
-        view->component = all_within(mesh, a, 0) ? HATCH_GLB_U16 : HATCH_GLB_I16;
+        view->component = positive ? HATCH_GLB_U16 : HATCH_GLB_I16;
     else
         view->component = rounding >= ROUNDED_8 ? HATCH_GLB_I8 : HATCH_GLB_I16;
     glb->quantized = glb->quantized || vector || view->component == HATCH_GLB_I16;

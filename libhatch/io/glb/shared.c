@@ -41,14 +41,18 @@ uint32_t hatch_glb_count_shared(const struct hatch_glb *glb, uint32_t first, uin
 }
 
 /* Lays the vertices of meshes one after another.
- *   all  out: in scratch; without indices */
-static enum hatch_status join_vertices(struct hatch_glb *glb, const struct hatch_scene_mesh *meshes, uint32_t count,
-                                       struct hatch_mesh *all)
+ *   all  out: in scratch */
+static enum hatch_status join(struct hatch_glb *glb, const struct hatch_scene_mesh *meshes, uint32_t count,
+                              struct hatch_mesh *all)
 {
-    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], done = 0;
+    uint32_t order[HATCH_MESH_ATTRIBUTES_MAX], done = 0, *corner;
     *all = (struct hatch_mesh){.attribute_count = hatch_glb_order(&meshes[0].mesh, order)};
-    for (uint32_t m = 0; m < count; m++)
+    for (uint32_t m = 0; m < count; m++) {
         all->vertex_count += meshes[m].mesh.vertex_count;
+        all->face_count += meshes[m].mesh.face_count;
+    }
+    HATCH_TRY(HATCH_ALLOC_UNSET(glb->scratch, &all->indices, 3 * (size_t)all->face_count, glb->err));
+    corner = all->indices;
     for (uint32_t i = 0; i < all->attribute_count; i++) {
         struct hatch_mesh_attribute *to = &all->attributes[i];
         *to = meshes[0].mesh.attributes[order[i]];
@@ -62,6 +66,8 @@ static enum hatch_status join_vertices(struct hatch_glb *glb, const struct hatch
             memcpy(&to->data[(size_t)done * to->components], mesh->attributes[order[i]].data,
                    (size_t)mesh->vertex_count * to->components * sizeof *to->data);
         }
+        for (size_t k = 0; k < 3 * (size_t)mesh->face_count; k++)
+            *corner++ = done + mesh->indices[k];
         done += mesh->vertex_count;
     }
     return HATCH_OK;
@@ -72,7 +78,7 @@ enum hatch_status hatch_glb_add_shared(struct hatch_glb *glb, uint32_t first, ui
     const struct hatch_scene_mesh *meshes = &glb->scene->meshes[first];
     struct hatch_mesh all;
     uint32_t position = glb->view_count, before = 0;
-    HATCH_TRY(join_vertices(glb, meshes, count, &all));
+    HATCH_TRY(join(glb, meshes, count, &all));
     hatch_glb_add_attributes(glb, &all);
     for (uint32_t m = 0; m < count; m++) {
         const struct hatch_mesh *mesh = &meshes[m].mesh;

@@ -132,10 +132,29 @@ START_TEST(texture_coordinates_have_16_bits_where_they_fit)
         begin_torus(0.01f);
         float *uv = numbers_of("TEXCOORD_0");
         for (size_t k = 0; k < 2 * (size_t)scene.meshes[0].mesh.vertex_count; k++)
-            uv[k] = k ? (float)(k % 100) / 99 : lowest[i];
+            uv[k] = lowest[i] + (1 - lowest[i]) * uv[k] / (k % 2 ? 4 : 10);
         double most = off(written(), "TEXCOORD_0");
         ck_assert_double_le(most, 1.42 * allowed[i]);
         ck_assert(i == 3 || most > 0.3 * allowed[i]);
+    }
+}
+END_TEST
+
+/* Faces of a torus are .43 tiles wide: 280 steps of rounding where a tile is .01, 7 where it is .00025. One face that
+ * would have no area is enough. */
+START_TEST(texture_coordinates_of_small_faces_stay_floats)
+{
+    static const float size[] = {0.01f, 0.00025f, 0.01f};
+    for (int i = 0; i < 3; i++) {
+        begin_torus(0.01f);
+        float *uv = numbers_of("TEXCOORD_0");
+        for (size_t k = 0; k < 2 * (size_t)scene.meshes[0].mesh.vertex_count; k++)
+            uv[k] *= size[i];
+        const uint32_t *corner = scene.meshes[0].mesh.indices;
+        for (size_t k = 0; k < 2 && i == 2; k++)
+            uv[2 * corner[2] + k] = uv[2 * corner[0] + k] + (float)k * 1e-7f;
+        double most = off(written(), "TEXCOORD_0");
+        ck_assert_int_eq(most > 0, i == 0);
     }
 }
 END_TEST
@@ -191,6 +210,7 @@ static Suite *suite(void)
     tcase_add_test(tests, numbers_that_are_not_whole_stay_floats);
     tcase_add_test(tests, vectors_are_off_by_no_more_than_the_rounding);
     tcase_add_test(tests, texture_coordinates_have_16_bits_where_they_fit);
+    tcase_add_test(tests, texture_coordinates_of_small_faces_stay_floats);
     tcase_add_test(tests, vectors_over_one_stay_floats);
     tcase_add_test(tests, the_heaviest_four_joints_of_all_sets_are_read);
     suite_add_tcase(suite, tests);
