@@ -176,6 +176,7 @@ void lapped_param_keep(struct cmd_args *args, struct lapped_param_part *part)
     part->made[0].material = HATCH_NONE;
     part->made_count = 1;
     mesh = &part->made[0].mesh;
+    lapped_param_clear_mesh(mesh, NULL, false);
     cmd_check(hatch_mesh_add(&args->keep, mesh, "TEXCOORD_0", 2, &uv, &err), part->name, &err);
     for (size_t v = 0; v < mesh->vertex_count; v++)
         for (size_t k = 0; k < 2; k++)

@@ -39,6 +39,11 @@ void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, str
 void lapped_param_cover(struct cmd_args *args, const struct lapped_param_options *options,
                         const struct hatch_outline *outline, struct lapped_param_part *part);
 
+/* Removes texture coordinates, tangents, and a _HATCH_DIR that does not have four components. If the mesh has a normal
+ * map, keeps its tangents and the texture coordinates of the map.
+ *   normals  NULL: the mesh has no normal map */
+void lapped_param_clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals, bool atlas);
+
 /* Keeps a mesh that no view shows without patches, with texture coordinates that repeat over two axes. */
 void lapped_param_keep(struct cmd_args *args, struct lapped_param_part *part);
 

@@ -134,8 +134,8 @@ static struct lapped_param_part *cover(struct cmd_args *args, const char *input,
     cmd_check(HATCH_ALLOC(&args->keep, &parts, scene->mesh_count, &err), NULL, &err);
     cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), NULL, &err);
     warn_uneven(cmd_input_name(input), &extent, scene->mesh_count);
-    if (settings->tile > TILE_RANGE * extent.diagonal ||
-        (settings->tile > 0 && settings->tile * TILE_RANGE < extent.diagonal))
+    if (extent.diagonal > 0 && settings->tile > 0 &&
+        (settings->tile > TILE_RANGE * extent.diagonal || settings->tile * TILE_RANGE < extent.diagonal))
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "--tile %g: want a millionth to a million times the diagonal, %.3g",
                              settings->tile, extent.diagonal),
                   cmd_input_name(input), &err);

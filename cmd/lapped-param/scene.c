@@ -11,10 +11,13 @@ static bool is_replaced(const struct hatch_mesh_attribute *attribute)
            (strcmp(attribute->name, "_HATCH_DIR") == 0 && attribute->components != 4);
 }
 
-/* Removes the attributes that is_replaced names. If the mesh has a normal map, keeps its tangents, and the texture
- * coordinates of the map as TEXCOORD_2: hatching uses TEXCOORD_0, the outline TEXCOORD_1.
- *   normals  NULL: the mesh has no normal map */
-static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals)
+/* Returns the set of texture coordinates of normal maps: hatching has the first, the outline of patches the second. */
+static uint32_t set_of_normals(bool atlas)
+{
+    return atlas ? 1 : 2;
+}
+
+void lapped_param_clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *normals, bool atlas)
 {
     char name[] = "TEXCOORD_n";
     uint32_t kept = 1;
@@ -26,7 +29,7 @@ static void clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_map *n
             continue;
         mesh->attributes[kept] = *attribute;
         if (wanted)
-            mesh->attributes[kept].name[9] = '2';
+            mesh->attributes[kept].name[9] = (char)('0' + set_of_normals(atlas));
         kept++;
     }
     mesh->attribute_count = kept;
@@ -50,7 +53,7 @@ static uint32_t drop_textures(struct hatch_material *material)
 }
 
 /* Removes all textures except normal maps, and renumbers these. */
-static void keep_normals(struct cmd_args *args, const char *name, struct hatch_scene *scene)
+static void keep_normals(struct cmd_args *args, const char *name, bool atlas, struct hatch_scene *scene)
 {
     struct hatch_err err;
     struct hatch_texture *textures;
@@ -68,7 +71,7 @@ static void keep_normals(struct cmd_args *args, const char *name, struct hatch_s
             *to = ++count;
         }
         normals->at.texture = *to - 1;
-        normals->at.texcoord = 2;
+        normals->at.texcoord = set_of_normals(atlas);
     }
     scene->textures = textures;
     scene->texture_count = count;
@@ -87,6 +90,14 @@ static void set_alpha(struct hatch_material *material, bool atlas, bool textured
         material->alpha_cutoff = 0;
 }
 
+/* Vertex colours multiply the alpha by which patches blend. */
+static void make_opaque(struct hatch_mesh *mesh)
+{
+    float *color = hatch_mesh_find(mesh, "COLOR_0", 4);
+    for (size_t v = 0; color && v < mesh->vertex_count; v++)
+        color[4 * v + 3] = 1;
+}
+
 void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, struct hatch_scene *scene)
 {
     struct hatch_err err;
@@ -98,7 +109,9 @@ void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, str
         if (material && material->base.texture != HATCH_NONE)
             textured[mesh->material] = true;
         mesh->curves = (struct hatch_curves){0};
-        clear_mesh(&mesh->mesh, material && material->normals.used ? &material->normals : NULL);
+        lapped_param_clear_mesh(&mesh->mesh, material && material->normals.used ? &material->normals : NULL, atlas);
+        if (!atlas)
+            make_opaque(&mesh->mesh);
     }
     uint32_t count = 0;
     for (uint32_t m = 0; m < scene->material_count; m++) {
@@ -107,7 +120,7 @@ void lapped_param_clear(struct cmd_args *args, const char *name, bool atlas, str
         material->base.texture = HATCH_NONE;
         set_alpha(material, atlas, textured[m]);
     }
-    keep_normals(args, name, scene);
+    keep_normals(args, name, atlas, scene);
     if (count > 0)
         cmd_warn(name, "%u %s left out: their texture coordinates have been replaced", count,
                  cmd_plural(count, "texture", "textures"));

@@ -5,6 +5,7 @@
 
 /* Number of rounds over the faces that rounding has turned over, and number of distances by which a vertex may be
  * moved: 1, 2, 4 .. times the distance between floats. */
+#define FACES_MAX 128u /* at a vertex that moves: to move the hub of a fan takes the square of their number */
 #define ROUNDS 12
 #define DOUBLINGS 6
 /* Number of directions in which a vertex may be moved. */
@@ -45,6 +46,8 @@ static bool move_vertex(const struct rounding *rounding, uint32_t vertex)
     static const int direction[DIRECTIONS][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
     float *uv = &rounding->uv[2 * (size_t)vertex], best[2] = {uv[0], uv[1]};
     const float from[2] = {uv[0], uv[1]};
+    if (rounding->first[vertex + 1] - rounding->first[vertex] > FACES_MAX)
+        return false;
     uint32_t before = count_turned(rounding, vertex), least = before;
     for (int i = 0; i < DIRECTIONS * DOUBLINGS && least > 0; i++) {
         for (int k = 0; k < 2; k++)

@@ -42,6 +42,24 @@ is "factors of a material are kept with its name, and left out with their textur
 $(grep -c '"name":"Oak".*"metallicFactor":0.*"KHR_materials_unlit":{}' shining.made.gltf) $(grep -c emissive shining.made.gltf) $(cat shining.err)" \
     "1 lapped-param: plain.gltf: warning: 1 texture left out: their texture coordinates have been replaced
 1 0 lapped-param: shining.gltf: warning: 2 textures left out: their texture coordinates have been replaced"
+cat >coloured.gltf <<'END'
+{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],
+"buffers":[{"byteLength":48,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA////Tf///03///9N"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":1,"componentType":5121,"normalized":true,"count":3,"type":"VEC4"}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":1}}]}]}
+END
+alphas() { # OPTION ...: the number of rows of the result with the alpha of the vertex colours, 77 / 255
+    lapped-param -q "$@" coloured.gltf -o coloured.glb
+    numbers coloured.glb | od -An -v -tf4 | grep -c '0\.30196'
+}
+is "vertex colours of patches are opaque, those of an atlas stay" "$(alphas) $(alphas --atlas)" "0 3"
+# A tile far larger than the mesh: rounded texture coordinates would turn faces over.
+render-gl -q torus.glb --size 96x72 --needs -o torus.needs
+lapped-param -q --needs torus.needs --tile 4000 torus.glb -o tiny.glb
+is "patches far smaller than a tile are not rounded" "$(hatchstat lapped tiny.glb | awk -F'\t' '
+    NR == 1 {for (i = 1; i <= NF; i++) at[$i] = i} NR == 2 {print $at["flipped"], $at["stretch_max"] < 1.51}')" "0 1"
 dirfield torus.glb -o field.glb
 unpack field.glb field
 sed 's/"NORMAL":[0-9]*,//' field.gltf >bare.gltf

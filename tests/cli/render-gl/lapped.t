@@ -67,10 +67,21 @@ is "lapped.mk refuses a folder with a space in its name" "$status $(ls -d a way 
 meshgen torus --faces 2000 -o smooth.glb
 perl "$TOP/tests/cli/render-gl/bumpy.pl" <smooth.glb >bumpy.glb
 dirfield -q bumpy.glb | lapped-param -q -o bumpy.lapped.glb
-for file in smooth bumpy bumpy.lapped; do
+lapped-param -q --atlas bumpy.glb -o bumpy.atlas.glb
+for file in smooth bumpy bumpy.lapped bumpy.atlas; do
     render-gl $file.glb -t gouraud --pixel-light --size 200x150 -o $file.png
 done
 away=$(hatchstat diff smooth.png bumpy.png | awk 'NR == 2 {print ($2 > 0.05)}')
 near=$(hatchstat diff bumpy.png bumpy.lapped.png | awk 'NR == 2 {print ($2 < 0.005)}')
 is "a normal map changes the picture and survives lapped-param" "$away $near" "1 1"
+near=$(hatchstat diff bumpy.png bumpy.atlas.png | awk 'NR == 2 {print ($2 < 0.005)}')
+is "and an atlas" "$near" 1
+# Numbers of texture coordinates have no gap.
+for file in bumpy.lapped bumpy.atlas; do
+    unpack $file.glb $file
+    grep -o '"TEXCOORD_[0-9]' $file.gltf | sort -u | tr -d '\n'
+    echo
+done >sets
+is "the map's texture coordinates are the next set" "$(cat sets)" '"TEXCOORD_0"TEXCOORD_1"TEXCOORD_2
+"TEXCOORD_0"TEXCOORD_1'
 finish
