@@ -76,14 +76,26 @@ static float value(const void *context, const float at[3])
     return least;
 }
 
+/* Returns the tone at which a stroke of a rank appears. Values are equalized: it is the share of places that strokes of
+ * lower ranks cover by then, at random places. At a value v, a stroke of rank r has (v - r) / grow to the power of 1/4
+ * radii; the exponents are those of the integral of its volume over r. */
+static float tone_of(const struct hatch_solid_style *style, float rank)
+{
+    const double radius = (double)style->width / 2, caps = 4 * radius / 3, length = (double)style->length;
+    const double grown = (double)rank / (double)style->grow;
+    if (!hatch_solid_equalizes(style))
+        return rank;
+    double volume = (2.0 / 3 * length * sqrt(grown) + 4.0 / 7 * caps * pow(grown, 0.75)) / (length + caps);
+    return (float)(1 - exp(-(double)style->density * (double)rank * volume));
+}
+
 /* Chooses one of the directions whose tones include that at which a stroke appears; without any, a random one.
  *   out  of length 1 */
 static void choose_direction(const struct solid_job *job, const struct hatch_noise *noise, uint32_t number, float rank,
                              float out[3])
 {
     const struct hatch_solid_style *style = job->style;
-    /* Strokes up to this rank, at random places, cover about this share. */
-    float tone = (float)(1 - exp((double)(-style->density * rank)));
+    const float tone = tone_of(style, rank);
     const struct hatch_solid_direction *fitting[HATCH_SOLID_DIRECTIONS_MAX], *chosen = NULL;
     uint32_t fitting_count = 0;
     for (uint32_t i = 0; i < style->direction_count; i++)
@@ -211,7 +223,7 @@ static void visit_row(struct state *state, const struct visit *visit, int32_t y,
     bound_cells(visit, 0, part, range);
     for (int32_t x = range[0]; x <= range[1]; x++) {
         const float middle[3] = {((float)x + 0.5f) * side, ((float)y + 0.5f) * side, ((float)z + 0.5f) * side};
-        if (squared_distance(visit->stroke, middle) > visit->near * visit->near)
+        if (!visit->wraps && squared_distance(visit->stroke, middle) > visit->near * visit->near)
             continue;
         int32_t cell = ((z + cells) % cells * cells + (y + cells) % cells) * cells + (x + cells) % cells;
         if (list)

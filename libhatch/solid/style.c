@@ -40,11 +40,15 @@ bool hatch_solid_equalizes(const struct hatch_solid_style *style)
            (style->equalize == HATCH_SOLID_EQUALIZE_GREY && style->color_count == 0);
 }
 
+/* Least jitter of cells that hide the lattice of their points. */
+#define ISOTROPIC_JITTER 0.5f
+
 bool hatch_solid_is_isotropic(const struct hatch_solid_style *style)
 {
     return style->kind == HATCH_SOLID_PERLIN || style->kind == HATCH_SOLID_TURBULENCE ||
-           style->kind == HATCH_SOLID_WORLEY || style->kind == HATCH_SOLID_STIPPLE ||
-           style->kind == HATCH_SOLID_PAPER || (style->kind == HATCH_SOLID_STROKES && style->direction_count == 0);
+           (style->kind == HATCH_SOLID_WORLEY && style->jitter >= ISOTROPIC_JITTER) ||
+           style->kind == HATCH_SOLID_STIPPLE || style->kind == HATCH_SOLID_PAPER ||
+           (style->kind == HATCH_SOLID_STROKES && style->direction_count == 0);
 }
 
 /* State of the parser. */

@@ -70,6 +70,8 @@ printf 'kind worley\nscale 4 # cells\ndistance f2-f1\n' >cells.solid
 printf 'kind strokes\n' >strewn.solid
 solidgen --style ./strewn.solid --size 16 -o strewn.ktx2
 is "strokes in all directions have none" "$(keys strewn.ktx2)" "hatch:isotropic yes -- hatch:seed 1 -- hatch:solid strewn"
+solidgen --style worley --set 'jitter 0' --size 8 -o lattice.ktx2
+is "points of a lattice have directions" "$(keys lattice.ktx2)" "hatch:seed 1 -- hatch:solid worley"
 try solidgen --style ./cells.solid --set 'scale 5; jitter 0.5' --size 16 -v -o cells.ktx2
 is "a style of one's own" "$status $(sed 's/[0-9]* bytes/N bytes/' .err)" \
     "0 solidgen: 16 texels along a side, 1 channel; N bytes"
@@ -132,7 +134,7 @@ says "one byte less is not" 5 1 "solidgen: --size 128 needs 13 MB of memory, --m
     solidgen --style perlin --size 128 --max-memory $((enough - 1)) -o x
 many='width 0.005; length 0.01; density 16'
 says "more strokes than the memory holds" 5 1 "solidgen: the strokes or points of the style and --size 64\
- need 6489 MB of memory, --max-memory allows 4295 MB" solidgen --style strokes --set "$many" -o x
+ need 6768 MB of memory, --max-memory allows 4295 MB" solidgen --style strokes --set "$many" -o x
 [ -z "$SANITIZE" ] && ms=$(milliseconds 50 solidgen --style strokes --set "$many" -o x) || ms=0
 ok "are refused before any work ($ms ms)" test "$ms" -le 50
 says "an unknown ending" 2 2 "solidgen: x.png: the ending is that of another format: want .ktx2 or\

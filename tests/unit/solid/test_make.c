@@ -169,15 +169,26 @@ START_TEST(strokes_run_in_their_direction)
 }
 END_TEST
 
-/* Strokes of the first tones have the first direction, those of the last the second. */
+/* Strokes of tones up to 0.5 have the first direction, those beyond the second, however fast they grow. */
 START_TEST(directions_have_their_tones)
 {
-    struct hatch_solid solid = make_solid("kind strokes\ndirection 1 0 0 0 0.5\ndirection 0 0 1 0.5 1\nwidth 0.1\n"
-                                          "length 0.5\njitter 0",
-                                          SIZE, 1, NULL);
-    for (uint32_t i = 0; i < TEXELS; i++)
-        solid.texels[i] = solid.texels[i] < 64 ? 0 : 255;
-    ck_assert_double_lt(2 * crossings(&solid, 0), crossings(&solid, 2));
+    static const char *const grow[] = {"0.01", "0.1", "1"};
+    static const uint8_t below[] = {64, 115, 217}; /* of tones .25, .45 and .85 */
+    double ratio[3];
+    char text[200];
+    snprintf(text, sizeof text,
+             "kind strokes\ndirection 1 0 0 0 0.5\ndirection 0 0 1 0.5 1\nwidth 0.1\nlength 0.5\njitter 0\ngrow %s",
+             grow[_i]);
+    struct hatch_solid solid = make_solid(text, SIZE, 1, NULL), bands = solid;
+    HATCH_TEST_OK(HATCH_ALLOC(&keep, &bands.texels, TEXELS, &err), &err);
+    for (uint32_t k = 0; k < 3; k++) {
+        for (uint32_t i = 0; i < TEXELS; i++)
+            bands.texels[i] = solid.texels[i] < below[k] ? 0 : 255;
+        ratio[k] = crossings(&bands, 0) / crossings(&bands, 2);
+    }
+    ck_assert_double_lt(ratio[0], 0.3);
+    ck_assert_double_lt(ratio[1], 0.3);
+    ck_assert_double_gt(ratio[2], 0.3);
 }
 END_TEST
 
@@ -324,7 +335,7 @@ static Suite *suite(void)
     tcase_add_test(tests, marble_without_warp_is_a_cosine);
     tcase_add_test(tests, contrast_and_colors_apply_to_the_values);
     tcase_add_test(tests, strokes_run_in_their_direction);
-    tcase_add_test(tests, directions_have_their_tones);
+    tcase_add_loop_test(tests, directions_have_their_tones, 0, 3);
     tcase_add_test(tests, canvas_is_woven_along_all_axes);
     tcase_add_test(tests, slices_are_a_cube);
     tcase_add_test(tests, strokes_are_reported_as_they_are_made);
