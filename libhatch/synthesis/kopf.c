@@ -8,10 +8,11 @@
 #include "synthesis/blend.h"
 #include "synthesis/search.h"
 
-#define SCANS 2u    /* first searches of the coarsest level that compare all features */
-#define SIZE_MIN 8u /* of the coarsest level */
-#define MORE 4u     /* factor of iterations from level to level */
-#define BLOCKS 8u   /* allocations of a level, each aligned */
+#define SCAN_PAIRS_MAX 0x1p27 /* of texels and neighbourhoods, in these searches: they take seconds */
+#define SCANS 2u              /* first searches of the coarsest level that compare all features */
+#define SIZE_MIN 8u           /* of the coarsest level */
+#define MORE 4u               /* factor of iterations from level to level */
+#define BLOCKS 8u             /* allocations of a level, each aligned */
 #define STREAMS (1u << 20)
 
 /* Tolerance of the first iteration of a level, in powers of two, and of the last: structures form while means are
@@ -79,13 +80,15 @@ static struct hatch_search search_of(const struct synthesis *synthesis, uint32_t
 {
     const struct level *level = &synthesis->levels[which];
     const bool coarsest = which + 1 == synthesis->level_count;
+    const double pairs =
+        pow(level->volume.size, 3) * level->exemplar.across * level->exemplar.down; /* of texels and neighbourhoods */
     return (struct hatch_search){
         .exemplar = &level->exemplar,
         .features = features,
         .volume = &level->volume,
         .prices = synthesis->prices,
         .exhaustive = synthesis->options->exhaustive,
-        .scan = !features->similar || (coarsest && iteration < SCANS),
+        .scan = !features->similar || (coarsest && iteration < SCANS && pairs <= SCAN_PAIRS_MAX),
         .backwards = iteration % 2,
         .key = hatch_random_key(synthesis->options->seed, (uint64_t)which * STREAMS + iteration + 1)};
 }
@@ -169,7 +172,8 @@ static enum hatch_status fill(struct synthesis *synthesis, const struct hatch_im
 {
     const struct hatch_synthesis_options *options = synthesis->options;
     const uint32_t shorter = exemplar->width < exemplar->height ? exemplar->width : exemplar->height;
-    const uint32_t side = options->side < shorter ? options->side : shorter;
+    /* A picture of one neighbourhood would make a solid of one colour. */
+    const uint32_t side = options->side < shorter ? options->side : (shorter + 1) / 2;
     synthesis->level_count = 1;
     while (synthesis->level_count < options->levels && shorter >> synthesis->level_count >= 2 * side &&
            options->size >> synthesis->level_count >= SIZE_MIN)

@@ -35,6 +35,12 @@ static float board(uint32_t x, uint32_t y, uint32_t c)
     return (x / 4 + y / 4) % 2 ? 0.8f : 0.2f;
 }
 
+static float dots(uint32_t x, uint32_t y, uint32_t c)
+{
+    (void)c;
+    return (x + y) % 2 ? 0.8f : 0.2f;
+}
+
 /* Three colours whose channels mix in no order. */
 static float three_colors(uint32_t x, uint32_t y, uint32_t c)
 {
@@ -102,6 +108,22 @@ START_TEST(a_checkerboard_keeps_its_values_and_its_histogram)
     HATCH_TEST_OK(hatch_measure_solid(&solid, &image, 200, NULL, &scratch, &measured, &err), &err);
     ck_assert_double_lt(measured.histogram, 0.05);
     ck_assert_double_lt(measured.neighborhood_all, 0.2);
+}
+END_TEST
+
+/* A picture of a single neighbourhood is compared by smaller ones. */
+START_TEST(a_picture_as_small_as_a_neighbourhood_keeps_its_values)
+{
+    for (uint32_t side = 2; side <= quick.side; side++) {
+        struct hatch_synthesis_figures figures;
+        struct hatch_image image = picture(side, side, "Y", side < 5 ? dots : board);
+        struct hatch_solid solid = make(&image, &quick, &figures);
+        size_t light = 0;
+        for (size_t t = 0; t < bytes_of(&solid); t++)
+            light += solid.texels[t] > 127;
+        ck_assert_uint_gt(light, bytes_of(&solid) / 8);
+        ck_assert_uint_lt(light, bytes_of(&solid) / 8 * 7);
+    }
 }
 END_TEST
 
@@ -343,6 +365,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_test(tests, a_constant_exemplar_makes_a_constant_solid);
     tcase_add_test(tests, a_checkerboard_keeps_its_values_and_its_histogram);
+    tcase_add_test(tests, a_picture_as_small_as_a_neighbourhood_keeps_its_values);
     tcase_add_test(tests, a_solid_has_the_colours_of_the_exemplar_only);
     tcase_add_test(tests, stripes_show_along_two_axes);
     tcase_add_test(tests, both_methods_keep_the_histogram);
