@@ -69,11 +69,10 @@ static double scale_of(const float *matrix, double areas[3][3])
     return sqrt(sqrt(sum / (areas[0][0] + areas[1][1] + areas[2][2])));
 }
 
-/* Returns the ratio of the largest to the smallest length of the images of unit vectors; 1 for a matrix that flattens.
- */
-static double unevenness_of(const float *matrix)
+/* Finds the largest and the smallest length of the images of unit vectors. */
+static void find_lengths(const float *matrix, double lengths[2])
 {
-    double columns[3][3], products[9], axes[9], next[9], lengths[2];
+    double columns[3][3], products[9], axes[9], next[9];
     for (int column = 0; column < 3; column++)
         hatch_vec_of(&matrix[4 * column], columns[column]);
     for (int k = 0; k < 9; k++)
@@ -85,6 +84,11 @@ static double unevenness_of(const float *matrix)
             hatch_vec_add_scaled(image, axes[6 * end + column], columns[column], image);
         lengths[end] = hatch_vec_length(image);
     }
+}
+
+/* Returns the ratio of these lengths; 1 for a matrix that flattens. */
+static double unevenness_of(const double lengths[2])
+{
     return lengths[1] > FLAT * lengths[0] ? lengths[0] / lengths[1] : 1;
 }
 
@@ -105,6 +109,7 @@ struct measuring {
     float *world, *joints; /* matrices of all nodes, and of the largest skin */
     double (*areas)[3][3]; /* per mesh, from sum_areas */
     double *scale;         /* per mesh: the largest so far */
+    double *stretch;       /* per mesh: the largest so far */
     double *unevenness;    /* per mesh: the largest so far, at rest */
     bool *known;           /* per mesh: its scale no longer changes */
     struct hatch_box box;  /* of all that is drawn */
@@ -123,6 +128,7 @@ static enum hatch_status begin(struct measuring *measuring, struct hatch_arena *
     HATCH_TRY(HATCH_ALLOC(scratch, &measuring->areas, scene->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &measuring->known, scene->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &measuring->scale, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(arena, &measuring->stretch, scene->mesh_count, err));
     HATCH_TRY(HATCH_ALLOC(arena, &measuring->unevenness, scene->mesh_count, err));
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         sum_areas(&scene->meshes[m].mesh, measuring->areas[m]);
@@ -139,12 +145,16 @@ static void measure_pose(struct measuring *measuring, uint32_t animation, double
         if (node->mesh_count == 0)
             continue;
         const float *matrix = matrix_of(scene, n, measuring->world, measuring->joints);
-        const double unevenness = animation == HATCH_NONE ? unevenness_of(matrix) : 1;
+        double lengths[2];
+        find_lengths(matrix, lengths);
+        const double unevenness = animation == HATCH_NONE ? unevenness_of(lengths) : 1;
         for (uint32_t m = node->first_mesh; m < node->first_mesh + node->mesh_count; m++) {
             if (!measuring->box_known)
                 add_mesh(&measuring->box, &scene->meshes[m].mesh, matrix);
-            if (!measuring->known[m])
+            if (!measuring->known[m]) {
                 measuring->scale[m] = fmax(measuring->scale[m], scale_of(matrix, measuring->areas[m]));
+                measuring->stretch[m] = fmax(measuring->stretch[m], lengths[0]);
+            }
             measuring->unevenness[m] = fmax(measuring->unevenness[m], unevenness);
         }
     }
@@ -195,9 +205,10 @@ static enum hatch_status measure(const struct hatch_scene *scene, struct hatch_a
     for (uint32_t m = 0; m < scene->mesh_count; m++) {
         if (!(measuring.scale[m] > 0))
             measuring.scale[m] = scale_to(diagonal, &scene->meshes[m].mesh);
+        measuring.stretch[m] = fmax(measuring.stretch[m], measuring.scale[m]);
         measuring.unevenness[m] = fmax(measuring.unevenness[m], 1);
     }
-    *extent = (struct hatch_scene_extent){diagonal, measuring.scale, measuring.unevenness};
+    *extent = (struct hatch_scene_extent){diagonal, measuring.scale, measuring.stretch, measuring.unevenness};
     return HATCH_OK;
 }
 

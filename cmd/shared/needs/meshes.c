@@ -95,11 +95,11 @@ static uint64_t count_faces(const struct hatch_scene *scene)
 struct errors {
     const struct hatch_scene *scene;
     const struct hatch_needs_regions *regions;
-    const double *scale; /* per mesh: scene units per unit of the mesh */
-    double px, unseen;   /* the error in pixels; that of what no view shows, in scene units */
-    double cosine;       /* least one between the normals of a face and its vertices */
-    double **vertices;   /* NULL: the mesh stays as it is, or is coarser already */
-    float **cosines;     /* per mesh and vertex */
+    const struct hatch_scene_extent *extent;
+    double px, unseen; /* the error in pixels; that of what no view shows, in scene units */
+    double shade;      /* by how much the cosine between the normals of a face and its vertices may be under 1 */
+    double **vertices; /* NULL: the mesh stays as it is, or is coarser already */
+    float **cosines;   /* per mesh and vertex */
 };
 
 static void lower_errors(void *context, uint32_t mesh, uint32_t face, const double corners[3][3])
@@ -109,12 +109,13 @@ static void lower_errors(void *context, uint32_t mesh, uint32_t face, const doub
     if (!errors->vertices[mesh])
         return;
     double px = hatch_needs_px(errors->regions, corners);
-    double error = (px > 0 ? fmin(errors->px / px, errors->unseen) : errors->unseen) / errors->scale[mesh];
+    double uneven = errors->extent->unevenness[mesh]; /* by how much angles may be larger in the scene */
+    double error = (px > 0 ? fmin(errors->px / px, errors->unseen) : errors->unseen) / errors->extent->stretch[mesh];
     for (int c = 0; c < 3; c++) {
         double *vertex = &errors->vertices[mesh][index[c]];
         *vertex = fmin(*vertex, error);
         if (px > 0)
-            errors->cosines[mesh][index[c]] = (float)errors->cosine;
+            errors->cosines[mesh][index[c]] = (float)(1 - errors->shade / (uneven * uneven));
     }
 }
 
@@ -175,14 +176,14 @@ void cmd_coarsen(struct cmd_args *args, const char *name, const struct hatch_nee
     struct errors errors = {.scene = scene,
                             .regions = &needs->regions,
                             .px = ERROR_PX * needs->tolerance,
-                            .cosine = 1 - SHADE * needs->tolerance};
+                            .shade = SHADE * needs->tolerance};
     struct hatch_scene_extent extent;
     struct hatch_err err;
     uint64_t before = count_faces(scene);
     cmd_check(hatch_scene_find_extent(scene, &args->keep, &args->scratch, &extent, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &errors.vertices, scene->mesh_count, &err), name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &errors.cosines, scene->mesh_count, &err), name, &err);
-    errors.scale = extent.scale;
+    errors.extent = &extent;
     errors.unseen = extent.diagonal * UNSEEN_SHARE;
     cmd_add_normals(args, name, scene);
     for (uint32_t n = 0; n < scene->node_count; n++)

@@ -234,4 +234,22 @@ for scale in 1 .1; do
     lapped-param -v --needs scaled.needs scaled.gltf -o scaled.glb 2>&1 | grep 'largest patch'
 done >masks
 is "a mask does not depend on the scale of a node" "$(uniq masks | wc -l) $(grep -c . masks)" "1 2"
+# Hills of a thirtieth of their height, on a node that makes them as high: what is left out is measured in the scene.
+awk 'BEGIN {
+    for (y = 0; y <= 30; y++)
+        for (x = 0; x <= 30; x++)
+            print "v", x / 15 - 1, .005 * sin(x / 4) * cos(y / 5), 1 - y / 15
+    for (y = 0; y < 30; y++)
+        for (x = 0; x < 30; x++) {
+            a = 31 * y + x + 1
+            print "f", a, a + 31, a + 32, a + 1
+        }
+}' >hills.obj
+dirfield -q hills.obj -o hills.glb
+unpack hills.glb hills
+sed 's/"nodes":\[{/&"scale":[1,30,1],/' hills.gltf >high.gltf
+render-gl -q high.gltf --size 320x240 --from 60:20 --needs -o high.needs
+dirfield -q --needs high.needs high.gltf -o high.glb
+is "an uneven scale does not flatten a mesh" "$(hatchstat coarse --size 320x240 high.gltf high.glb |
+    awk -F'\t' 'NR == 2 {print ($2 < 1800), ($3 < 1.5)}')" "1 1"
 finish

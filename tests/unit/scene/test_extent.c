@@ -157,6 +157,8 @@ START_TEST(unevenness_is_the_ratio_of_singular_values)
     place(0, 0, 1, -3, 1);
     place(1, 1, 5, 5, 5);
     check_unevenness(3, 1);
+    ck_assert_double_eq_tol(extent.stretch[0], 3, 1e-5);
+    ck_assert_double_eq_tol(extent.stretch[1], 5, 1e-5);
     place(2, 0, 2, 2, 0.5f);
     check_unevenness(4, 1);
     place(2, 0, 1, 0, 1); /* flat: does not count */
@@ -168,6 +170,7 @@ START_TEST(unevenness_is_the_ratio_of_singular_values)
     nodes[2].rotation[2] = (float)sin(0.39269908169872414);
     nodes[2].rotation[3] = (float)cos(0.39269908169872414);
     check_unevenness(sqrt((12.5 + sqrt(481) / 2) / (12.5 - sqrt(481) / 2)), 1);
+    ck_assert_double_eq_tol(extent.stretch[0], sqrt(12.5 + sqrt(481) / 2), 1e-4);
 }
 END_TEST
 
