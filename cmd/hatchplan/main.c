@@ -102,6 +102,18 @@ static void read_limits(struct plan *plan)
     plan->limits.error = tolerance;
 }
 
+/* Adds a number of samples to the list, which rises: the search takes later ones for more work. */
+static void add_samples(uint32_t count)
+{
+    uint32_t at = chosen.sample_count;
+    while (at > 0 && chosen.samples[at - 1] > count)
+        at--;
+    if (at > 0 && chosen.samples[at - 1] == count)
+        return;
+    memmove(&chosen.samples[at + 1], &chosen.samples[at], (chosen.sample_count++ - at) * sizeof *chosen.samples);
+    chosen.samples[at] = count;
+}
+
 static void read_samples(void)
 {
     struct hatch_text rest = {samples, strlen(samples)};
@@ -113,7 +125,7 @@ static void read_samples(void)
             cmd_usage("--samples %s: want numbers out of 1, 4, 9, 16, 25, 36, 49 and 64, with commas", samples);
         if (chosen.sample_count == PLAN_SAMPLES_MAX)
             cmd_usage("--samples %s: more than %d numbers", samples, PLAN_SAMPLES_MAX);
-        chosen.samples[chosen.sample_count++] = (uint32_t)value;
+        add_samples((uint32_t)value);
     }
 }
 

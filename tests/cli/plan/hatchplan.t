@@ -40,6 +40,10 @@ is "no files: strokes at seed points" "$(chosen <table.tsv | cut -d' ' -f1)" rpt
 hatchplan $small --techniques rptam --budget mb=0 --samples 1,4 torus.glb --all >table.tsv
 is "samples are chosen, too" "$(cut -f 2 table.tsv | grep -o 'samples=.*' | sort -u | tr '\n' ' ')" \
     "samples=1 samples=4 "
+for order in 1,9 9,1,9; do
+    hatchplan $small $flat --tolerance 1 --samples $order torus.glb | chosen | grep -o 'samples=.*'
+done >samples
+is "in any order" "$(uniq samples)" samples=1
 try hatchplan $small --techniques tam-flat --all --exhaustive torus.glb
 is "all candidates" "$(cut -f 1,2 .out | tail -n +2 | sort | tr '\t\n' '  ')" \
     "tam-flat size=128 tones=6 samples=4 tam-flat size=512 tones=6 samples=4 "
