@@ -118,24 +118,37 @@ static void find_outline(const struct mask *mask, struct mask *outline)
         }
 }
 
-static bool is_set(const struct mask *mask, int64_t x, int64_t y)
+/* Returns the squared distance in parts from a part to the nearest on an outline that lies in a row, or `most` if that
+ * is less. */
+static int64_t find_in_row(const struct mask *outline, int64_t row, int64_t x, int64_t y, int64_t most)
 {
-    if (x < 0 || y < 0 || x >= mask->width || y >= mask->height)
-        return false;
-    return mask->words[(size_t)y * mask->stride + (size_t)x / 64] >> x % 64 & 1;
+    int64_t squared_rows = (row - y) * (row - y), reach = (int64_t)sqrt((double)(most - squared_rows));
+    if (row < 0 || row >= outline->height)
+        return most;
+    int64_t first = x > reach ? (x - reach) / 64 : 0;
+    int64_t last = x + reach < outline->width ? (x + reach) / 64 : outline->stride - 1;
+    for (int64_t word = first; word <= last; word++) {
+        uint64_t bits = outline->words[row * outline->stride + word];
+        for (int64_t at = 64 * word; bits; bits >>= 1, at++) {
+            int64_t squared = (at - x) * (at - x) + squared_rows;
+            if ((bits & 1) && squared < most)
+                most = squared;
+        }
+    }
+    return most;
 }
 
-/* Returns the distance in parts from a part to the nearest on an outline, by rings of growing size. */
+/* Returns the distance in parts from a part to the nearest on an outline. */
 static double find_distance(const struct mask *outline, int64_t x, int64_t y)
 {
     const int64_t reach = REACH_PX * HATCH_OUTLINE_PARTS;
-    double best = (double)reach;
-    for (int64_t ring = 0; ring <= reach && (double)ring < best; ring++)
-        for (int64_t along = -ring; along <= ring; along++)
-            if (is_set(outline, x + along, y - ring) || is_set(outline, x + along, y + ring) ||
-                is_set(outline, x - ring, y + along) || is_set(outline, x + ring, y + along))
-                best = fmin(best, sqrt((double)(ring * ring + along * along)));
-    return best;
+    int64_t best = reach * reach;
+    for (int64_t rows = 0; rows * rows < best; rows++) {
+        best = find_in_row(outline, y - rows, x, y, best);
+        if (rows * rows < best)
+            best = find_in_row(outline, y + rows, x, y, best);
+    }
+    return sqrt((double)best);
 }
 
 /* Adds the distances of one outline from another to the bins. */
