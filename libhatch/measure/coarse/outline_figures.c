@@ -5,7 +5,8 @@
 #include "math/vector.h"
 #include "measure/coarse/coarse_figures.h"
 
-#define REACH_PX 16 /* largest distance that is measured; larger ones count as this */
+#define NEAREST 1e-4 /* distance from the camera, in radii of the scene, from which on faces are seen */
+#define REACH_PX 16  /* largest distance that is measured; larger ones count as this */
 #define BINS (REACH_PX * HATCH_OUTLINE_PARTS * 16 + 1)
 
 struct mask {
@@ -26,18 +27,46 @@ struct outlines {
     uint32_t first;          /* the view of the first task */
 };
 
-/* Projects a point to the parts of a picture: x to the right, y upwards. */
-static bool project(const struct outlines *all, uint32_t view_index, const float position[3], double out[2])
+/* Finds where a point is seen: to the right of the middle, above it, and its distance from the camera's plane, 1 in an
+ * orthographic view. */
+static void look(const struct outlines *all, uint32_t view_index, const float position[3], double seen[3])
 {
     const struct hatch_view *view = &all->views->views[view_index];
     double to[3];
     for (int k = 0; k < 3; k++)
         to[k] = (double)position[k] / all->views->bounds->radius - view->eye[k];
-    double depth = view->orthographic ? 1 : -hatch_vec_dot(to, view->back);
-    double half = HATCH_OUTLINE_PARTS * all->views->height_px / 2, scale = half / (view->half_height * depth);
-    out[0] = HATCH_OUTLINE_PARTS * all->views->width_px / 2 + scale * hatch_vec_dot(to, view->right);
-    out[1] = half + scale * hatch_vec_dot(to, view->up);
-    return depth > 0;
+    seen[0] = hatch_vec_dot(to, view->right);
+    seen[1] = hatch_vec_dot(to, view->up);
+    seen[2] = view->orthographic ? 1 : -hatch_vec_dot(to, view->back);
+}
+
+/* Cuts off the part of a face that is not in front of the camera. Returns the number of corners that are left, 0, 3 or
+ * 4. Both faces at an edge cut it at the same point. */
+static uint32_t clip(double corners[3][3], double left[4][3])
+{
+    uint32_t count = 0;
+    for (int c = 0; c < 3; c++) {
+        const double *a = corners[c], *b = corners[(c + 1) % 3];
+        const double *front = a[2] >= NEAREST ? a : b, *behind = front == a ? b : a;
+        if (front == a)
+            memcpy(left[count++], a, sizeof *left);
+        if (front[2] < NEAREST || behind[2] >= NEAREST)
+            continue;
+        double share = (front[2] - NEAREST) / (front[2] - behind[2]), way[3];
+        hatch_vec_sub(behind, front, way);
+        hatch_vec_add_scaled(front, share, way, left[count]);
+        left[count++][2] = NEAREST;
+    }
+    return count;
+}
+
+/* Projects a point to the parts of a picture: x to the right, y upwards. */
+static void project(const struct outlines *all, uint32_t view_index, const double seen[3], double out[2])
+{
+    double half = HATCH_OUTLINE_PARTS * all->views->height_px / 2,
+           scale = half / (all->views->views[view_index].half_height * seen[2]);
+    out[0] = HATCH_OUTLINE_PARTS * all->views->width_px / 2 + scale * seen[0];
+    out[1] = half + scale * seen[1];
 }
 
 /* Sets the bits from begin to end of a row; end is not included. */
@@ -82,13 +111,16 @@ static void fill_mask(const struct outlines *all, uint32_t view, const struct ha
 {
     memset(mask->words, 0, (size_t)mask->stride * mask->height * sizeof *mask->words);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        double corners[3][2];
-        bool before = true;
+        double seen[3][3], left[4][3];
         for (size_t c = 0; c < 3; c++)
-            before &=
-                project(all, view, &mesh->attributes[0].data[3 * (size_t)mesh->indices[3 * (size_t)f + c]], corners[c]);
-        if (before)
+            look(all, view, &mesh->attributes[0].data[3 * (size_t)mesh->indices[3 * (size_t)f + c]], seen[c]);
+        uint32_t count = clip(seen, left);
+        for (uint32_t c = 2; c < count; c++) {
+            double corners[3][2];
+            for (uint32_t k = 0; k < 3; k++)
+                project(all, view, left[k == 0 ? 0 : c - 2 + k], corners[k]);
             fill_triangle(mask, corners);
+        }
     }
 }
 

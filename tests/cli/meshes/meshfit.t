@@ -209,6 +209,11 @@ meshgen sphere --faces 200 | meshfit -v --zoom 200 -o near.glb 2>.err
 is "a near view keeps the scene's meshes, exactly" "$(sed -n 's/^meshfit: \([0-9]*\) of \1 faces; //p' .err)" \
     "displacement 0 px at most, 99.9 % within 0 px; outlines 0 px at most; normals 0 degrees in the mean"
 
+# Faces of which a corner is behind the camera are seen, too.
+meshgen plane --faces 72 | meshfit -v --size 320x240 --zoom 8 --from 30:20 -o near.glb 2>.err
+is "a plane below the camera has its outline" "$(sed -n 's/^meshfit: 2 of 72 faces.*\(outlines.*at most\);.*/\1/p' .err)" \
+    "outlines 0 px at most"
+
 for option in "--error 0" "--error nan" "--size 0x1" "--faces 3" "--zoom 0" "--fov 180"; do
     try meshfit $option torus.glb
     refused "$option" 2 2
