@@ -63,26 +63,49 @@ static enum hatch_status add_node(struct hatch_pose *pose, const struct hatch_vi
     return HATCH_OK;
 }
 
-/* Returns the number of vertices of all meshes of all nodes before mesh `index` of a node. */
-static size_t find_start(const struct hatch_scene *scene, uint32_t node, uint32_t index)
+/* The nodes that draw the same meshes, and where their vertices begin among those of all nodes. */
+struct drawers {
+    uint32_t *first; /* per mesh: the first node whose meshes begin with it; HATCH_NONE: none */
+    uint32_t *next;  /* per node: the next one with the same meshes, or HATCH_NONE */
+    size_t *start;   /* per node: number of vertices of the nodes before it */
+};
+
+static enum hatch_status find_drawers(const struct hatch_scene *scene, struct hatch_arena *scratch,
+                                      struct drawers *drawers, struct hatch_err *err)
 {
-    size_t start = 0;
-    for (uint32_t n = 0; n <= node; n++)
-        for (uint32_t m = 0; m < scene->nodes[n].mesh_count && (n < node || m < index); m++)
-            start += scene->meshes[scene->nodes[n].first_mesh + m].mesh.vertex_count;
-    return start;
+    size_t vertices = 0;
+    HATCH_TRY(HATCH_ALLOC(scratch, &drawers->first, scene->mesh_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &drawers->next, scene->node_count, err));
+    HATCH_TRY(HATCH_ALLOC(scratch, &drawers->start, scene->node_count, err));
+    for (uint32_t m = 0; m < scene->mesh_count; m++)
+        drawers->first[m] = HATCH_NONE;
+    for (uint32_t n = scene->node_count; n-- > 0;) {
+        if (scene->nodes[n].mesh_count == 0)
+            continue;
+        uint32_t *first = &drawers->first[scene->nodes[n].first_mesh];
+        drawers->next[n] = *first;
+        *first = n;
+    }
+    for (uint32_t n = 0; n < scene->node_count; n++) {
+        drawers->start[n] = vertices;
+        for (uint32_t m = 0; m < scene->nodes[n].mesh_count; m++)
+            vertices += scene->meshes[scene->nodes[n].first_mesh + m].mesh.vertex_count;
+    }
+    return HATCH_OK;
 }
 
 /* Makes the meshes of a node coarser.
  *   scale  per mesh of the scene (struct hatch_scene_extent)
  *   node   the first that draws them */
-static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_view_set *views, const double *scale,
-                                 double error_px, const float *share, uint32_t node, struct hatch_arena *arena,
+static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_view_set *views,
+                                 const struct drawers *drawers, const double *scale, double error_px,
+                                 const float *share, uint32_t node, struct hatch_arena *arena,
                                  struct hatch_arena *scratch, struct hatch_mesh *meshes, struct hatch_err *err)
 {
     const struct hatch_scene *scene = pose->scene;
     uint32_t first = scene->nodes[node].first_mesh, count = scene->nodes[node].mesh_count;
     struct hatch_coarse_part *parts;
+    size_t before = 0; /* vertices of the node's meshes before this one */
     HATCH_TRY(HATCH_ALLOC(scratch, &parts, count, err));
     for (uint32_t m = 0; m < count; m++) {
         double *tolerance;
@@ -90,10 +113,10 @@ static enum hatch_status coarsen(struct hatch_pose *pose, const struct hatch_vie
         HATCH_TRY(HATCH_ALLOC(scratch, &tolerance, parts[m].mesh->vertex_count, err));
         for (size_t v = 0; v < parts[m].mesh->vertex_count; v++)
             tolerance[v] = INFINITY;
-        for (uint32_t n = node; n < scene->node_count; n++)
-            if (scene->nodes[n].mesh_count > 0 && scene->nodes[n].first_mesh == first)
-                HATCH_TRY(add_node(pose, views, n, first + m, scale[first + m], error_px,
-                                   share ? share + find_start(scene, n, m) : NULL, scratch, tolerance, err));
+        for (uint32_t n = node; n != HATCH_NONE; n = drawers->next[n])
+            HATCH_TRY(add_node(pose, views, n, first + m, scale[first + m], error_px,
+                               share ? share + drawers->start[n] + before : NULL, scratch, tolerance, err));
+        before += parts[m].mesh->vertex_count;
         parts[m].tolerance = tolerance;
     }
     return hatch_coarse_make(parts, count, arena, scratch, &meshes[first], err);
@@ -105,20 +128,18 @@ enum hatch_status hatch_coarse_scene(struct hatch_pose *pose, const struct hatch
 {
     const struct hatch_scene *scene = pose->scene;
     struct hatch_scene_extent extent;
+    struct drawers drawers;
     struct hatch_arena_mark begin = hatch_arena_mark(scratch);
     HATCH_TRY(hatch_scene_find_extent(scene, scratch, arena, &extent, err));
+    HATCH_TRY(find_drawers(scene, scratch, &drawers, err));
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         meshes[m] = scene->meshes[m].mesh;
-    for (uint32_t n = 0; n < scene->node_count; n++) {
-        uint32_t first = scene->nodes[n].first_mesh, before = 0;
-        if (scene->nodes[n].mesh_count == 0)
-            continue;
-        while (scene->nodes[before].mesh_count == 0 || scene->nodes[before].first_mesh != first)
-            before++;
-        if (before < n)
+    for (uint32_t m = 0; m < scene->mesh_count; m++) {
+        if (drawers.first[m] == HATCH_NONE)
             continue;
         struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        enum hatch_status status = coarsen(pose, views, extent.scale, error_px, share, n, arena, scratch, meshes, err);
+        enum hatch_status status = coarsen(pose, views, &drawers, extent.scale, error_px, share, drawers.first[m],
+                                           arena, scratch, meshes, err);
         hatch_arena_rewind(scratch, mark);
         if (status != HATCH_OK)
             return status;
