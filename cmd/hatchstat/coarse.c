@@ -27,13 +27,14 @@ enum hatch_status stat_coarse(struct cmd_args *args, const struct stat_options *
     cmd_report_begin(&report, args, args->operand_count > 3 ? columns : columns + 1);
     for (int i = 2; i < args->operand_count; i++) {
         struct hatch_coarse_figures f;
-        struct hatch_arena_mark mark = hatch_arena_mark(&args->scratch);
+        struct hatch_arena_mark keep = hatch_arena_mark(&args->keep), scratch = hatch_arena_mark(&args->scratch);
         cmd_read_scene(args, args->operands[i], CMD_SCENE_AS_IS, &scene);
         cmd_check(hatch_scene_flatten(&scene, bounds.center, &args->keep, &args->scratch, &coarse, &err),
                   args->operands[i], &err);
         cmd_check(hatch_measure_coarse(&full, &coarse, &views, NULL, cmd_pool(args), &args->scratch, &f, &err),
                   args->operands[i], &err);
-        hatch_arena_rewind(&args->scratch, mark);
+        hatch_arena_rewind(&args->scratch, scratch);
+        hatch_arena_rewind(&args->keep, keep);
         const double figures[] = {f.displacement_px, f.displacement_p999_px, f.outline_px, f.outline_p999_px,
                                   f.normal_deg};
         if (report.columns == columns)

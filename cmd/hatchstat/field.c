@@ -35,6 +35,7 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
     struct hatch_err err;
     struct hatch_field_sum sum = {.arena = &args->keep, .scratch = &args->scratch};
     struct hatch_field_figures figures;
+    struct hatch_arena_mark keep = hatch_arena_mark(&args->keep), scratch = hatch_arena_mark(&args->scratch);
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     if (reference && reference->mesh_count != scene.mesh_count) {
         hatch_fail(&err, HATCH_BAD_INPUT, "%u primitives with faces, the reference has %u", scene.mesh_count,
@@ -49,6 +50,8 @@ static void measure(struct cmd_args *args, const struct stat_options *options, c
         cmd_check(status, sum.reference_failed ? cmd_input_name(options->reference) : name, &err);
     }
     cmd_check(hatch_measure_field_end(&sum, options->share, &figures, &err), name, &err);
+    hatch_arena_rewind(&args->scratch, scratch);
+    hatch_arena_rewind(&args->keep, keep);
     report_row(report, name, &figures);
 }
 

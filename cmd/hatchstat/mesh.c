@@ -77,6 +77,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     struct hatch_mesh_notes notes = {0};
     struct hatch_err err;
     double origin[3];
+    struct hatch_arena_mark keep = hatch_arena_mark(&args->keep), scratch = hatch_arena_mark(&args->scratch);
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     find_origin(args, name, &scene, origin);
     cmd_check(hatch_scene_flatten(&scene, origin, &args->keep, &args->scratch, &mesh, &err), name, &err);
@@ -87,10 +88,12 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
             const struct hatch_scene_mesh *part = &scene.meshes[scene.nodes[n].first_mesh + m];
             added += part->mesh.vertex_count > part->file_vertices ? part->mesh.vertex_count - part->file_vertices : 0;
         }
-    report_row(report, name, figures.vertices - added, origin, &figures);
     /* Warns of the faults that a command that cleans its input would repair. */
     cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, &notes, &err), name, &err);
     cmd_warn_mesh(name, &notes);
+    hatch_arena_rewind(&args->scratch, scratch);
+    hatch_arena_rewind(&args->keep, keep);
+    report_row(report, name, figures.vertices - added, origin, &figures);
 }
 
 enum hatch_status stat_mesh(struct cmd_args *args, const struct stat_options *options, struct cmd_output *output)

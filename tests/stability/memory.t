@@ -41,8 +41,8 @@ awk 'BEGIN {for (i = 0; i < 1000; i++) {
     print "f -4 -3 -1 -2"
 }}' >parts.obj
 takes 4 strokegen --gap 0.02 --levels 2 parts.obj -o strokes.glb
-takes 5 hatchstat mesh meshes.glb
-takes 11 hatchstat field meshes.glb
+takes 5 hatchstat mesh meshes.glb meshes.glb meshes.glb
+takes 11 hatchstat field meshes.glb meshes.glb meshes.glb
 
 tamgen -q --size 64 --levels 2 -o map.exr
 meshgen teapot --faces 3000 | dirfield -q >one.glb
