@@ -127,6 +127,7 @@ static void check_memory(const struct job *job, uint32_t channels, uint32_t valu
 {
     uint64_t texels = (uint64_t)size * (uint64_t)size * (uint64_t)size, values = value_bytes * texels + more_bytes;
     uint64_t file = channels * texels * (cmd_is_exr_path(job->args.output) ? 3 : 1), kept = channels * texels + file;
+    kept += channels * texels < HATCH_ARENA_STEP ? channels * texels : HATCH_ARENA_STEP; /* the levels' block */
     uint64_t most = kept > values ? kept : values;
     most += most / 7 + MORE_BYTES; /* with the coarser levels */
     struct hatch_err err;

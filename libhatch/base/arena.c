@@ -17,7 +17,6 @@ struct hatch_arena_block {
 /* A new block is as large as all earlier blocks together, within these bounds: small results take little memory, and
  * large ones need few blocks. */
 #define SMALLEST_BLOCK ((size_t)16 << 10)
-#define LARGEST_STEP ((size_t)4 << 20)
 
 void hatch_arena_init(struct hatch_arena *arena, size_t limit_bytes)
 {
@@ -59,8 +58,8 @@ static size_t block_capacity(const struct hatch_arena *arena, size_t bytes)
     return bytes;
 #else
     size_t step = arena->used_bytes < SMALLEST_BLOCK ? SMALLEST_BLOCK : arena->used_bytes;
-    if (step > LARGEST_STEP)
-        step = LARGEST_STEP;
+    if (step > HATCH_ARENA_STEP)
+        step = HATCH_ARENA_STEP;
     size_t available = arena->limit_bytes - arena->used_bytes;
     if (step > available)
         step = available;

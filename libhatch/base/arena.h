@@ -13,7 +13,8 @@
 
 #include "base/status.h"
 
-#define HATCH_ARENA_ALIGN 64u /* alignment of every allocation, in bytes */
+#define HATCH_ARENA_ALIGN 64u              /* alignment of every allocation, in bytes */
+#define HATCH_ARENA_STEP ((size_t)4 << 20) /* least size of a block once as much is in use */
 
 struct hatch_arena_block;
 struct hatch_budget; /* base/budget.h */

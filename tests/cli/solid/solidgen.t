@@ -130,6 +130,12 @@ for side in 32 64; do
     bytes=$((5 * side * side * side + 5 * side * side * side / 7 + 1048576))
     ok "and of a texture of $side texels" solidgen --style perlin --size $side --max-memory $bytes --threads 8 -o small.ktx2
 done
+# Three channels: the texels, and a block for the coarser levels. The least that is let through is enough.
+colors=$(solidgen --style wood --size 128 --max-memory 1M -o x 2>&1 | sed 's/.* needs \([0-9]*\) MB .*/\1/')
+ok "what a coloured texture is said to need is enough" solidgen --style wood --size 128 \
+    --max-memory $((colors + 1))000000 -o colored.ktx2
+try solidgen --style wood --size 128 --max-memory $((colors - 1))000000 -o none.ktx2
+is "less is refused before any work" "$status $(grep -c 'needs .* of memory' .err)" "5 1"
 says "one byte less is not" 5 1 "solidgen: --size 128 needs 13 MB of memory, --max-memory allows 13 MB" \
     solidgen --style perlin --size 128 --max-memory $((enough - 1)) -o x
 many='width 0.005; length 0.01; density 16'
