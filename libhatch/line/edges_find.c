@@ -108,8 +108,8 @@ static enum hatch_status find(const struct hatch_mesh *mesh, bool deformed, stru
     HATCH_TRY(HATCH_ALLOC(scratch, &of_vertex, mesh->vertex_count, err));
     HATCH_TRY(HATCH_ALLOC(scratch, &loose, mesh->vertex_count, err));
     struct hatch_arena_mark mark = hatch_arena_mark(arena);
-    HATCH_TRY(deformed ? hatch_mesh_weld_moving(mesh, scratch, of_vertex, &made->point_count, err)
-                       : hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
+    HATCH_TRY(motion ? hatch_remap_weld(mesh, motion, scratch, of_vertex, &made->point_count, err)
+                     : hatch_mesh_weld(mesh, scratch, of_vertex, &made->point_count, err));
     HATCH_TRY(find_edges(mesh, of_vertex, arena, scratch, made, err));
     if (mark_loose(made, loose)) {
         hatch_arena_rewind(arena, mark);

@@ -180,7 +180,7 @@ static enum hatch_status measure(struct work *w, struct hatch_err *err)
     measure_edges(w);
     hatch_mesh_bounds(mesh, out->low, out->high);
     struct hatch_mesh_duplicates duplicates;
-    HATCH_TRY(hatch_mesh_find_duplicates(mesh, w->point, w->dropped, scratch, &duplicates, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch, &duplicates, err));
     out->duplicate_faces = duplicates.count;
     return measure_uv(w, err);
 }

@@ -94,7 +94,7 @@ static enum hatch_status clean(struct work *w, struct hatch_arena *arena, struct
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     w->notes.degenerate_dropped = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
     struct hatch_mesh_duplicates duplicates;
-    HATCH_TRY(hatch_mesh_find_duplicates(mesh, w->point, w->dropped, scratch, &duplicates, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, scratch, &duplicates, err));
     w->notes.duplicates_dropped = duplicates.count;
     HATCH_TRY(orient(w, scratch, err));
     return build(w, arena, scratch, out, err);

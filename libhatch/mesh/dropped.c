@@ -3,8 +3,6 @@
 #include <string.h>
 
 #include "base/random.h"
-#include "mesh/edges.h"
-#include "mesh/skin/motion.h"
 
 uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped)
 {
@@ -36,13 +34,14 @@ static bool sorted_points(const uint32_t *point, uint32_t face, uint32_t out[3])
     return reversed;
 }
 
-static enum hatch_status find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
-                                         struct hatch_arena *scratch, struct hatch_mesh_duplicates *found,
-                                         struct hatch_err *err)
+enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
+                                             struct hatch_arena *scratch, struct hatch_mesh_duplicates *found,
+                                             struct hatch_err *err)
 {
     size_t capacity = 16;
     while (capacity < (size_t)face_count * 2)
         capacity *= 2;
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     uint32_t *slots;
     HATCH_TRY(HATCH_ALLOC(scratch, &slots, capacity, err)); /* hash table: face + 1; 0: empty */
     *found = (struct hatch_mesh_duplicates){0};
@@ -66,30 +65,6 @@ static enum hatch_status find_duplicates(const uint32_t *point, uint32_t face_co
             slots[slot] = f + 1;
         }
     }
-    return HATCH_OK;
-}
-
-/* Finds the points of corners that come apart in some pose where the faces have other vertices. */
-static enum hatch_status find_moving_points(const struct hatch_mesh *mesh, struct hatch_arena *scratch,
-                                            const uint32_t **point, struct hatch_err *err)
-{
-    uint32_t *vertex_to_point, *moving, count;
-    HATCH_TRY(HATCH_ALLOC(scratch, &vertex_to_point, mesh->vertex_count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &moving, (size_t)mesh->face_count * 3, err));
-    HATCH_TRY(hatch_mesh_weld_moving(mesh, scratch, vertex_to_point, &count, err));
-    hatch_mesh_corner_points(mesh, vertex_to_point, moving);
-    *point = moving;
-    return HATCH_OK;
-}
-
-enum hatch_status hatch_mesh_find_duplicates(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped,
-                                             struct hatch_arena *scratch, struct hatch_mesh_duplicates *found,
-                                             struct hatch_err *err)
-{
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = hatch_mesh_moves(mesh) ? find_moving_points(mesh, scratch, &point, err) : HATCH_OK;
-    if (status == HATCH_OK)
-        status = find_duplicates(point, mesh->face_count, dropped, scratch, found, err);
     hatch_arena_rewind(scratch, mark);
-    return status;
+    return HATCH_OK;
 }

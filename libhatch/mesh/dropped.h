@@ -10,15 +10,15 @@
 uint32_t hatch_mesh_find_degenerate(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped);
 
 struct hatch_mesh_duplicates {
-    uint32_t count;    /* faces with the same three points as an earlier face, in all poses */
+    uint32_t count;    /* faces with the same three points as an earlier face */
     uint32_t reversed; /* those of them that face the other way than the first */
 };
 
-/* Marks faces that have the same three points, in any order, as an earlier face, and that no pose moves apart from it.
+/* Marks faces that have the same three points, in any order, as an earlier face.
  *   point    3 * face_count: the point of each corner
  *   dropped  in, out: per face; faces that are already marked are ignored
  *   found    out */
-enum hatch_status hatch_mesh_find_duplicates(const struct hatch_mesh *mesh, const uint32_t *point, uint8_t *dropped,
+enum hatch_status hatch_mesh_find_duplicates(const uint32_t *point, uint32_t face_count, uint8_t *dropped,
                                              struct hatch_arena *scratch, struct hatch_mesh_duplicates *found,
                                              struct hatch_err *err) HATCH_MUST_USE;
 

@@ -17,7 +17,7 @@ static enum hatch_status find_faces(struct hatch_surface_work *w, struct hatch_s
     hatch_mesh_corner_points(mesh, vertex_to_point, w->point);
     notes->degenerate = hatch_mesh_find_degenerate(mesh, w->point, w->dropped);
     struct hatch_mesh_duplicates duplicates;
-    HATCH_TRY(hatch_mesh_find_duplicates(mesh, w->point, w->dropped, w->scratch, &duplicates, err));
+    HATCH_TRY(hatch_mesh_find_duplicates(w->point, mesh->face_count, w->dropped, w->scratch, &duplicates, err));
     notes->duplicate = duplicates.count;
     notes->reversed = duplicates.reversed;
     if (notes->degenerate + notes->duplicate == mesh->face_count)

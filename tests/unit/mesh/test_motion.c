@@ -1,6 +1,4 @@
 /* Vertices at one position that joints or morph targets move apart, and faces that coincide at rest alone. */
-#include "mesh/dropped.h"
-#include "mesh/edges.h"
 #include "mesh/skin/motion.h"
 #include "meshes.h"
 #include "surface/surface.h"
@@ -76,25 +74,8 @@ START_TEST(vertices_that_come_apart_are_no_point)
 }
 END_TEST
 
-/* The second square lies upon the first: its faces are given twice unless they come apart. */
-START_TEST(faces_that_come_apart_are_no_duplicates)
-{
-    for (int apart = 0; apart < 2; apart++) {
-        struct hatch_mesh mesh = two_squares(0);
-        uint32_t to_point[VERTICES], point[12], count;
-        uint8_t dropped[4] = {0};
-        struct hatch_mesh_duplicates found;
-        add_motion(&mesh, _i, apart);
-        HATCH_TEST_OK(hatch_mesh_weld(&mesh, &scratch, to_point, &count, &err), &err);
-        hatch_mesh_corner_points(&mesh, to_point, point);
-        HATCH_TEST_OK(hatch_mesh_find_duplicates(&mesh, point, dropped, &scratch, &found, &err), &err);
-        ck_assert_uint_eq(found.count, apart ? 0 : 2);
-        ck_assert_uint_eq(dropped[2], apart ? 0 : 1);
-    }
-}
-END_TEST
-
-/* A surface keeps both, each as a component of its own. */
+/* A surface keeps the squares as components, also where the second lies upon the first at rest: its faces are given
+ * twice only if they stay there. */
 START_TEST(parts_that_come_apart_are_components)
 {
     for (int aside = 0; aside < 2; aside++)
@@ -117,7 +98,6 @@ static Suite *suite(void)
     TCase *tests = tcase_create("motion");
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, vertices_that_come_apart_are_no_point, 0, 2);
-    tcase_add_loop_test(tests, faces_that_come_apart_are_no_duplicates, 0, 2);
     tcase_add_loop_test(tests, parts_that_come_apart_are_components, 0, 2);
     suite_add_tcase(made, tests);
     return made;
