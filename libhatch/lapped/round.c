@@ -3,9 +3,9 @@
 
 #include "lapped/work.h"
 
+#define FACES_MAX 128u /* at a vertex that moves: to move the hub of a fan takes the square of their number */
 /* Number of rounds over the faces that rounding has turned over, and number of distances by which a vertex may be
  * moved: 1, 2, 4 .. times the distance between floats. */
-#define FACES_MAX 128u /* at a vertex that moves: to move the hub of a fan takes the square of their number */
 #define ROUNDS 12
 #define DOUBLINGS 6
 /* Number of directions in which a vertex may be moved. */

@@ -77,8 +77,8 @@ static float value(const void *context, const float at[3])
 }
 
 /* Returns the tone at which a stroke of a rank appears. Values are equalized: it is the share of places that strokes of
- * lower ranks cover by then, at random places. At a value v, a stroke of rank r has (v - r) / grow to the power of 1/4
- * radii; the exponents are those of the integral of its volume over r. */
+ * lower ranks cover by then, at random places. At a value v, the radius of a stroke of rank r is half its width
+ * times ((v - r) / grow)^(1/4); its volume is integrated over r from 0 to v. */
 static float tone_of(const struct hatch_solid_style *style, float rank)
 {
     const double radius = (double)style->width / 2, caps = 4 * radius / 3, length = (double)style->length;

@@ -5,6 +5,8 @@
 
 #include "base/settings.h"
 
+#define ISOTROPIC_JITTER 0.5f /* least jitter of cells that hides the lattice of their points */
+
 #define BIT(kind) (1u << HATCH_SOLID_##kind)
 #define NOISE (BIT(PERLIN) | BIT(TURBULENCE) | BIT(MARBLE) | BIT(PAPER))
 #define ALL ((1u << HATCH_SOLID_KINDS) - 2)
@@ -39,9 +41,6 @@ bool hatch_solid_equalizes(const struct hatch_solid_style *style)
     return style->equalize == HATCH_SOLID_EQUALIZE ||
            (style->equalize == HATCH_SOLID_EQUALIZE_GREY && style->color_count == 0);
 }
-
-/* Least jitter of cells that hide the lattice of their points. */
-#define ISOTROPIC_JITTER 0.5f
 
 bool hatch_solid_is_isotropic(const struct hatch_solid_style *style)
 {

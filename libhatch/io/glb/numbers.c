@@ -50,7 +50,7 @@ static bool faces_survive(const struct hatch_mesh *mesh, const struct hatch_mesh
         if (area != 0 && !(rounded * area > 0))
             return false;
         areas += fabs(area);
-        errors += longest * step; /* the area times the share of the height that a step is */
+        errors += longest * step; /* the area, times a step as a share of the height */
     }
     return errors * STEPS_HIGH <= areas;
 }
