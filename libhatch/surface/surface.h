@@ -2,10 +2,10 @@
  *
  * A point is a position: vertices at the same position are one point, unless skins or morph targets move them apart.
  *
- * Where the mesh is not manifold, it is cut. The faces at an edge with more than two faces are separated and then joined
- * again in pairs, so that several edges may lie there, some of them on a border. A point whose faces are not connected
- * through edges becomes several points. Two points may therefore be joined by several edges and occur repeatedly in each
- * other's rings.
+ * Where the mesh is not manifold, it is cut. The faces at an edge with more than two faces are separated and then
+ * joined again in pairs, so that several edges may lie there, some of them on a border. A point whose faces are not
+ * connected through edges becomes several points. Two points may therefore be joined by several edges and occur
+ * repeatedly in each other's rings.
  *
  * The result is a set of connected components: manifold, with or without borders, orientable or not. Each is centred
  * and scaled to a mean edge length of 1 in doubles, so that an offset of 10⁶ or a scale of 10^±20 does not matter.
