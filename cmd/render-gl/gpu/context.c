@@ -61,13 +61,19 @@ static bool make_current(struct gpu_context *context, EGLDisplay display)
     return true;
 }
 
+/* EGL_EXT_device_base is the older form of EGL_EXT_device_enumeration and EGL_EXT_device_query; drivers name either. */
+static bool lists_devices(const char *extensions)
+{
+    return epoxy_extension_in_string(extensions, "EGL_EXT_device_base") ||
+           epoxy_extension_in_string(extensions, "EGL_EXT_device_enumeration");
+}
+
 /* Opens the first hardware device. Mesa's list of devices also contains its software renderer, which is skipped. */
 static bool open_hardware(struct gpu_context *context, const char *extensions)
 {
     EGLDeviceEXT devices[DEVICES_MAX];
     EGLint count = 0;
-    if (!epoxy_extension_in_string(extensions, "EGL_EXT_platform_device") ||
-        !epoxy_extension_in_string(extensions, "EGL_EXT_device_enumeration") ||
+    if (!epoxy_extension_in_string(extensions, "EGL_EXT_platform_device") || !lists_devices(extensions) ||
         !eglQueryDevicesEXT(DEVICES_MAX, devices, &count))
         return false;
     for (EGLint i = 0; i < count; i++) {

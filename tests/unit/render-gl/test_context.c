@@ -120,6 +120,34 @@ START_TEST(no_device_is_needed)
 }
 END_TEST
 
+static PFNEGLQUERYSTRINGPROC query_client;
+static const char *client_extensions;
+
+static const char *client_string(EGLDisplay display, EGLint name)
+{
+    if (display == EGL_NO_DISPLAY && name == EGL_EXTENSIONS)
+        return client_extensions;
+    epoxy_eglQueryString = query_client;
+    const char *text = eglQueryString(display, name);
+    query_client = epoxy_eglQueryString;
+    epoxy_eglQueryString = client_string;
+    return text;
+}
+
+/* EGL_EXT_device_base is the older form of the two others. NVIDIA's drivers name it alone. */
+START_TEST(drivers_may_list_devices_by_either_extension)
+{
+    static const char *const named[2] = {
+        "EGL_EXT_platform_base EGL_EXT_platform_device EGL_EXT_device_base",
+        "EGL_EXT_platform_base EGL_EXT_platform_device EGL_EXT_device_enumeration EGL_EXT_device_query"};
+    client_extensions = named[_i];
+    query_client = epoxy_eglQueryString;
+    epoxy_eglQueryString = client_string;
+    open_context(5, 2);
+    ck_assert_int_eq(opened, 2);
+}
+END_TEST
+
 /* A user may ask EGL for its messages; of Mesa's threads there are as many as the command has. */
 START_TEST(only_the_number_of_threads_replaces_a_variable)
 {
@@ -247,6 +275,7 @@ static Suite *suite(void)
     tcase_add_test(tests, software_devices_are_not_opened);
     tcase_add_test(tests, no_device_is_needed);
     tcase_add_loop_test(tests, sixteen_devices_are_looked_at, 15, 17);
+    tcase_add_loop_test(tests, drivers_may_list_devices_by_either_extension, 0, 2);
     tcase_add_test(tests, only_the_number_of_threads_replaces_a_variable);
     tcase_add_test(tests, opengl_before_4_5_is_refused);
     tcase_add_test(tests, pictures_keep_to_the_least_of_the_limits);
