@@ -18,7 +18,11 @@ GLuint gpu_buffer_make(const void *data, size_t size_bytes)
 
 void gpu_buffer_update(GLuint buffer, const void *data, size_t size_bytes)
 {
-    glNamedBufferSubData(buffer, 0, (GLsizeiptr)size_bytes, data);
+    /* Not glNamedBufferSubData: with NVIDIA's driver (580.159) the GPU keeps what a buffer was made with if it is
+     * overwritten by that function before it is first read. */
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)size_bytes, data);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void gpu_block_update(GLuint *buffer, GLuint binding, const void *block, size_t size_bytes)
