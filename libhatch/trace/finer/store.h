@@ -41,6 +41,7 @@ struct hatch_store_batch {
     uint32_t level;
     const struct hatch_component *component; /* whose strokes they are; NULL: given ones, of all components */
     uint64_t used;                           /* number of the last view that needed it */
+    double area;                             /* of the windows in which it was traced, in square surface units */
     struct hatch_store_tile *tiles;          /* in order */
     struct hatch_store_line *lines;
     struct hatch_store_piece *pieces;
@@ -54,6 +55,7 @@ struct hatch_store {
     struct hatch_trace_ground ground;
     struct hatch_trace_options options; /* its gap is that of level 0, in mesh units */
     struct hatch_pool *pool;            /* for the inside of a level */
+    size_t keep_bytes;                  /* of batches that no view needs at present */
     uint32_t family, level_count;       /* level_count: levels that the mesh came with */
     float angle_rad;
     struct hatch_store_batch given;    /* the strokes of these levels; in keep */

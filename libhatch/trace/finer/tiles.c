@@ -6,6 +6,7 @@
 #include "trace/finer/store.h"
 
 #define TILE_GAPS 16.0    /* side of a tile */
+#define TILE_BYTES 512.0  /* of strokes in a tile, before it is known */
 #define MARGIN_GAPS 100.0 /* around missing tiles, in which strokes are traced with them, since they may matter */
 
 double hatch_store_gap(const struct hatch_store *store, uint32_t level, const struct hatch_component *component)
@@ -99,24 +100,31 @@ static enum hatch_status list_missing(struct hatch_store *store, uint32_t level,
     return HATCH_OK;
 }
 
-/* Makes a batch with a list of tiles. */
-static enum hatch_status make_batch(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
-                                    const struct hatch_store_tile *tiles, uint32_t count,
+/* Makes a batch with copies of the tiles, lines and pieces of another one, in an arena of their size. */
+static enum hatch_status copy_batch(struct hatch_store *store, const struct hatch_store_batch *from,
                                     struct hatch_store_batch **batch, struct hatch_err *err)
 {
     struct hatch_arena arena;
-    struct hatch_store_batch *made;
-    struct hatch_store_tile *kept;
     hatch_arena_init_shared(&arena, &store->budget);
-    made = hatch_arena_array(&arena, 1, sizeof *made, err);
-    kept = hatch_arena_array(&arena, count, sizeof *kept, err);
-    if (!made || !kept) {
+    struct hatch_store_batch *made = hatch_arena_array(&arena, 1, sizeof *made, err);
+    struct hatch_store_tile *tiles = made ? hatch_arena_array(&arena, from->tile_count, sizeof *tiles, err) : NULL;
+    struct hatch_store_line *lines = tiles ? hatch_arena_array(&arena, from->line_count, sizeof *lines, err) : NULL;
+    struct hatch_store_piece *pieces = lines ? hatch_arena_array(&arena, from->piece_count, sizeof *pieces, err) : NULL;
+    if (!pieces) {
         hatch_arena_free(&arena);
         return HATCH_LIMIT;
     }
-    memcpy(kept, tiles, sizeof *kept * count);
-    *made = (struct hatch_store_batch){
-        .level = level, .component = component, .used = store->view, .tiles = kept, .tile_count = count};
+    memcpy(tiles, from->tiles, sizeof *tiles * from->tile_count);
+    if (from->line_count > 0)
+        memcpy(lines, from->lines, sizeof *lines * from->line_count);
+    if (from->piece_count > 0)
+        memcpy(pieces, from->pieces, sizeof *pieces * from->piece_count);
+    *made = *from;
+    made->tiles = tiles;
+    made->lines = lines;
+    made->pieces = pieces;
+    made->line_capacity = from->line_count;
+    made->piece_capacity = from->piece_count;
     made->arena = arena;
     *batch = made;
     return HATCH_OK;
@@ -144,19 +152,14 @@ static enum hatch_status join(struct hatch_store *store, const struct hatch_stor
     return HATCH_OK;
 }
 
-/* Plans a level.
- *   plans  in scratch */
-static enum hatch_status make_plan(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
-                                   const struct hatch_store_windows *shown, const struct plan *next,
-                                   struct hatch_arena *plans, struct plan *plan, struct hatch_err *err)
+/* Plans to trace what is missing around some windows.
+ *   plans  holds the region; the rest is in scratch */
+static enum hatch_status plan_around(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
+                                     struct hatch_trace_window *windows, uint32_t count, struct hatch_arena *plans,
+                                     struct plan *plan, struct hatch_err *err)
 {
     double gap = hatch_store_gap(store, level, component), side = TILE_GAPS * gap;
-    struct hatch_trace_window *windows;
     struct hatch_trace_region around;
-    uint32_t count;
-    HATCH_TRY(join(store, shown, next, &windows, &count, err));
-    if (count == 0)
-        return HATCH_OK;
     HATCH_TRY(hatch_trace_region_around(&store->ground, windows, count,
                                         HATCH_TRACE_DETOUR * store->options.length / 2 * gap, plans, &store->scratch,
                                         &around, err));
@@ -169,18 +172,81 @@ static enum hatch_status make_plan(struct hatch_store *store, uint32_t level, co
                            : HATCH_OK;
 }
 
+static double area_of(const struct hatch_trace_window *window)
+{
+    return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
+}
+
+static double area_of_region(const struct hatch_trace_region *region)
+{
+    double area = 0;
+    for (uint32_t i = 0; i < region->count; i++)
+        area += area_of(&region->windows[i]);
+    return area;
+}
+
+/* Returns whether all of a component is to be traced in place of a region: when as much has been traced for earlier
+ * views, in regions that overlap, and when all of it can be kept. Views of a film then cost at most about twice as much
+ * as the component does. */
+static bool is_worth_all(const struct hatch_store *store, uint32_t level, const struct hatch_component *component,
+                         const struct hatch_trace_region *region)
+{
+    double side = TILE_GAPS * hatch_store_gap(store, level, component), area = 0, tiles = 0;
+    double traced = 0, traced_tiles = 1, traced_bytes = TILE_BYTES;
+    for (const struct hatch_store_batch *batch = store->batches; batch; batch = batch->next)
+        if (batch->level == level && batch->component == component) {
+            traced += batch->area;
+            traced_tiles += batch->tile_count;
+            traced_bytes += (double)batch->arena.used_bytes;
+        }
+    for (uint32_t f = component->first_face; f < component->first_face + component->face_count; f++) {
+        const struct hatch_trace_window whole = hatch_trace_window_of(&store->ground, f);
+        area += area_of(&whole);
+        tiles += (double)tiles_along(whole.high[0] - whole.low[0], side) *
+                 (double)tiles_along(whole.high[1] - whole.low[1], side);
+    }
+    return traced + area_of_region(region) >= (1 - 1e-9) * area &&
+           traced_bytes * tiles <= (double)store->keep_bytes * traced_tiles;
+}
+
+/* Plans a level.
+ *   plans  holds the region; the rest is in scratch */
+static enum hatch_status make_plan(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
+                                   const struct hatch_store_windows *shown, const struct plan *next,
+                                   struct hatch_arena *plans, struct plan *plan, struct hatch_err *err)
+{
+    struct hatch_trace_window *windows;
+    uint32_t count;
+    HATCH_TRY(join(store, shown, next, &windows, &count, err));
+    if (count == 0)
+        return HATCH_OK;
+    HATCH_TRY(plan_around(store, level, component, windows, count, plans, plan, err));
+    if (plan->count == 0 || !is_worth_all(store, level, component, &plan->region))
+        return HATCH_OK;
+    HATCH_TRY(HATCH_ALLOC_UNSET(&store->scratch, &windows, component->face_count, err));
+    for (uint32_t i = 0; i < component->face_count; i++)
+        windows[i] = hatch_trace_window_of(&store->ground, component->first_face + i);
+    return plan_around(store, level, component, windows, component->face_count, plans, plan, err);
+}
+
 static enum hatch_status carry_out(struct hatch_store *store, uint32_t level, const struct hatch_component *component,
                                    const struct plan *plan, struct hatch_err *err)
 {
-    struct hatch_store_batch *batch;
+    struct hatch_store_batch traced = {.level = level,
+                                       .component = component,
+                                       .used = store->view,
+                                       .area = area_of_region(&plan->region),
+                                       .tiles = plan->tiles,
+                                       .tile_count = plan->count},
+                             *batch;
     if (plan->count == 0)
         return HATCH_OK;
-    HATCH_TRY(make_batch(store, level, component, plan->tiles, plan->count, &batch, err));
-    enum hatch_status status = hatch_store_trace_region(store, component, &plan->region, batch, err);
-    if (status != HATCH_OK) {
-        hatch_store_free_batch(batch);
-        return status;
-    }
+    hatch_arena_init_shared(&traced.arena, &store->budget);
+    enum hatch_status status = hatch_store_trace_region(store, component, &plan->region, &traced, err);
+    if (status == HATCH_OK)
+        status = copy_batch(store, &traced, &batch, err);
+    hatch_arena_free(&traced.arena);
+    HATCH_TRY(status);
     store->traced += batch->line_count;
     batch->next = store->batches;
     store->batches = batch;

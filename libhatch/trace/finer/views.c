@@ -104,6 +104,7 @@ static void list_families(struct hatch_finer *finer)
         hatch_arena_init_shared(&store->scratch, &store->budget);
         hatch_arena_init_shared(&finer->seen[i], &store->budget);
         store->pool = finer->store_count == 1 ? finer->source.pool : NULL;
+        store->keep_bytes = finer->source.keep_bytes / finer->store_count;
     }
 }
 
@@ -239,14 +240,14 @@ static enum hatch_status gather(struct hatch_finer *finer, uint32_t index, struc
 }
 
 /* Frees the batches that the view does not need, the oldest first, until the others fit. */
-static void drop_unused(struct hatch_store *store, size_t keep_bytes)
+static void drop_unused(struct hatch_store *store)
 {
     size_t sum = 0;
     struct hatch_store_batch **link = &store->batches;
     while (*link) { /* newest first */
         struct hatch_store_batch *batch = *link;
         sum += batch->arena.used_bytes;
-        if (batch->used == store->view || sum <= keep_bytes) {
+        if (batch->used == store->view || sum <= store->keep_bytes) {
             link = &batch->next;
             continue;
         }
@@ -280,7 +281,7 @@ static enum hatch_status trace_all(struct hatch_finer *finer, struct hatch_arena
     for (uint32_t i = 0; i < finer->store_count; i++)
         HATCH_TRY(gather(finer, i, &sink, err));
     for (uint32_t i = 0; i < finer->store_count; i++)
-        drop_unused(&finer->stores[i], finer->source.keep_bytes / finer->store_count);
+        drop_unused(&finer->stores[i]);
     found->finer = found->enough = true;
     for (uint32_t i = 0; i < finer->store_count; i++)
         found->enough = found->enough && finer->stores[i].enough;
