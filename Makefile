@@ -148,8 +148,7 @@ demo: all
 BENCHES := $(patsubst tests/%.c,$(B)/tests/%,$(filter-out %/measure.c,$(wildcard tests/bench/programs/*.c)))
 bench: all $(BENCHES)
 	PATH=$(abspath $(B))/bin:$(abspath $(B))/tests/bench/programs:$$PATH sh tests/bench/run.sh $(B)/bench
-chart:
-	sh tests/bench/charts/draw.sh $(B)/bench
+chart: ; sh tests/bench/charts/draw.sh $(B)/bench
 # Goals that build on each other run in their order, also with -j.
 $(if $(filter bench,$(MAKECMDGOALS)),$(eval chart: bench))
 $(if $(filter clean,$(MAKECMDGOALS)),$(eval .NOTPARALLEL:))
@@ -178,6 +177,7 @@ $(TESTS) $(BENCHES) $(LIMITS): $(B)/tests/%: $(B)/obj/tests/%.c.o $(ARCHIVES)
 	$(call say,link $@)$(LINK) $(filter %.o,$^) -Wl,--start-group $(ARCHIVES) -Wl,--end-group -Wl,--as-needed \
 	    $(foreach a,$(PACKAGES),$(libs_$(a))) $(GL) -lsuitesparseconfig -lcheck_pic -lsubunit -lrt -lm -pthread
 $(call obj,$(TEST_SRC) $(patsubst $(B)/%,%.c,$(BENCHES) $(LIMITS))): BASE += -Itests/support
+$(call obj,$(TEST_SRC)): CFLAGS += -O1
 SCRIPTS := $(wildcard $(patsubst %,tests/%/*.t,cli cli/* prop stability golden bad memory fuzz interop lint))
 FUZZ_SRC := $(wildcard tests/fuzz/fuzz_*.c tests/fuzz/fuzz_*.cc)
 FUZZ_NAMES := $(patsubst fuzz_%,%,$(basename $(notdir $(FUZZ_SRC))))
@@ -212,7 +212,7 @@ $(B)/interop/node_modules: tests/interop/package.json
 check-interop: all $(INTEROP) $(B)/interop/node_modules; B=$(B) perl tests/run $(wildcard tests/interop/*.t)
 stage: all; @rm -rf $(B)/stage && $(call install_into,$(B)/stage/usr)
 check: all stage $(TESTS) $(REPLAYS) $(INTEROP) $(FAIL_MALLOC)
-	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(TESTS) $(SCRIPTS)
+	@B=$(B) SANITIZE=$(SANITIZE) CC=$(CC) perl tests/run $(SCRIPTS) $(TESTS)
 mutants: ; perl tests/mutants/run.pl $(B)/mutants
 lint: ; B=$(B) perl tests/run $(wildcard tests/lint/*.t)
 clean: ; rm -rf build

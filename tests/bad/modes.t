@@ -16,7 +16,7 @@ meshgen plane --faces 2 -o plane.glb
 printf 'x\ty\tz\tdx\tdy\tdz\tweight\n0\t0\t0\t1\t.6\t.3\t1\n1\t0\t0\t.2\t1\t.5\t10\n' >directions.tsv
 
 # Inputs of the ordinary suite.
-few="shape/valence-20000.ply shape/comb-20000.ply shape/double-cone-20000.ply shape/moebius.obj shape/needles.obj
+few="shape/comb-20000.ply shape/double-cone-20000.ply shape/moebius.obj shape/needles.obj
     shape/single-triangle.obj exr/pixels-nan.exr png/sound.png odd/nested-100k.json gltf/scale-0.glb"
 
 mesh_modes() {

@@ -60,16 +60,28 @@ for technique in $techniques; do
     is "$technique draws with a map, a volume, thresholds or nothing" "$status" 0
     echo "$asset" >"$technique.asset"
 done
+# Every two of these choices together; with LONG=1 all of them.
+combined() {
+    cat <<'END'
+OPAQUE
+OPAQUE --texture-tone --paper grey --ink black,white
+MASK --texture-tone
+MASK --paper grey --ink black,white
+END
+    [ -z "${LONG:-}" ] || cat <<'END'
+OPAQUE --texture-tone
+OPAQUE --paper grey --ink black,white
+MASK
+MASK --texture-tone --paper grey --ink black,white
+END
+}
 for technique in $techniques; do
-    for mode in OPAQUE MASK; do
-        for tone in "" --texture-tone; do
-            for ink in "" "--paper grey --ink black,white"; do
-                # shellcheck disable=SC2046,SC2086 # the options are words
-                ok "$technique $mode $tone $ink" drawn $mode.strokes.glb --technique "$technique" \
-                    $(cat "$technique.asset") --size 32x24 $tone $ink -o picture.png
-            done
-        done
-    done
+    combined | while read -r mode options; do
+        # shellcheck disable=SC2046,SC2086 # the options are words
+        drawn $mode.strokes.glb --technique "$technique" $(cat "$technique.asset") --size 32x24 $options \
+            -o picture.png 2>&1 || echo "fails: $mode $options"
+    done >said
+    is "$technique with a texture as colour or tone, holes, one ink or two" "$(cat said)" ""
 done
 
 for uv in "1 2 33648" "1 0 33071"; do

@@ -160,7 +160,7 @@ done
 near "balls of one and of four families" "$(cat traced.ink)" "$(cat gouraud.ink)" .01
 # Near views add finer levels, so that the tone stays; without them, the few strokes of the file are all. With LONG=1
 # they are nearer.
-near=64
+near=32
 [ -z "${LONG:-}" ] || near=4096
 for zoom in $near 8; do
     draw torus.glb --size 160x120 --zoom $zoom --tone-range .4:.4
@@ -188,11 +188,11 @@ done
 
 # Strokes that run straight away from the eye, on slanted faces, are whole, though they wobble aside: in the mean of four
 # sets, as few strokes are in sight.
-strip="--size 24x360 --camera 0,1.2,2.5:0,0,0 --fov 30 --tone-range .5:.5"
+strip="--finer 0 --size 24x360 --camera 0,1.2,2.5:0,0,0 --fov 30 --tone-range .5:.5"
 for seed in 1 2 3 4; do
-    meshgen torus | strokegen -q --levels 5 --seed $seed -o fine$seed.glb
+    meshgen torus | strokegen -q --levels 6 --seed $seed -o fine$seed.glb
 done
-draw fine1.glb $strip -t gouraud
+draw fine1.glb ${strip#--finer 0 } -t gouraud
 toned=$(ink)
 for pen in engraving woodcut; do
     traced=$(for seed in 1 2 3 4; do
@@ -203,7 +203,7 @@ for pen in engraving woodcut; do
 done
 
 # Inside of the torus, faces meet in hollows: strokes do not pass under them.
-draw torus.glb --size 320x240 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
+draw torus.glb --size 160x120 --camera 1,0,0:1.3,0.1,0.2 --tone-range .4:.4
 near "the torus from inside" "$(ink)" .4 .05
 # Nor do they sink into slanted back sides.
 draw torus.glb --size 160x120 --camera 1,0,0:1,0,-1 --fov 60 --tone-range .5:.5

@@ -190,7 +190,6 @@ START_TEST(block_compressed_volumes_match_the_model)
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC4, 1);
     check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC1, 1);
     check_volume(HATCH_VOLUME_3D, HATCH_TEXELS_BC7, 1);
-    check_volume(HATCH_VOLUME_ARRAY, HATCH_TEXELS_BC7, 1);
 }
 END_TEST
 
