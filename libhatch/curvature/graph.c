@@ -6,9 +6,9 @@ static enum hatch_status allocate(const struct hatch_surface *surface, struct ha
 {
     size_t points = surface->point_count, entries = surface->ring_first[points];
     struct hatch_surface *out = &graph->surface;
-    *out = (struct hatch_surface){.point_count = surface->point_count,
-                                  .component_count = surface->component_count,
-                                  .components = surface->components};
+    *graph = (struct hatch_curvature_graph){.surface = {.point_count = surface->point_count,
+                                                        .component_count = surface->component_count,
+                                                        .components = surface->components}};
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &graph->order, points, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &graph->normals, points * 3, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(arena, &out->points, points * 3, err));
