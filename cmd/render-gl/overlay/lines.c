@@ -8,9 +8,9 @@
 #include "render-gl/gpu/buffer.h"
 #include "render-gl/gpu/texture.h"
 
-#define BATCH 1024u /* samples in a row of the texture */
-#define TEXELS 2u   /* of a sample */
-#define ROWS 1024u  /* rows of the texture; if there are more samples, they are tested in several passes */
+#define BATCH 1024u    /* samples in a row of the texture */
+#define TEXELS 2u      /* of a sample */
+#define ROWS_MAX 1024u /* rows of the texture; if there are more samples, they are tested in several passes */
 
 static const struct gpu_stages test_stages = {.vertex = "canvas/screen.vert", .fragment = "overlay/line_test.frag"};
 
@@ -33,12 +33,9 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
         {ATTRIBUTE_LINE_ENDS, 4, GL_FLOAT, 0},
         {ATTRIBUTE_LINE_DEPTH, 3, GL_FLOAT, offsetof(struct hatch_line_segment, depth)},
         {ATTRIBUTE_LINE_BRUSH, 4, GL_FLOAT, offsetof(struct hatch_line_segment, width)}};
-    const struct gpu_target_form results = {.width = BATCH, .height = ROWS, .outputs = {GL_R8UI}};
     struct line_overlay made = {.color = {style->color[0], style->color[1], style->color[2]}, .haloes = style->haloes};
     HATCH_TRY(hatch_lines_make(&scene->unit, &style->lines, &args->keep, &args->scratch, &made.lines, err));
     HATCH_TRY(compile(&made, programs, err));
-    HATCH_TRY(gpu_target_make(&results, &made.results, err));
-    made.samples = gpu_texture_2d(GL_RGBA32F, TEXELS * BATCH, ROWS);
     glCreateBuffers(1, &made.segments);
     glCreateVertexArrays(1, &made.array);
     gpu_array_attach(made.array, 0, made.segments, sizeof(struct hatch_line_segment), attributes, 3);
@@ -46,6 +43,20 @@ enum hatch_status line_overlay_make(struct line_overlay *overlay, struct scene *
     hatch_arena_init(&made.frame, args->max_memory);
     *overlay = made;
     return HATCH_OK;
+}
+
+/* Makes textures for a number of samples, of twice as many rows each time: most pictures have few. */
+static enum hatch_status make_room(struct line_overlay *overlay, size_t sample_count, struct hatch_err *err)
+{
+    struct gpu_target_form form = {.width = BATCH, .height = 1, .outputs = {GL_R8UI}};
+    while (form.height < ROWS_MAX && (size_t)form.height * BATCH < sample_count)
+        form.height *= 2;
+    if (form.height <= overlay->results.form.height)
+        return HATCH_OK;
+    gpu_target_free(&overlay->results);
+    glDeleteTextures(1, &overlay->samples);
+    overlay->samples = gpu_texture_2d(GL_RGBA32F, TEXELS * BATCH, form.height);
+    return gpu_target_make(&form, &overlay->results, err);
 }
 
 /* Uploads samples row by row; the last row may be incomplete. */
@@ -65,7 +76,7 @@ static void upload(const struct line_overlay *overlay, const struct hatch_line_s
 static void test_samples(const struct line_overlay *overlay, const struct gpu_program *test,
                          const struct canvas *canvas, const struct hatch_line_frame *lines, uint8_t *seen)
 {
-    const size_t most = (size_t)BATCH * ROWS;
+    const size_t most = (size_t)BATCH * ROWS_MAX;
     for (size_t done = 0; done < lines->sample_count; done += most) {
         size_t batch = lines->sample_count - done < most ? lines->sample_count - done : most;
         const struct gpu_rectangle rows = {0, 0, BATCH, (uint32_t)((batch + BATCH - 1) / BATCH)};
@@ -158,6 +169,7 @@ static enum hatch_status draw(struct line_overlay *overlay, struct frame *frame,
     if (!seen)
         return HATCH_LIMIT;
     HATCH_TRY(find_test(overlay, frame, &test, err));
+    HATCH_TRY(make_room(overlay, lines.sample_count, err));
     test_samples(overlay, test, frame->request.canvas, &lines, seen);
     HATCH_TRY(hatch_lines_join(&overlay->lines, &lines, seen, &overlay->frame, &segments, &count, err));
     return draw_segments(overlay, frame, segments, count, err);

@@ -15,8 +15,8 @@ struct line_overlay {
     struct hatch_arena frame; /* holds the lines of one frame */
     const struct gpu_program *test, *stroke, *over; /* test samples, draw segments' coverage, draw colour by coverage */
     GLuint array, segments;                         /* vertex array and buffer of struct hatch_line_segment */
-    GLuint samples;                                 /* texture with one texel per sample */
-    struct gpu_target results;                      /* per sample: bits of enum hatch_line_seen */
+    GLuint samples;                                 /* texture with two texels per sample; 0: none was tested yet */
+    struct gpu_target results;                      /* per sample: bits of enum hatch_line_seen; zeroed like it */
 };
 
 struct line_overlay_style {
