@@ -9,6 +9,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -169,6 +170,23 @@ void silence_libtiff()
 #endif
 }
 
+/* Says what the exception is that is being handled. A thread that cannot be started lacks room for its stack. */
+void explain(char *message, size_t size)
+{
+    try {
+        throw;
+    } catch (const std::bad_alloc &) {
+        set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
+    } catch (const std::system_error &error) {
+        bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+        set_message(no_thread ? HATCH_OIIO_OUT_OF_MEMORY : error.what(), message, size);
+    } catch (const std::exception &error) {
+        set_message(error.what(), message, size);
+    } catch (...) {
+        set_message("unknown error", message, size);
+    }
+}
+
 void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_oiio_info *info, char *message,
                  size_t size)
 {
@@ -210,12 +228,8 @@ void *open_image(const uint8_t *data, size_t data_size, const char *name, hatch_
         *info = {static_cast<uint32_t>(spec.width), static_cast<uint32_t>(spec.height),
                  static_cast<uint32_t>(image->channels), is_encoded(spec), is_premultiplied(*image->reader)};
         return image.release();
-    } catch (const std::bad_alloc &) {
-        set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
-    } catch (const std::exception &error) {
-        set_message(error.what(), message, size);
     } catch (...) {
-        set_message("unknown error", message, size);
+        explain(message, size);
     }
     return nullptr;
 }
@@ -249,12 +263,8 @@ int read_image(void *opened, float *pixels, char *message, size_t size)
             return 1;
         }
         set_message(error, message, size);
-    } catch (const std::bad_alloc &) {
-        set_message(HATCH_OIIO_OUT_OF_MEMORY, message, size);
-    } catch (const std::exception &error) {
-        set_message(error.what(), message, size);
     } catch (...) {
-        set_message("unknown error", message, size);
+        explain(message, size);
     }
     return 0;
 }

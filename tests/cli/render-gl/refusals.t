@@ -180,7 +180,7 @@ refuses "--animate without --frames" 2 2 "--frames 2" $draw torus.glb -t rptam -
 refuses "a picture larger than --max-memory" 5 1 memory \
     render-gl --size 65536x65536 torus.glb --tam map.exr --max-memory 100M -o picture.png
 if [ -z "$SANITIZE" ]; then
-    refuses "no OpenGL driver" 4 1 libgl1-mesa-dri env LIBGL_DRIVERS_PATH=/nonexistent \
+    refuses "no OpenGL driver" 4 1 libgl1-mesa-dri env -u __EGL_VENDOR_LIBRARY_FILENAMES LIBGL_DRIVERS_PATH=/nonexistent \
         __EGL_VENDOR_LIBRARY_DIRS=/nonexistent $draw torus.glb --tam map.exr
     refuses "an OpenGL driver that is too old" 4 1 "OpenGL 4.5" env MESA_GL_VERSION_OVERRIDE=3.3 \
         $draw torus.glb --tam map.exr
