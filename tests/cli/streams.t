@@ -127,7 +127,7 @@ on_terminal() {
     echo "$? $(head -1 shown | tr -d '\r' | cut -c1-60)"
 }
 meshgen plane --faces 2 -o plane.glb
-if command -v script >/dev/null; then
+if script -qec true typed </dev/null >/dev/null 2>&1; then
     for command in "meshgen plane" "tamgen --size 64" "tamgen --size 64 -o a.exr --contact-sheet -" "dirfield plane.glb" \
         "lapped-param plane.glb" "strokegen plane.glb"; do
         is "$command: a terminal gets no binary data" "$(on_terminal "$command")" \
@@ -148,6 +148,6 @@ if command -v script >/dev/null; then
     ok "progress on a terminal" perl -0777 -ne \
         'exit !/\A(?:\rrender-gl: drawing \d+ %)+\r\e\[K\z/' shown
 else
-    skip "what a terminal gets" "no script(1)"
+    skip "what a terminal gets" "no script(1), or no terminals for it"
 fi
 finish
