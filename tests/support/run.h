@@ -24,6 +24,21 @@
 
 #include "base/status.h"
 
+/* Check writes down where each assertion is that holds, to tell after which one a test crashed. Here a place is written
+ * down when it is reached for the first time, since loops reach millions. */
+static inline void hatch_mark_point(const char *file, int line)
+{
+    static const char *files[256];
+    static int lines[256];
+    int at = line & 255;
+    if (files[at] == file && lines[at] == line)
+        return;
+    files[at] = file;
+    lines[at] = line;
+    _mark_point(file, line);
+}
+#define _mark_point(file, line) hatch_mark_point(file, line)
+
 /* Fails the test with the library's message. */
 #define HATCH_TEST_OK(call, err) ck_assert_msg((call) == HATCH_OK, "%s failed: %s", #call, (err)->text)
 

@@ -103,7 +103,10 @@ static inline double fit_project(const struct fit_bezier *curve, double x, doubl
         double slope = from[0] * at[1][0] + from[1] * at[1][1];
         double speed = at[1][0] * at[1][0] + at[1][1] * at[1][1];
         double bend = speed + from[0] * at[2][0] + from[1] * at[2][1];
-        t -= slope / fmax(bend, 0.25 * speed);
+        double step = slope / fmax(bend, 0.25 * speed);
+        t -= step;
+        if (fabs(step) < 1e-9)
+            break;
     }
     return t;
 }
