@@ -8,6 +8,10 @@ if [ ! -d "$INTEROP/node_modules/gltf-validator" ]; then
 fi
 for shape in teapot sphere cylinder cone torus plane ellipsoid saddle wave; do
     for options in '' '--faces 2' '--faces 200000' '--jitter 1 --noise 0.3 --uv even --seed 7'; do
+        case $shape$options in
+        teapot* | torus*) ;;
+        *200000) continue ;; # a mesh whose indices have 32 bits is written alike for each shape
+        esac
         # shellcheck disable=SC2086
         meshgen $shape $options -o shape.glb
         is "meshgen $shape $options passes the glTF validator" \
