@@ -222,6 +222,21 @@ traced=$(ink)
 draw torus.glb $before_eye -t gouraud
 near "a torus around the eye" "$traced" "$(ink)" .006
 
+# Strokes end where the camera's planes cut the surface: there is no ink beside the surface, which is black here.
+unpack torus.glb cut
+for planes in 3.6,100 0.1,4; do
+    perl -MJSON::PP -0777 -ne 'BEGIN {($near, $far) = split /,/, shift} my $scene = decode_json($_);
+        $scene->{cameras} = [{type => "perspective", perspective => {yfov => 1, znear => 0 + $near, zfar => 0 + $far}}];
+        push @{$scene->{nodes}}, {camera => 0, translation => [0, 1, 4], rotation => [-.1, 0, 0, .995]};
+        push @{$scene->{scenes}[0]{nodes}}, $#{$scene->{nodes}};
+        print encode_json($scene)' $planes cut.gltf >planes.gltf
+    draw planes.gltf --size 240x160 -t gouraud --tone-range 1:1
+    cp $file black.exr
+    draw planes.gltf --size 240x160 --tone-range .4:.4
+    is "a torus between planes at $planes: $(ink)" "$(hatchstat diff black.exr $file | awk '
+        NR == 2 {print ($2 > .05), ($2 + $3 < .0008)}')" "1 1"
+done
+
 # Strokes follow skins and nodes: the moved surfaces keep their tone.
 perl "$TOP/tests/bytes/scenes.pl"
 for scene in skinned nodes; do

@@ -37,6 +37,7 @@ const float TURNED_MOST_PX = 8.0;
 const float TURNED_GAPS = 10.0; // between drawn strokes: half a stroke that is longer is turned aside no farther than this
 const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
 const float ASIDE = 0.15; // pixels towards the eye per pixel aside
+const float NEAREST = 4.0; // depth up to which points before the near plane are placed; it is 1 at that plane
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -118,8 +119,8 @@ void main()
     vec2 to_ends = point.stroke.zw / densest.z;
     ribbon[3u * i + 1u] = vec4(0.0, float(stroke * 16u) + point.rest.y, to_ends);
     ribbon[3u * i + 2u] = vec4(0.0);
-    if (at.z <= 0.0 || at.z >= at.w)
-        return;
+    if (at.w <= 0.0 || at.z >= NEAREST * at.w)
+        return; // other places before the near plane and beyond the far one are clipped
     vec3 along_1 = slope_along(edge_1, at), along_2 = slope_along(edge_2, at);
     float area = (along_1.x * along_2.y - along_1.y * along_2.x); // doubled, in square pixels; negative: from behind
     vec3 way = point.at.z * along_1 + point.at.w * along_2; // per mesh unit along the stroke
