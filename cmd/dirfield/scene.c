@@ -119,6 +119,7 @@ void dirfield_run(struct cmd_args *args, const struct dirfield_options *options,
     const char *name = cmd_input_name(input);
     cmd_read_scene_to_write(args, input, true, &run.scene);
     cmd_warn_up(name, &run.scene);
+    cmd_warn_strokes(name, &run.scene);
     cmd_refuse_lapped(name, &run.scene);
     if (options->needs) {
         cmd_read_needs_and_regions(args, options->needs, &needs);

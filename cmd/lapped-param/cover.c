@@ -173,7 +173,6 @@ void lapped_param_keep(struct cmd_args *args, struct lapped_param_part *part)
     float *uv;
     cmd_check(HATCH_ALLOC(&args->keep, &part->made, 1, &err), part->name, &err);
     part->made[0] = *part->mesh;
-    part->made[0].material = HATCH_NONE;
     part->made_count = 1;
     mesh = &part->made[0].mesh;
     lapped_param_clear_mesh(mesh, NULL, false);

@@ -220,7 +220,8 @@ int main(int argc, char **argv)
     struct cmd_output *output = cmd_open_output(args.output, "glb", true);
 
     cmd_read_scene_to_write(&args, input, false, &scene);
-    cmd_warn_up(cmd_input_name(input), &scene);
+    cmd_warn_up(name, &scene);
+    cmd_warn_strokes(name, &scene);
     cmd_refuse_lapped(name, &scene);
     lapped_param_clear(&args, name, atlas, &scene);
     if (needs_path) {

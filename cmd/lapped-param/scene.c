@@ -35,20 +35,38 @@ void lapped_param_clear_mesh(struct hatch_mesh *mesh, const struct hatch_normal_
     mesh->attribute_count = kept;
 }
 
+/* Returns whether a member of a material, outside of its extensions, has a name that begins so.
+ *   name  with a quotation mark before it */
+static bool is_named(const struct hatch_kept_member *member, const char *name)
+{
+    return member->part != HATCH_PART_EXTENSIONS && strncmp(member->text, name, strlen(name)) == 0;
+}
+
+static bool has_member(const struct hatch_material *material, const char *name)
+{
+    for (uint32_t i = 0; i < material->member_count; i++)
+        if (is_named(&material->members[i], name))
+            return true;
+    return false;
+}
+
 /* Removes the textures that a material has beside its base colour and normals, with the factors that they multiply.
  * Returns their number. */
 static uint32_t drop_textures(struct hatch_material *material)
 {
+    const bool metal = has_member(material, "\"metallicRoughnessTexture");
+    const bool emissive = has_member(material, "\"emissiveTexture");
     uint32_t kept = 0, textures = 0;
-    for (uint32_t i = 0; i < material->member_count; i++)
-        textures += material->members[i].use_count;
-    if (textures == 0)
-        return 0;
-    for (uint32_t i = 0; i < material->member_count; i++)
-        if (material->members[i].part == HATCH_PART_EXTENSIONS && material->members[i].use_count == 0)
-            material->members[kept++] = material->members[i];
+    for (uint32_t i = 0; i < material->member_count; i++) {
+        const struct hatch_kept_member *member = &material->members[i];
+        bool multiplied = metal && (is_named(member, "\"metallicFactor") || is_named(member, "\"roughnessFactor"));
+        multiplied = multiplied || (emissive && is_named(member, "\"emissiveFactor"));
+        textures += member->use_count;
+        if (member->use_count == 0 && !multiplied)
+            material->members[kept++] = *member;
+    }
     material->member_count = kept;
-    material->keeps_metal = false;
+    material->keeps_metal = material->keeps_metal && !metal;
     return textures;
 }
 
@@ -169,11 +187,15 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
 {
     struct hatch_err err;
     uint32_t plain = scene->material_count;
-    struct hatch_material *materials = HATCH_NEW(&args->keep, struct hatch_material, plain + 1, &err);
+    struct hatch_material *materials = HATCH_NEW(&args->keep, struct hatch_material, 2 * (size_t)plain + 1, &err);
     struct hatch_texture *textures = HATCH_NEW(&args->keep, struct hatch_texture, scene->texture_count + 1, &err);
     cmd_check(materials && textures ? HATCH_OK : HATCH_LIMIT, NULL, &err);
-    for (uint32_t m = 0; m < plain; m++)
-        materials[m] = scene->materials[m];
+    for (uint32_t m = 0; m < plain; m++) {
+        struct hatch_material *unseen = &materials[plain + 1 + m];
+        materials[m] = *unseen = scene->materials[m];
+        unseen->alpha_cutoff = unseen->base_color[3] < 0.5f ? 0.5f : 0; /* what is invisible stays so */
+        unseen->normals.used = false;
+    }
     /* The material for meshes that have none; both sides of their faces are visible. */
     materials[plain] = (struct hatch_material){.base_color = {1, 1, 1, 1}, .double_sided = true};
     for (uint32_t m = 0; m <= plain; m++) {
@@ -187,6 +209,11 @@ void lapped_param_mask(struct cmd_args *args, const struct hatch_outline *outlin
         if (scene->meshes[i].material == HATCH_NONE && !(scene->meshes[i].unseen_tolerance > 0)) {
             scene->meshes[i].material = plain;
             scene->material_count = plain + 1;
+        }
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].material < plain && scene->meshes[i].unseen_tolerance > 0) {
+            scene->meshes[i].material += plain + 1;
+            scene->material_count = 2 * plain + 1;
         }
     encode_mask(args, outline, side_px, textures);
     if (scene->texture_count > 0)

@@ -180,6 +180,15 @@ void cmd_warn_up(const char *name, const struct hatch_scene *scene)
         cmd_warn(name, "the mesh seems to stand along z, but y points up: to turn it, draw it with render-gl --up z");
 }
 
+void cmd_warn_strokes(const char *name, const struct hatch_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->mesh_count; i++)
+        if (scene->meshes[i].curves.count > 0) {
+            cmd_warn(name, "its strokes are left out; strokegen traces them anew");
+            return;
+        }
+}
+
 void cmd_refuse_lapped(const char *name, const struct hatch_scene *scene)
 {
     struct hatch_err err;

@@ -52,6 +52,9 @@ void cmd_add_normals(struct cmd_args *args, const char *name, struct hatch_scene
 /* Warns of a mesh, of a format that does not define which axis points up, that seems to stand along z. */
 void cmd_warn_up(const char *name, const struct hatch_scene *scene);
 
+/* Warns of strokes on meshes, for a command that leaves them out. */
+void cmd_warn_strokes(const char *name, const struct hatch_scene *scene);
+
 /* Dies if the scene is output of lapped-param: each patch is a mesh of its own, and its texture coordinates are made
  * for the directions that it has. */
 void cmd_refuse_lapped(const char *name, const struct hatch_scene *scene);
