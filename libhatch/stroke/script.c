@@ -17,7 +17,7 @@ static const struct {
     [Y] = {"y", -1e6, 1e6},
     [LENGTH] = {"length", 0, (double)HATCH_PATH_LENGTH_MAX},
     [ANGLE] = {"angle", -1e3, 1e3},
-    [WIDTH] = {"width", 1e-9, HATCH_SCRIPT_WIDTH_MAX},
+    [WIDTH] = {"width", 1e-30, HATCH_SCRIPT_WIDTH_MAX},
     [TONE] = {"tone", 0, 1},
     [RED] = {"r", 0, 1},
     [GREEN] = {"g", 0, 1},

@@ -37,6 +37,12 @@ try tamgen --size 64 --levels 1 --tones 2 --replay wide.tsv --set "darkest $(ech
 is "how much images are too light is that of the lightest: $whole" \
     "$(sed -n 's/.*1 image stays lighter than the target, by up to \(0...\).*/\1/p' .err)" 0.02
 
+# However thin a stroke of a drawing is, its script can be read.
+echo '<svg viewBox="0 0 1000 1000"><path fill="none" stroke="black" stroke-width="1e-7" d="M20 800L800 20"/>
+    <path stroke="black" stroke-width="5" d="M10 10L900 800"/></svg>' >thin.svg
+tamgen -q --size 64 --tones 1 --replay thin.svg --strokes thin.tsv -o thin.exr
+ok "a script of thin strokes is read" hatchstat tam thin.exr --strokes thin.tsv
+
 # The first stroke is the longest and the widest, and both are far beyond the style's.
 big="0.5\t0.5\t6\t0.5\t0.6\t1\t0\t0\t0" tiny="0.2\t0.2\t0.1\t0\t0.01\t1\t0\t0\t0"
 for order in "$big\n$tiny" "$tiny\n$big"; do
