@@ -22,8 +22,8 @@ static void lay_down(struct hatch_mesh *mesh, const struct hatch_bounds *bounds,
     }
 }
 
-enum hatch_status hatch_scene_add_ground(struct hatch_scene *scene, double share, struct hatch_arena *arena,
-                                         struct hatch_arena *scratch, struct hatch_err *err)
+enum hatch_status hatch_scene_add_ground(struct hatch_scene *scene, const struct hatch_pose_span *span, double share,
+                                         struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_err *err)
 {
     const struct hatch_shape_options how = {.faces = FACES, .seed = 1};
     struct hatch_bounds bounds;
@@ -31,7 +31,7 @@ enum hatch_status hatch_scene_add_ground(struct hatch_scene *scene, double share
     struct hatch_scene_mesh *meshes;
     HATCH_TRY(HATCH_ALLOC(arena, &nodes, scene->node_count + (size_t)1, err));
     HATCH_TRY(HATCH_ALLOC(arena, &meshes, scene->mesh_count + (size_t)1, err));
-    HATCH_TRY(hatch_scene_measure(scene, scratch, &bounds, err));
+    HATCH_TRY(hatch_scene_measure(scene, span, scratch, &bounds, err));
     if (scene->node_count)
         memcpy(nodes, scene->nodes, scene->node_count * sizeof *nodes);
     if (scene->mesh_count)

@@ -149,15 +149,15 @@ enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up u
     return HATCH_OK;
 }
 
-enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
-                                      struct hatch_bounds *bounds, struct hatch_err *err)
+enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, const struct hatch_pose_span *span,
+                                      struct hatch_arena *scratch, struct hatch_bounds *bounds, struct hatch_err *err)
 {
     static const struct hatch_pose_span rest = {.animation = HATCH_NONE, .moments = 1};
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
     struct hatch_pose pose;
     enum hatch_status status = hatch_pose_make(scene, scratch, &pose, err);
     if (status == HATCH_OK)
-        status = hatch_pose_bounds(&pose, &rest, scratch, bounds, err);
+        status = hatch_pose_bounds(&pose, span ? span : &rest, scratch, bounds, err);
     hatch_arena_rewind(scratch, mark);
     return status;
 }
@@ -172,7 +172,7 @@ enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_
     HATCH_TRY(make_room(scenes, count, arena, &made, err));
     for (uint32_t i = 0; i < count; i++) {
         struct hatch_bounds bounds;
-        HATCH_TRY(hatch_scene_measure(&scenes[i], scratch, &bounds, err));
+        HATCH_TRY(hatch_scene_measure(&scenes[i], NULL, scratch, &bounds, err));
         if (i == 0)
             first = bounds;
         double size = first.radius / bounds.radius, left = bounds.half[0] * size;

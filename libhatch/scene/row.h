@@ -21,8 +21,10 @@ enum hatch_up { HATCH_UP_X, HATCH_UP_Y, HATCH_UP_Z };
 enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up up, struct hatch_arena *arena,
                                       struct hatch_err *err) HATCH_MUST_USE;
 
-/* Computes the bounds of a scene's rest pose. */
-enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, struct hatch_arena *scratch,
-                                      struct hatch_bounds *bounds, struct hatch_err *err) HATCH_MUST_USE;
+/* Computes the bounds of a scene over some moments.
+ *   span  NULL: the rest pose */
+enum hatch_status hatch_scene_measure(const struct hatch_scene *scene, const struct hatch_pose_span *span,
+                                      struct hatch_arena *scratch, struct hatch_bounds *bounds,
+                                      struct hatch_err *err) HATCH_MUST_USE;
 
 #endif

@@ -13,7 +13,8 @@ struct exposure {
     struct hatch_unit_light lights[HATCH_LIGHTS_MAX];
     uint32_t light_count;
     double bins[BINS];
-    double lit; /* area in all bins */
+    double lit;  /* area in all bins */
+    bool behind; /* the sides of double-sided items are measured from which they have no normals */
 };
 
 /* Returns the diffuse light that one light gives to a point, computed like light_at in the shader light.glsl. */
@@ -44,9 +45,10 @@ static double diffuse_light(const struct hatch_unit_light *light, const double p
 
 static void add_vertex(struct exposure *exposure, const double point[3], const float normal[3], double area)
 {
+    const float side = exposure->behind ? -1 : 1, facing[3] = {side * normal[0], side * normal[1], side * normal[2]};
     double sum = 0;
     for (uint32_t i = 0; i < exposure->light_count; i++)
-        sum += diffuse_light(&exposure->lights[i], point, normal);
+        sum += diffuse_light(&exposure->lights[i], point, facing);
     double bin = floor((log2(sum) + OCTAVES / 2) * STEPS);
     if (!(bin >= 0 && bin < BINS))
         return;
@@ -94,6 +96,22 @@ static double white_point(const struct exposure *exposure)
     return exp2((bin + 0.5) / STEPS - OCTAVES / 2);
 }
 
+static enum hatch_status add_items(struct exposure *exposure, const struct hatch_unit_scene *scene,
+                                   struct hatch_arena *scratch, struct hatch_err *err)
+{
+    for (uint32_t i = 0; i < scene->item_count; i++) {
+        const struct hatch_item *item = &scene->items[i];
+        if (scene->scene->nodes[item->node].backdrop || (exposure->behind && !item->double_sided))
+            continue;
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        HATCH_TRY(add_item(exposure, scene, item, scratch, err));
+        hatch_arena_rewind(scratch, mark);
+    }
+    return HATCH_OK;
+}
+
+/* Measures the present pose: the sides that normals point to, or if none of them is lit, the others.
+ *   factor  out: 0 if nothing is lit */
 static enum hatch_status measure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
                                  struct hatch_arena *scratch, double *factor, struct hatch_err *err)
 {
@@ -104,22 +122,31 @@ static enum hatch_status measure(const struct hatch_unit_scene *scene, const str
     double strongest = hatch_lights_strongest(&scene->pose, &scene->bounds);
     double prescale = strongest > 0 ? 1 / strongest : 1;
     exposure->light_count = hatch_lights_fill(&scene->pose, &scene->bounds, view, &none, prescale, exposure->lights);
-    for (uint32_t i = 0; i < scene->item_count; i++) {
-        if (scene->scene->nodes[scene->items[i].node].backdrop)
-            continue;
-        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-        HATCH_TRY(add_item(exposure, scene, &scene->items[i], scratch, err));
-        hatch_arena_rewind(scratch, mark);
-    }
-    *factor = exposure->lit > 0 ? prescale / white_point(exposure) : 1;
+    HATCH_TRY(add_items(exposure, scene, scratch, err));
+    exposure->behind = true;
+    if (!(exposure->lit > 0))
+        HATCH_TRY(add_items(exposure, scene, scratch, err));
+    *factor = exposure->lit > 0 ? prescale / white_point(exposure) : 0;
     return HATCH_OK;
 }
 
-enum hatch_status hatch_auto_exposure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
-                                      struct hatch_arena *scratch, double *exposure, struct hatch_err *err)
+enum hatch_status hatch_auto_exposure(struct hatch_unit_scene *scene, const struct hatch_pose_span *span,
+                                      const struct hatch_view *view, struct hatch_arena *scratch, double *exposure,
+                                      struct hatch_err *err)
 {
-    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    enum hatch_status status = measure(scene, view, scratch, exposure, err);
-    hatch_arena_rewind(scratch, mark);
-    return status;
+    const bool moves = span && scene->scene->light_count > 0;
+    const uint32_t moments = moves ? span->moments : 1;
+    double least = 0, factor;
+    for (uint32_t i = 0; i < moments; i++) {
+        struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+        if (moves)
+            hatch_unit_scene_pose(scene, span->animation, span->times_s ? span->times_s[i] : 0);
+        enum hatch_status status = measure(scene, view, scratch, &factor, err);
+        hatch_arena_rewind(scratch, mark);
+        if (status != HATCH_OK)
+            return status;
+        least = factor > 0 && !(least > 0 && least < factor) ? factor : least;
+    }
+    *exposure = least > 0 ? least : 1;
+    return HATCH_OK;
 }

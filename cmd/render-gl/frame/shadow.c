@@ -14,6 +14,9 @@
 #define CUBE_TANGENT 1.15 /* half width of a cube's map at distance 1; over 1, for soft edges across borders */
 #define SPOT_COSINE 0.4   /* least cosine of half a spot's angle for one map; wider spots need a cube of six */
 #define NEAREST 1e-3      /* smallest distance from a lamp at which surfaces cast shadows */
+#define FAR_LAMP 2.0      /* distance from the middle of the scene from which on one map shows a lamp all of it */
+#define NEAR_BACKDROP                                                                                                  \
+    (1 / 64.0) /* least distance at which backdrops cast shadows, of that from the lamp to the middle of the scene */
 #define SIZE_MIN_PX 512u
 #define SIZE_MAX_PX 2048u
 #define EDGE_PX 13.0 /* least width of soft edges in texels of a map; maps are enlarged for it up to SIZE_MAX_PX */
@@ -111,37 +114,58 @@ static void set_cube(struct shadow *shadow, uint32_t light, struct lens lens)
     }
 }
 
+static bool has_backdrop(const struct hatch_unit_scene *scene)
+{
+    for (uint32_t i = 0; i < scene->item_count; i++)
+        if (scene->scene->nodes[scene->items[i].node].backdrop)
+            return true;
+    return false;
+}
+
+/* Aims the map of a lamp along the axis of a spot, or from far away at the scene, whichever needs the narrower one;
+ * shadows of the scene on backdrops are in either. Returns the number of maps: six where neither does. */
+static uint32_t aim_lamp(const struct hatch_unit_light *light, const struct hatch_unit_scene *scene, struct lens *lens)
+{
+    const double scale = (double)light->cone[0], outer = scale > 0 ? -(double)light->cone[1] / scale : -1;
+    const double away = hatch_vec_length(lens->from);
+    const double of_cone = outer >= SPOT_COSINE ? MARGIN * sqrt(1 - outer * outer) / outer : INFINITY;
+    const double of_scene = away > FAR_LAMP ? MARGIN / sqrt(away * away - MARGIN * MARGIN) : INFINITY;
+    const bool far = of_scene < of_cone;
+    double along[3], share = far ? 1 : of_cone < INFINITY ? 0.9 * outer : 0.5; /* of a distance, along the axis */
+    for (int k = 0; k < 3; k++)
+        along[k] = far ? -lens->from[k] : (double)light->direction[k];
+    set_axes(along, lens->axes);
+    lens->extent[0] = lens->extent[1] = fmin(of_cone, of_scene);
+    lens->near = share * (away - MARGIN);
+    lens->near = fmax(has_backdrop(scene) ? fmin(lens->near, NEAR_BACKDROP * away) : lens->near, NEAREST);
+    lens->far = away + MARGIN;
+    return lens->extent[0] < INFINITY ? 1 : 6;
+}
+
 static void add_light(const struct hatch_unit_light *light, uint32_t index, const struct hatch_unit_scene *scene,
                       struct shadow *shadow)
 {
     struct lens lens = {.lamp = light->position[3] > 0};
-    double along[3], scale = (double)light->cone[0];
-    double outer = lens.lamp && scale > 0 ? -(double)light->cone[1] / scale : -1;
-    bool cube = lens.lamp && outer < SPOT_COSINE;
-    uint32_t count = cube ? 6 : 1;
+    double along[3];
+    uint32_t count = 1;
+    for (int k = 0; k < 3; k++) {
+        along[k] = -(double)light->direction[k];
+        lens.from[k] = lens.lamp ? (double)light->position[k] : 0;
+    }
+    if (lens.lamp) {
+        count = aim_lamp(light, scene, &lens);
+    } else {
+        set_axes(along, lens.axes);
+        fit(scene, &lens);
+    }
     if (!(light->direction[3] > 0) || shadow->layers + count > SHADOW_LAYERS_MAX)
         return;
     shadow->block.maps[index][0] = (float)shadow->layers;
     shadow->block.maps[index][1] = (float)count;
-    for (int k = 0; k < 3; k++) {
-        along[k] = (lens.lamp ? 1 : -1) * (double)light->direction[k];
-        lens.from[k] = lens.lamp ? (double)light->position[k] : 0;
-    }
-    if (lens.lamp) {
-        double away = hatch_vec_length(lens.from);
-        lens.near = fmax(0.5 * (away - MARGIN), NEAREST);
-        lens.far = away + MARGIN;
-    }
-    set_axes(along, lens.axes);
-    if (!lens.lamp)
-        fit(scene, &lens);
-    if (cube) {
+    if (count > 1)
         set_cube(shadow, index, lens);
-        return;
-    }
-    if (lens.lamp)
-        lens.extent[0] = lens.extent[1] = MARGIN * sqrt(1 - outer * outer) / outer;
-    set_map(shadow, index, &lens);
+    else
+        set_map(shadow, index, &lens);
 }
 
 /* Sets up a sampler that compares depths. Points outside a map are lit. */

@@ -212,7 +212,6 @@ void job_read(struct job *job)
         enum hatch_status status = job_check(job, options->technique, &file, &err);
         cmd_check(status, file, &err);
     }
-    check_animation(job);
     job_check_faces(job, &notes);
     cmd_warn_mesh(job->name, &notes);
     warn_if_still(job);
@@ -225,11 +224,10 @@ static double time_of(const struct job *job, uint32_t frame)
     return job->options->time_s + (double)frame / job->options->rate;
 }
 
-/* Sets the time span of all frames. All frames share the bounds and the framing of this span, so that the camera does
- * not move. */
-static void set_span(struct job *job)
+void job_set_span(struct job *job)
 {
     const struct options *options = job->options;
+    check_animation(job);
     bool moves = options->animated && job->values.animation_count;
     struct hatch_film film = {.animation = moves ? options->animation : HATCH_NONE,
                               .begin_s = options->time_s,
@@ -273,7 +271,6 @@ static void measure_scene(struct job *job, struct hatch_bounds *bounds)
     const char *name = job->name;
     struct hatch_pose pose;
     struct hatch_err err;
-    set_span(job);
     cmd_check(hatch_pose_make(&job->values, keep, &pose, &err), name, &err);
     cmd_check(hatch_pose_bounds(&pose, &job->span, scratch, bounds, &err), name, &err);
     job->empty = bounds->empty;
@@ -367,9 +364,12 @@ void job_prepare(struct job *job)
         cmd_check(job_make_lines(job, options->line_kinds, &err), NULL, &err);
     set_darkest(job);
     job_set_frame(job, 0, &job->first_view);
-    if (!(options->exposure > 0))
-        cmd_check(hatch_auto_exposure(&job->scene.unit, &job->first_view, scratch, &options->exposure, &err), job->name,
-                  &err);
+    if (!(options->exposure > 0)) {
+        cmd_check(
+            hatch_auto_exposure(&job->scene.unit, &job->span, &job->first_view, scratch, &options->exposure, &err),
+            job->name, &err);
+        job_set_frame(job, 0, &job->first_view);
+    }
     options_style(options, &job->frame.style);
     if (options->map_path || options->needs)
         cmd_check(set_repeats(job, &err), job->name, &err);

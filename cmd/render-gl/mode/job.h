@@ -42,6 +42,10 @@ struct job {
  *   notes  in: zeroed; out: what is doubtful about the meshes */
 void job_load(struct job *job, struct hatch_mesh_notes *notes);
 
+/* Sets the time span of all frames. They share its bounds, framing, exposure and ground, so that the camera does not
+ * move. Exits with a message if the animation does not exist. */
+void job_set_span(struct job *job);
+
 /* Exits with a message if no node of the scene has a face. */
 void job_check_faces(const struct job *job, const struct hatch_mesh_notes *notes);
 

@@ -75,11 +75,12 @@ static void load_all(struct job *job, struct hatch_mesh_notes *notes)
     else
         load_one(job, job->options->scene_path, scene, notes);
     if (job->options->needs)
-        cmd_check(hatch_scene_measure(scene, &args->scratch, &job->rest, &err), name, &err);
+        cmd_check(hatch_scene_measure(scene, NULL, &args->scratch, &job->rest, &err), name, &err);
     drop_transparent(scene, notes);
     hatch_scene_doubt(scene, &args->scratch, notes);
+    job_set_span(job);
     if (ground > 0)
-        cmd_check(hatch_scene_add_ground(scene, ground, &args->keep, &args->scratch, &err), name, &err);
+        cmd_check(hatch_scene_add_ground(scene, &job->span, ground, &args->keep, &args->scratch, &err), name, &err);
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         cmd_check(hatch_mesh_add_normals(&args->keep, &args->scratch, &scene->meshes[i].mesh, CMD_CREASE_RAD, &err),
                   name, &err);

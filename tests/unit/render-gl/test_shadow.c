@@ -156,18 +156,19 @@ END_TEST
 #define LAMP_HEIGHT 1.5
 
 /* Opens a scene with `count` lamps at one place above the right side, together as bright as one. Spots point at the
- * square. */
-static void begin_lamps(enum hatch_light_type type, uint32_t count)
+ * square.
+ *   away  factor of their distance from the middle of the plane */
+static void begin_lamps(enum hatch_light_type type, uint32_t count, double away)
 {
     struct hatch_mesh mesh = plane_and_square();
     HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &frame.args.keep, &frame.scene, &frame.err), &frame.err);
     struct hatch_node *nodes = HATCH_NEW(&frame.args.keep, struct hatch_node, count + 1, &frame.err);
     struct hatch_light *lights = HATCH_NEW(&frame.args.keep, struct hatch_light, count, &frame.err);
-    double turn = atan2(LAMP_X, LAMP_HEIGHT - HEIGHT);
+    double turn = atan2(away * LAMP_X, away * LAMP_HEIGHT - HEIGHT);
     nodes[0] = frame.scene.nodes[0];
     for (uint32_t i = 0; i < count; i++) {
         nodes[i + 1] = (struct hatch_node){.parent = HATCH_NONE,
-                                           .translation = {(float)LAMP_X, 0, (float)LAMP_HEIGHT},
+                                           .translation = {(float)(away * LAMP_X), 0, (float)(away * LAMP_HEIGHT)},
                                            .rotation = {0, (float)sin(turn / 2), 0, (float)cos(turn / 2)},
                                            .scale = {1, 1, 1},
                                            .skin = HATCH_NONE,
@@ -175,7 +176,7 @@ static void begin_lamps(enum hatch_light_type type, uint32_t count)
                                            .light = i};
         lights[i] = (struct hatch_light){.type = type,
                                          .color = {1, 1, 1},
-                                         .intensity = 1 / (float)count,
+                                         .intensity = (float)(away * away / count),
                                          .inner_cone_rad = 0.9f,
                                          .outer_cone_rad = 1.0f};
     }
@@ -189,13 +190,15 @@ static void begin_lamps(enum hatch_light_type type, uint32_t count)
 START_TEST(lamps_cast_larger_shadows)
 {
     static const enum hatch_light_type types[] = {HATCH_LIGHT_POINT, HATCH_LIGHT_SPOT};
-    const double grown = LAMP_HEIGHT / (LAMP_HEIGHT - HEIGHT);
-    for (size_t i = 0; i < 2; i++) {
-        frame_arenas(&frame);
-        begin_lamps(types[i], 1);
-        check_edges(LAMP_X + (-HALF - LAMP_X) * grown, LAMP_X + (HALF - LAMP_X) * grown, 0.03);
-        frame_finish(&frame);
-    }
+    static const double away[] = {1, 1.3, 10, 100, 600};
+    for (size_t i = 0; i < 2; i++)
+        for (size_t j = 0; j < sizeof away / sizeof *away; j++) {
+            const double x = away[j] * LAMP_X, z = away[j] * LAMP_HEIGHT, grown = z / (z - HEIGHT);
+            frame_arenas(&frame);
+            begin_lamps(types[i], 1, away[j]);
+            check_edges(x + (-HALF - x) * grown, x + (HALF - x) * grown, 0.03);
+            frame_finish(&frame);
+        }
 }
 END_TEST
 
@@ -214,7 +217,7 @@ START_TEST(lights_beyond_the_limit_cast_no_shadows)
         double through = 1 - fmin(1, SHADOW_LAYERS_MAX / layers / (double)count);
         float bare[SIZE], row[SIZE];
         frame_arenas(&frame);
-        begin_lamps(cases[i].type, count);
+        begin_lamps(cases[i].type, count, 1);
         set_shadows(0);
         draw_row(bare);
         frame_reset(&frame);

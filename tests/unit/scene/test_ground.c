@@ -18,7 +18,7 @@ static struct hatch_scene scene_of(enum hatch_shape kind, float scale)
 static struct hatch_bounds bounds_of(const struct hatch_scene *scene)
 {
     struct hatch_bounds bounds;
-    HATCH_TEST_OK(hatch_scene_measure(scene, &scratch, &bounds, &err), &err);
+    HATCH_TEST_OK(hatch_scene_measure(scene, NULL, &scratch, &bounds, &err), &err);
     return bounds;
 }
 
@@ -28,7 +28,7 @@ START_TEST(ground_touches_from_below)
     ck_assert_ptr_nonnull(HATCH_NEW(&keep, uint8_t, 1 << 20, &err));
     struct hatch_scene scene = scene_of(HATCH_SHAPE_TORUS, 2);
     struct hatch_bounds before = bounds_of(&scene);
-    HATCH_TEST_OK(hatch_scene_add_ground(&scene, 4, &keep, &scratch, &err), &err);
+    HATCH_TEST_OK(hatch_scene_add_ground(&scene, NULL, 4, &keep, &scratch, &err), &err);
     struct hatch_bounds after = bounds_of(&scene);
     ck_assert_double_eq(after.radius, before.radius);
     ck_assert_uint_eq(scene.mesh_count, 2);

@@ -45,22 +45,26 @@ int cube_face(vec3 away)
     return 2 * axis + (away[axis] < 0.0 ? 1 : 0);
 }
 
-vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer)
+// What to read for a point beside a place. border: as far from the sides of the map as reads stay; under 0: anywhere.
+vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer, float border)
 {
+#ifndef SUN
+    away = border < 0.0 ? away : clamp(place.xy + away, border, 1.0 - border) - place.xy;
+#endif
     return vec4(place.xy + away, layer, min(place.z + dot(slope, away), 1.0)); // empty parts of maps hold 1
 }
 
 // Returns the share of light around a place in a map. If the first pairs agree, they are the result. Otherwise an edge
 // is near, and all pairs are read with filtering. The second part is a loop rather than an `if`, because software
 // renderers skip empty loops; offsets are computed, because those renderers copy a constant table on every use.
-float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
+float share_around(vec3 place, vec2 slope, vec2 spread, float layer, float border)
 {
     float some = 0.0, sum = 0.0;
     vec2 way = vec2(1.0, 0.0);
     for (int i = 0; i < FIRST_PAIRS; i++) {
         vec2 away = spread * tap(i, way);
-        some += texture(shadow_texels, read_at(place, slope, away, layer));
-        some += texture(shadow_texels, read_at(place, slope, -away, layer));
+        some += texture(shadow_texels, read_at(place, slope, away, layer, border));
+        some += texture(shadow_texels, read_at(place, slope, -away, layer, border));
         way = TURN * way;
     }
     bool is_edge = some > 0.0 && some < float(2 * FIRST_PAIRS);
@@ -68,8 +72,8 @@ float share_around(vec3 place, vec2 slope, vec2 spread, float layer)
     way = vec2(1.0, 0.0);
     for (int i = 0; i < pairs; i++) {
         vec2 away = spread * tap(i, way);
-        sum += texture(shadow_maps, read_at(place, slope, away, layer));
-        sum += texture(shadow_maps, read_at(place, slope, -away, layer));
+        sum += texture(shadow_maps, read_at(place, slope, away, layer, border));
+        sum += texture(shadow_maps, read_at(place, slope, -away, layer, border));
         way = TURN * way;
     }
     return is_edge ? sum / float(2 * PAIRS) : some / float(2 * FIRST_PAIRS);
@@ -95,7 +99,9 @@ float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
     float lift = 0.2 * radius + texel * (1.0 + 1.0 / max(facing, 0.02)); // depth varies within a texel
     vec4 at = map * vec4(point + lift * to_light, 1.0);
     vec2 slope = depth_slope(map, at, face), spread = radius * how.zw / at.w;
-    return share_around(at.xyz / at.w, slope, spread, float(layer));
+    // Beyond the sides of a cube's map there is the next one: what is lit there is not known.
+    float border = how.y > 1.0 ? 0.5 * shadow_edge.y : -1.0;
+    return share_around(at.xyz / at.w, slope, spread, float(layer), border);
 }
 #else
 float lit_share(int light, vec3 point, vec3 face, vec3 to_light)
