@@ -87,7 +87,7 @@ enum hatch_status reserve_nodes(Reader &r, uint32_t more, size_t *capacity)
 
 enum hatch_status add_instances(Reader &r)
 {
-    size_t capacity = r.scene->node_count;
+    size_t capacity = r.first_instance = r.scene->node_count;
     for (size_t i = 0; i < r.model.nodes.size(); i++) {
         const tinygltf::Value *attributes = attributes_of(r.model.nodes[i]);
         uint32_t parent = r.node_of[i];

@@ -74,6 +74,21 @@ enum hatch_status read_values(Reader &r, const tinygltf::AnimationSampler &sampl
     return HATCH_OK;
 }
 
+/* Nodes that show the meshes of a node: itself or its instances. */
+struct Shown {
+    uint32_t first, count;
+};
+
+Shown shown_by(const Reader &r, uint32_t node)
+{
+    uint32_t first = r.first_instance, end;
+    while (first < r.scene->node_count && r.scene->nodes[first].parent != node)
+        first++;
+    for (end = first; end < r.scene->node_count && r.scene->nodes[end].parent == node;)
+        end++;
+    return node == HATCH_NONE || end == first ? Shown{node, 1} : Shown{first, end - first};
+}
+
 /* Fills channel. Leaves key_count 0 when the target is not in the scene or there is nothing to animate. */
 enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, size_t index, const std::string &where,
                                struct hatch_animation_channel *channel)
@@ -96,6 +111,8 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
     else
         return HATCH_OK; /* the path of an extension */
     uint32_t node = from.target_node == -1 ? HATCH_NONE : r.node_of[from.target_node];
+    if (channel->path == HATCH_PATH_WEIGHTS)
+        node = shown_by(r, node).first;
     if (channel->path == HATCH_PATH_WEIGHTS && node != HATCH_NONE && r.scene->nodes[node].mesh_count > 0)
         channel->targets = hatch_mesh_target_count(&r.scene->meshes[r.scene->nodes[node].first_mesh].mesh);
     if (channel->path == HATCH_PATH_WEIGHTS && channel->targets == 0)
@@ -110,6 +127,23 @@ enum hatch_status read_channel(Reader &r, const tinygltf::Animation &animation, 
         return bad(r, where, "node " + std::to_string(from.target_node) + " has a matrix and cannot be animated");
     channel->node = node;
     return HATCH_OK;
+}
+
+bool animates_weights(const Reader &r, const tinygltf::AnimationChannel &channel)
+{
+    return channel.target_path == "weights" && channel.target_node >= 0 &&
+           static_cast<size_t>(channel.target_node) < r.model.nodes.size();
+}
+
+/* Adds channels as the last one of an animation, of the weights of a node, for its instances but the first. */
+void repeat_for_instances(const Reader &r, uint32_t node, struct hatch_animation *animation)
+{
+    const Shown shown = shown_by(r, node);
+    for (uint32_t i = 1; i < shown.count; i++) {
+        struct hatch_animation_channel *channel = &animation->channels[animation->channel_count++];
+        *channel = channel[-1];
+        channel->node = shown.first + i;
+    }
 }
 
 } // namespace
@@ -135,7 +169,10 @@ enum hatch_status read_animations(Reader &r)
     for (size_t i = 0; i < count; i++) {
         const tinygltf::Animation &from = r.model.animations[i];
         struct hatch_animation *to = &r.scene->animations[i];
-        to->channels = HATCH_NEW(r.arena, struct hatch_animation_channel, from.channels.size(), r.err);
+        size_t most = from.channels.size();
+        for (const tinygltf::AnimationChannel &channel : from.channels)
+            most += animates_weights(r, channel) ? shown_by(r, r.node_of[channel.target_node]).count - 1 : 0;
+        to->channels = HATCH_NEW(r.arena, struct hatch_animation_channel, most, r.err);
         if (!to->channels)
             return HATCH_LIMIT;
         HATCH_TRY(keep(r, from, nullptr, &to->kept));
@@ -148,6 +185,8 @@ enum hatch_status read_animations(Reader &r)
             float last = channel->times_s[channel->key_count - 1];
             to->duration_s = last > to->duration_s ? last : to->duration_s;
             to->channel_count++;
+            if (channel->path == HATCH_PATH_WEIGHTS)
+                repeat_for_instances(r, r.node_of[from.channels[c].target_node], to);
         }
     }
     r.scene->animation_count = static_cast<uint32_t>(count);

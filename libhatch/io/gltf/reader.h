@@ -43,6 +43,7 @@ struct Reader {
     uint32_t *replaced = nullptr; /* read_floats counts here what it replaces by 0; NULL: it fails */
     uint32_t *users = nullptr;    /* per accessor: primitives with faces that have it as POSITION */
     Morph *morphs = nullptr;      /* per glTF mesh */
+    uint32_t first_instance = 0;  /* node from which on all are instances; those of a node follow one another */
 };
 
 /* The vertices of a primitive, from `first` to before `end` of those that its attributes have. */

@@ -172,6 +172,25 @@ START_TEST(instances_have_the_weights_of_their_node)
 }
 END_TEST
 
+/* Each instance is moved as its node would be. */
+START_TEST(instances_are_animated_with_their_node)
+{
+    reads(HEAD SQUARE("0},\"mode\":5,\"targets\":[{\"POSITION\":0}]") ",\"nodes\":[{\"mesh\":0,\"extensions\":{"
+                                                                      "\"EXT_mesh_gpu_instancing\":{\"attributes\":{"
+                                                                      "\"TRANSLATION\":3}}}},{\"mesh\":0}],"
+                                                                      "\"animations\":[{\"channels\":[{\"sampler\":0,"
+                                                                      "\"target\":{\"node\":0,\"path\":\"weights\"}}],"
+                                                                      "\"samplers\":[{\"input\":5,\"output\":5}]}]}");
+    ck_assert_uint_eq(scene.animations[0].channel_count, 3);
+    for (uint32_t i = 1; i < 5; i++) {
+        double rest, weight;
+        hatch_scene_weights(&scene, i, HATCH_NONE, 0, 1, &rest);
+        hatch_scene_weights(&scene, i, 0, 0.5, 1, &weight);
+        ck_assert_double_eq(weight - rest, i == 1 ? 0 : 0.5);
+    }
+}
+END_TEST
+
 /* A jump. */
 START_TEST(two_keys_may_have_one_time)
 {
@@ -353,6 +372,7 @@ static Suite *suite(void)
     tcase_add_test(tests, positions_may_be_sparse);
     tcase_add_test(tests, instances_are_nodes);
     tcase_add_test(tests, instances_have_the_weights_of_their_node);
+    tcase_add_test(tests, instances_are_animated_with_their_node);
     tcase_add_test(tests, two_keys_may_have_one_time);
     tcase_add_test(tests, required_extensions_are_checked_first);
     tcase_add_test(tests, extensions_that_are_left_out_are_named_while_there_is_room);
