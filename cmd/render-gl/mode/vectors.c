@@ -152,11 +152,21 @@ static enum hatch_status foresee(void *data, uint32_t film, const struct hatch_v
                              err);
 }
 
+/* Returns the number of layers of feature lines: LAYER_OUTLINES, and LAYER_HIDDEN if hidden ones are dashed. */
+static uint32_t line_layers(const struct options *options)
+{
+    return options->line_kinds == HATCH_LINES_NONE ? 0 : options->hidden == OPTION_HIDDEN_DASH ? 2 : 1;
+}
+
 /* Returns the place of a layer among those of the frame. Strokes of the second ink come first, so that outlines and the
  * first ink lie over them. */
 static uint32_t place_of(const struct drawing *drawing, uint32_t layer)
 {
-    return layer < LAYER_LIGHT ? drawing->stroke_layers[1] + layer : layer - LAYER_LIGHT;
+    if (layer >= LAYER_LIGHT)
+        return layer - LAYER_LIGHT;
+    if (layer < LAYER_STROKES)
+        return drawing->stroke_layers[1] + layer;
+    return drawing->stroke_layers[1] + line_layers(drawing->job->options) + layer - LAYER_STROKES;
 }
 
 /* Finds the paths of the posed scene on the page. */
@@ -199,11 +209,11 @@ static void set_layers(const struct drawing *drawing, char (*names)[LAYER_NAME_B
 {
     const struct options *options = drawing->job->options;
     for (uint32_t i = 0; i < LAYER_COUNT; i++) {
-        struct hatch_drawing_layer *layer = &layers[place_of(drawing, i)];
         const bool lines = i < LAYER_STROKES, second = i >= LAYER_LIGHT;
         const uint32_t first = second ? LAYER_LIGHT : LAYER_STROKES;
-        if (!lines && i - first >= drawing->stroke_layers[second])
+        if (lines ? i >= line_layers(options) : i - first >= drawing->stroke_layers[second])
             continue;
+        struct hatch_drawing_layer *layer = &layers[place_of(drawing, i)];
         snprintf(names[i], sizeof names[i], second ? "light-%u" : "strokes-%u", i - first + 1);
         layer->name = i == LAYER_OUTLINES ? "outlines" : lines ? "hidden" : names[i];
         layer->look = lines ? NULL : drawing->look;
@@ -233,10 +243,7 @@ static enum hatch_status draw(struct drawing *drawing, const struct hatch_view *
     made.height_mm = page->height_mm;
     HATCH_TRY(find_paths(drawing, view, &made.paths, err));
     set_layers(drawing, names, layers);
-    made.layer_count = options->technique->curves
-                           ? LAYER_STROKES + drawing->stroke_layers[0] + drawing->stroke_layers[1]
-                       : options->hidden == OPTION_HIDDEN_DASH ? LAYER_STROKES
-                                                               : LAYER_HIDDEN;
+    made.layer_count = line_layers(options) + drawing->stroke_layers[0] + drawing->stroke_layers[1];
     note_ways(&made.paths);
     *empty += !made.paths.count;
     return (options->script ? hatch_script_write : hatch_svg_write)(&made, &drawing->job->args.scratch, file, err);

@@ -269,7 +269,7 @@ render-gl -q squares.obj -j 1 --size 200x200 -o one.SVG
 render-gl -q squares.obj -j 2 --size 200x200 -o two.svg
 ok "the drawing does not depend on threads" cmp one.SVG two.svg
 try render-gl --up z squares.obj --lines none -o none.svg
-is "a drawing may be empty" "$status $(measure none.svg)" "0 outlines 0 0.00"
+is "a drawing may be empty, and needs no pen" "$status$(measure none.svg)" 0
 empty="render-gl: squares.obj: warning: 1 of 1 drawings is empty:"
 is "a warning tells that it is" "$(cat .err)" \
     "$empty --lines none draws no feature lines, and the technique has no strokes for a pen"

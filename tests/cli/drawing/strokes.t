@@ -78,7 +78,7 @@ ok "the same drawing with another number of threads" cmp -s ball.svg again.svg
 render-gl -q -t traced ball.glb --size 400x400 --paper '#808080' --ink '#102030,#f0e0d0' -o inks.svg
 is "each ink has its layers" "$(grep -o '<g id="[^"]*"\|stroke="#[^"]*"' inks.svg | tr '\n' ' ')" \
     '<g id="light-1" stroke="#f0e0d0" <g id="light-2" stroke="#f0e0d0" <g id="outlines" stroke="#102030" '\
-'<g id="hidden" stroke="#102030" <g id="strokes-1" stroke="#102030" <g id="strokes-2" stroke="#102030" '
+'<g id="strokes-1" stroke="#102030" <g id="strokes-2" stroke="#102030" '
 is "the lighter ink draws the lit half, the other one the rest" "$(perl -ne '
     $layer = $1 if /<g id="(\w+)/;
     next unless / d="([^"]*)"/;
@@ -96,6 +96,13 @@ for format in svg tsv; do
 done
 ok "strokes with outlines" render-gl -q -t traced ball.glb --size 400x400 --page 100x100mm -o outlined.svg
 ok "outlines have a layer of their own" grep -q 'inkscape:label="outlines"' outlined.svg
+# groups OPTION ...: the layers of a drawing
+groups() {
+    render-gl -q -t traced ball.glb --size 100x80 -o groups.svg "$@"
+    grep -o '<g id="[^"]*"' groups.svg | cut -d '"' -f 2 | tr '\n' ' '
+}
+is "each layer is of a pen that draws" "$(groups), $(groups --hidden dash), $(groups --lines none)" \
+    "outlines strokes-1 strokes-2 , outlines hidden strokes-1 strokes-2 , strokes-1 strokes-2 "
 meshgen sphere >bare.glb
 try render-gl -t traced bare.glb -o bare.svg
 refused "a scene without strokes" 3 1
