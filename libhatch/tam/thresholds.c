@@ -172,7 +172,8 @@ static enum hatch_status fit_steps(const struct hatch_tam *tam, const struct hat
     sum_up(costs);
     divide(costs, bins);
     border[bins] = 1;
-    for (uint32_t bin = bins, end = CODES; bin > 0; bin--) {
+    /* All steps are below the last code, that of the tone 1: no bin begins there. */
+    for (uint32_t bin = bins, end = CODES - 1; bin > 0; bin--) {
         end = costs->from[bin][end];
         border[bin - 1] = (float)end / 255;
     }

@@ -15,6 +15,12 @@ shape() {
 tamgen --tones 255 -o map.exr
 tamgen --size 64 --tones 3 --levels 2 --ids -o few.exr
 
+# A map of one column has fewer steps than there are bins.
+tamgen -q --size 64 --tones 1 -o one.exr
+tamthresh -q one.exr -o one.ktx2
+is "bins rise from 0 to 1" "$(perl -0777 -ne 'print $1 if /hatch:bins\0([^\0]*)/' one.ktx2 | awk '
+    {for (i = 2; i <= NF; i++) rising += $i > $(i - 1)} END {print $1, $NF, (NF > 2 && rising == NF - 1)}')" "0 1 1"
+
 try tamvol map.exr -o volume.ktx2
 is "a volume has the size given in the paper" "$status $(shape volume.ktx2) $(wc -c <.err)" "0 9 256 256 64 0 9 0"
 try tamvol --tones 16 map.exr -o coarse.ktx2
