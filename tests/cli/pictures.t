@@ -229,8 +229,8 @@ if [ -z "$SANITIZE" ]; then
         refused "an address space of $limit KiB" 5 1
         ok "an address space of $limit KiB: the message says so" grep -q 'the plugin .* needs 512 MB of address' .err
     done
-    try sh -c "ulimit -v 700000 && exec hatchstat diff grey.ppm grey.ppm"
-    is "an address space of 700000 KiB is enough" $status 0
+    try sh -c "ulimit -v 900000 && exec hatchstat diff grey.ppm grey.ppm"
+    is "an address space of 900000 KiB is enough" $status 0
 fi
 
 mkdir -p bin lib/hatch

@@ -44,14 +44,11 @@ build() {
         "$1" -pthread -o "bin/tamgen$1$2" objects/*.o -lOpenEXRCore -ldeflate -lexpat -lpng16 -ldl -lm
 }
 mkdir -p share/hatch && ln -s "$BUILD/share/hatch/styles" share/hatch/styles
-for other in "gcc -O0" "clang -O2"; do
-    set -- $other
-    if ! command -v "$1" >/dev/null; then
-        skip "$other" "no $1"
-    elif build "$1" "$2" 2>said; then
-        is "$other makes the same bytes" "$(sums "bin/tamgen$1$2" 1)" "$want"
-    else
-        fail "$other builds tamgen" "$(tail -5 said)"
-    fi
-done
+other=gcc
+command -v clang >/dev/null && other=clang
+if build $other -O0 2>said; then
+    is "$other -O0 makes the same bytes" "$(sums bin/tamgen$other-O0 1)" "$want"
+else
+    fail "$other -O0 builds tamgen" "$(tail -5 said)"
+fi
 finish
