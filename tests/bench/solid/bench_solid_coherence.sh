@@ -32,7 +32,6 @@ draw() {
 row() {
     draw "$work/plane.glb" "$3" --from 0:0 --zoom 4 -o "$work/screen.exr"
     draw "$2" "$3" --frames 5 $5 -o "$work/frame%d.exr"
-    # Of the columns of flicker: the change, and the share of the points that are compared.
     # Of the columns of flicker: the change, and the share of points that are compared.
     moved=$(flicker -q ${4%%|*} "$2" ${4#*|} "$work"/frame[0-4].exr | cut -f 1,2)
     screen=$(flicker -q ${4%%|*} --paper "$work/screen.exr" "$2" ${4#*|} "$work"/frame[0-4].exr)
