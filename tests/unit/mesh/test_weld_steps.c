@@ -21,13 +21,13 @@ static double steps_a_vertex(uint32_t count, uint32_t axes)
     return taken;
 }
 
-/* Measured: 13 steps per vertex; 2,500 among 1,000 along x if the hash of a position leaves x out. Fewer than 3 would
- * mean that steps are not counted. */
+/* Measured: 13 steps per vertex by gcc, 2 by clang, which counts fewer blocks; 2,500 among 1,000 along x if the hash of
+ * a position leaves x out. Fewer than 1 would mean that steps are not counted. */
 START_TEST(rows_along_all_axes_take_few_steps_a_vertex)
 {
     for (uint32_t axes = 1; axes < 8; axes++) {
         double few = steps_a_vertex(1000, axes), many = steps_a_vertex(20000, axes);
-        ck_assert_double_gt(few, 3);
+        ck_assert_double_gt(few, 1);
         ck_assert_msg(few < 100 && many < 1.5 * few, "axes %u: %g steps a vertex of 1,000, %g of 20,000", axes, few,
                       many);
     }
