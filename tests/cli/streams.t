@@ -1,5 +1,5 @@
 # Inputs that may never end: what begins no format is refused after its first bytes; every format comes through a pipe.
-# What a terminal gets of each kind of output.
+# Each kind of output, as a terminal gets it.
 . "${TOP:-.}/tests/tap.sh"
 meshgen torus --faces 4000 -o mesh.glb
 tamgen --size 64 --strokes strokes.tsv -o map.exr

@@ -14,7 +14,7 @@
 #define CUBE_TANGENT 1.15 /* half width of a cube's map at distance 1; over 1, for soft edges across borders */
 #define SPOT_COSINE 0.4   /* least cosine of half a spot's angle for one map; wider spots need a cube of six */
 #define NEAREST 1e-3      /* smallest distance from a lamp at which surfaces cast shadows */
-#define FAR_LAMP 2.0      /* distance from the middle of the scene from which on one map shows a lamp all of it */
+#define FAR_LAMP 2.0      /* least distance of a lamp from the middle of the scene for a map of the whole scene */
 #define NEAR_BACKDROP                                                                                                  \
     (1 / 64.0) /* least distance at which backdrops cast shadows, of that from the lamp to the middle of the scene */
 #define SIZE_MIN_PX 512u

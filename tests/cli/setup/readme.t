@@ -1,5 +1,5 @@
 # The shell lines of README.md run one by one, in their order, in an empty folder, as they stand, with smaller sizes.
-# What a user has to bring is a mesh of meshgen under that name; a line with --window writes a picture instead.
+# A user brings some files: here they are meshes of meshgen under those names; a line with --window writes a picture instead.
 . "${TOP:-.}/tests/tap.sh"
 [ -z "$SANITIZE" ] || { skip "README.md" "only run without sanitizers"; finish; }
 

@@ -45,7 +45,8 @@ int cube_face(vec3 away)
     return 2 * axis + (away[axis] < 0.0 ? 1 : 0);
 }
 
-// What to read for a point beside a place. border: as far from the sides of the map as reads stay; under 0: anywhere.
+// Returns the coordinates to read beside a place. border: least distance of a read from the sides of the map; under 0:
+// reads may be beyond them.
 vec4 read_at(vec3 place, vec2 slope, vec2 away, float layer, float border)
 {
 #ifndef SUN
