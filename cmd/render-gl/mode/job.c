@@ -365,9 +365,9 @@ void job_prepare(struct job *job)
     set_darkest(job);
     job_set_frame(job, 0, &job->first_view);
     if (!(options->exposure > 0)) {
-        cmd_check(
-            hatch_auto_exposure(&job->scene.unit, &job->span, &job->first_view, scratch, &options->exposure, &err),
-            job->name, &err);
+        cmd_check(hatch_auto_exposure(&job->scene.unit, &job->span, &job->first_view,
+                                      options->pixel_light || options->shadows, scratch, &options->exposure, &err),
+                  job->name, &err);
         job_set_frame(job, 0, &job->first_view);
     }
     options_style(options, &job->frame.style);

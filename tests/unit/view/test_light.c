@@ -164,7 +164,7 @@ START_TEST(the_exposure_makes_a_lit_plane_white)
             scene.nodes[1].rotation[3] = sqrtf(0.75f);
             hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
         }
-        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, &scratch, &exposure, &err), &err);
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, false, &scratch, &exposure, &err), &err);
         double want = leans ? 1 / 4.0 : 1 / 8.0;
         ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
     }
@@ -188,7 +188,7 @@ START_TEST(the_exposure_leaves_out_backdrops)
     scene.node_count = 3;
     HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
     hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
-    HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, &scratch, &exposure, &err), &err);
+    HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, false, &scratch, &exposure, &err), &err);
     ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
 }
 END_TEST
@@ -218,7 +218,7 @@ START_TEST(the_exposure_counts_areas)
     scene.mesh_count = 2;
     HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
     hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
-    HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, &scratch, &exposure, &err), &err);
+    HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, false, &scratch, &exposure, &err), &err);
     ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
 }
 END_TEST
@@ -237,7 +237,30 @@ START_TEST(the_exposure_of_grazing_light_is_known_down_to_the_first_bin)
             normals[3 * v] = 1;
             normals[3 * v + 2] = (float)exp2(octaves[dark]);
         }
-        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, &scratch, &exposure, &err), &err);
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, false, &scratch, &exposure, &err), &err);
+        ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
+    }
+}
+END_TEST
+
+/* A lamp at height h over the middle of a square of two faces, whose corners are darker: light falls with
+ * h / (r^2 + h^2)^(3/2) at a distance r from the middle, and a twentieth of the area lies in a circle. Per vertex, the
+ * corners alone count. */
+START_TEST(the_exposure_counts_the_light_inside_of_large_faces)
+{
+    const double height = 0.25, bin = exp2(1.0 / 16);
+    const struct hatch_light lamp = {.type = HATCH_LIGHT_POINT, .color = {1, 1, 1}, .intensity = 8};
+    const struct hatch_bounds tight = {.radius = 1};
+    light_plane(lamp, (float[3]){0, 0, (float)height});
+    struct hatch_mesh *plane = &scene.meshes[0].mesh;
+    *plane = shape_of(HATCH_SHAPE_PLANE, 2);
+    double side = 2 * fabs((double)hatch_mesh_find(plane, "POSITION", 3)[0]);
+    for (int per_pixel = 0; per_pixel <= 1; per_pixel++) {
+        double exposure, square = per_pixel ? 0.05 * side * side / PI : side * side / 2;
+        double want = pow(square + height * height, 1.5) / (8 * height);
+        HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &tight, &keep, &unit, &err), &err);
+        hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, per_pixel, &scratch, &exposure, &err), &err);
         ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
     }
 }
@@ -254,7 +277,7 @@ START_TEST(the_exposure_of_a_plane_lit_from_behind_is_one)
         scene.nodes[1].rotation[3] = 0;
         unit.items[0].double_sided = sides == 2;
         hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
-        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, &scratch, &exposure, &err), &err);
+        HATCH_TEST_OK(hatch_auto_exposure(&unit, NULL, &view_facing, false, &scratch, &exposure, &err), &err);
         ck_assert_msg(exposure > want / bin && exposure < want * bin, "%g instead of %g", exposure, want);
     }
 }
@@ -274,6 +297,7 @@ static Suite *suite(void)
     tcase_add_test(tests, the_exposure_leaves_out_backdrops);
     tcase_add_test(tests, the_exposure_counts_areas);
     tcase_add_test(tests, the_exposure_of_grazing_light_is_known_down_to_the_first_bin);
+    tcase_add_test(tests, the_exposure_counts_the_light_inside_of_large_faces);
     tcase_add_test(tests, the_exposure_of_a_plane_lit_from_behind_is_one);
     suite_add_tcase(made, tests);
     return made;
