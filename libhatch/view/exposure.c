@@ -75,9 +75,10 @@ static void add_parts(struct exposure *exposure, const struct vertices *vertices
         for (int part = 0; part < 2 * row + 1; part++) {
             /* Parts with odd numbers stand on a corner. */
             double b = (part / 2 + (part % 2 ? 2 : 1) / 3.0) / parts, a = 1 - (row + (part % 2 ? 1 : 2) / 3.0) / parts;
-            double share[3] = {a, b, 1 - a - b}, point[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
-            for (int c = 0; c < 3; c++)
-                for (int k = 0; k < 3; k++) {
+            const double share[3] = {a, b, 1 - a - b};
+            double point[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+            for (size_t c = 0; c < 3; c++)
+                for (size_t k = 0; k < 3; k++) {
                     point[k] += share[c] * vertices->positions[3 * (size_t)at[c] + k];
                     normal[k] += share[c] * (double)vertices->normals[3 * (size_t)at[c] + k];
                 }
@@ -151,8 +152,8 @@ static enum hatch_status add_items(struct exposure *exposure, const struct hatch
 
 /* Measures the present pose: the sides that normals point to, or if none of them is lit, the others.
  *   factor  out: 0 if nothing is lit */
-static enum hatch_status measure(const struct hatch_unit_scene *scene, const struct hatch_view *view,
-                                 bool per_pixel, struct hatch_arena *scratch, double *factor, struct hatch_err *err)
+static enum hatch_status measure(const struct hatch_unit_scene *scene, const struct hatch_view *view, bool per_pixel,
+                                 struct hatch_arena *scratch, double *factor, struct hatch_err *err)
 {
     static const struct hatch_key_light none;
     struct exposure *exposure;

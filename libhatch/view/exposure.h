@@ -7,10 +7,10 @@
 #include "scene/unit_scene.h"
 
 /* Computes the exposure from the diffuse light of the scene's lights, without shadows: the least that some moment
- * needs. A vertex counts with a third of the area of the faces around it; where light is computed per pixel and a lamp is
- * among the lights, large faces count part by part. A light counts only through what it lights: strong lights that are
- * out of range or turned away have no influence. Backs of faces that are visible from both sides count if no front is
- * lit.
+ * needs. A vertex counts with a third of the area of the faces around it; where light is computed per pixel and a lamp
+ * is among the lights, large faces count part by part. A light counts only through what it lights: strong lights that
+ * are out of range or turned away have no influence. Backs of faces that are visible from both sides count if no front
+ * is lit.
  *   scene      in, out: where it has lights, it is left at the last moment
  *   span       NULL: the present pose
  *   view       orients the key light of a scene without lights
