@@ -23,13 +23,13 @@ enum hatch_status stat_coarse(struct cmd_args *args, const struct stat_options *
     chosen.size_px[1] = options->size_px[1];
     cmd_read_scene(args, name, CMD_SCENE_AS_IS, &scene);
     cmd_make_views(args, name, &scene, &chosen, &pose, &bounds, &views);
-    cmd_check(hatch_scene_flatten(&scene, bounds.center, &args->keep, &args->scratch, &full, &err), name, &err);
+    cmd_check(hatch_scene_flatten(&scene, bounds.center, true, &args->keep, &args->scratch, &full, &err), name, &err);
     cmd_report_begin(&report, args, args->operand_count > 3 ? columns : columns + 1);
     for (int i = 2; i < args->operand_count; i++) {
         struct hatch_coarse_figures f;
         struct hatch_arena_mark keep = hatch_arena_mark(&args->keep), scratch = hatch_arena_mark(&args->scratch);
         cmd_read_scene(args, args->operands[i], CMD_SCENE_AS_IS, &scene);
-        cmd_check(hatch_scene_flatten(&scene, bounds.center, &args->keep, &args->scratch, &coarse, &err),
+        cmd_check(hatch_scene_flatten(&scene, bounds.center, true, &args->keep, &args->scratch, &coarse, &err),
                   args->operands[i], &err);
         cmd_check(hatch_measure_coarse(&full, &coarse, &views, NULL, cmd_pool(args), &args->scratch, &f, &err),
                   args->operands[i], &err);

@@ -80,7 +80,7 @@ static void measure(struct cmd_args *args, const char *path, struct cmd_report *
     struct hatch_arena_mark keep = hatch_arena_mark(&args->keep), scratch = hatch_arena_mark(&args->scratch);
     cmd_read_scene(args, path, CMD_SCENE_AS_IS, &scene);
     find_origin(args, name, &scene, origin);
-    cmd_check(hatch_scene_flatten(&scene, origin, &args->keep, &args->scratch, &mesh, &err), name, &err);
+    cmd_check(hatch_scene_flatten(&scene, origin, false, &args->keep, &args->scratch, &mesh, &err), name, &err);
     cmd_check(hatch_measure_mesh(&mesh, &args->scratch, &figures, &err), name, &err);
     uint32_t added = 0;
     for (uint32_t n = 0; n < scene.node_count; n++)

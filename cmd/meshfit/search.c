@@ -31,8 +31,9 @@ void meshfit_begin(struct meshfit *fit, const struct cmd_view_options *views)
         fit->faces += fit->scene->meshes[m].mesh.face_count;
     cmd_make_views(args, fit->name, fit->scene, views, &fit->pose, &fit->bounds, &fit->views);
     if (!fit->bounds.empty)
-        cmd_check(hatch_scene_flatten(fit->scene, fit->bounds.center, &args->keep, &args->scratch, &fit->full, &err),
-                  fit->name, &err);
+        cmd_check(
+            hatch_scene_flatten(fit->scene, fit->bounds.center, true, &args->keep, &args->scratch, &fit->full, &err),
+            fit->name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &fit->share, fit->full.vertex_count, &err), fit->name, &err);
     cmd_check(HATCH_ALLOC(&args->keep, &fit->worst, fit->full.face_count, &err), fit->name, &err);
 }
@@ -81,8 +82,8 @@ static void measure(struct meshfit *fit, bool all, struct meshfit_level *level)
         scene.meshes[m] = fit->scene->meshes[m];
         scene.meshes[m].mesh = level->meshes[m];
     }
-    cmd_check(hatch_scene_flatten(&scene, fit->bounds.center, &args->keep, &args->scratch, &coarse, &err), fit->name,
-              &err);
+    cmd_check(hatch_scene_flatten(&scene, fit->bounds.center, true, &args->keep, &args->scratch, &coarse, &err),
+              fit->name, &err);
     cmd_check(hatch_measure_coarse(&fit->full, &coarse, &fit->views, all ? NULL : fit->worst, cmd_pool(args),
                                    &args->scratch, &level->figures, &err),
               fit->name, &err);

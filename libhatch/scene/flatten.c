@@ -6,6 +6,7 @@
 struct flat {
     const struct hatch_scene *scene;
     struct hatch_pose pose; /* at rest */
+    bool skins;             /* skins pose their meshes */
     double origin[3];
     struct hatch_mesh mesh;
     float *normals, *texcoords; /* NULL: omitted */
@@ -43,12 +44,12 @@ static void turn_normal(double cofactor[3][3], double determinant, const double 
     hatch_vec_round(turned, out);
 }
 
-static void add_mesh(struct flat *f, uint32_t node, const struct hatch_mesh *mesh, const float *matrix)
+/* Adds the vertices of a mesh that its node's matrix places. Returns whether the matrix mirrors. */
+static bool add_placed(struct flat *f, uint32_t node, const struct hatch_mesh *mesh, const float *matrix)
 {
     double cofactor[3][3], determinant = cofactors(matrix, cofactor), at[3];
     const float *positions = mesh->attributes[0].data;
     const float *normals = hatch_mesh_find(mesh, "NORMAL", 3);
-    const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     const struct hatch_mesh_attribute *moves = hatch_mesh_attribute(mesh, HATCH_MORPH_POSITION);
     const struct hatch_mesh_attribute *turns = hatch_mesh_attribute(mesh, HATCH_MORPH_NORMAL);
     hatch_scene_weights(f->scene, node, HATCH_NONE, 0, hatch_mesh_target_count(mesh), f->pose.weights);
@@ -60,16 +61,44 @@ static void add_mesh(struct flat *f, uint32_t node, const struct hatch_mesh *mes
             hatch_pose_morph(normals, turns, f->pose.weights, v, at);
             turn_normal(cofactor, determinant, at, &f->normals[to * 3]);
         }
-        if (f->texcoords)
-            memcpy(&f->texcoords[to * 2], &texcoords[v * 2], 2 * sizeof *texcoords);
     }
+    return determinant < 0;
+}
+
+/* Adds the vertices of a mesh that a skin poses. */
+static enum hatch_status add_skinned(struct flat *f, uint32_t node, const struct hatch_mesh *mesh,
+                                     struct hatch_arena *scratch, struct hatch_err *err)
+{
+    struct hatch_arena_mark mark = hatch_arena_mark(scratch);
+    double *posed;
+    HATCH_TRY(HATCH_ALLOC(scratch, &posed, 3 * (size_t)mesh->vertex_count, err));
+    hatch_pose_mesh(&f->pose, node, mesh, posed, f->normals ? &f->normals[3 * (size_t)f->vertex] : NULL);
+    for (size_t v = 0; v < 3 * (size_t)mesh->vertex_count; v++)
+        f->mesh.attributes[0].data[3 * (size_t)f->vertex + v] = (float)(posed[v] - f->origin[v % 3]);
+    hatch_arena_rewind(scratch, mark);
+    return HATCH_OK;
+}
+
+static enum hatch_status add_mesh(struct flat *f, uint32_t node, const struct hatch_mesh *mesh,
+                                  struct hatch_arena *scratch, struct hatch_err *err)
+{
+    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
+    bool skinned = f->scene->nodes[node].skin != HATCH_NONE, mirrored = false;
+    if (skinned && f->skins)
+        HATCH_TRY(add_skinned(f, node, mesh, scratch, err));
+    else
+        mirrored = add_placed(f, node, mesh, skinned ? identity : &f->pose.world[(size_t)node * 16]);
+    if (f->texcoords)
+        memcpy(&f->texcoords[2 * (size_t)f->vertex], texcoords, 2 * sizeof *texcoords * mesh->vertex_count);
     for (uint32_t i = 0; i < mesh->face_count; i++)
         for (uint32_t c = 0; c < 3; c++) {
-            uint32_t from = determinant < 0 ? (3 - c) % 3 : c;
+            uint32_t from = mirrored ? (3 - c) % 3 : c;
             f->mesh.indices[(size_t)(f->face + i) * 3 + c] = mesh->indices[(size_t)i * 3 + from] + f->vertex;
         }
     f->vertex += mesh->vertex_count;
     f->face += mesh->face_count;
+    return HATCH_OK;
 }
 
 struct totals {
@@ -91,9 +120,9 @@ static struct totals count(const struct hatch_scene *scene)
     return t;
 }
 
-static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena, struct hatch_err *err)
+static enum hatch_status flatten(struct flat *f, struct totals total, struct hatch_arena *arena,
+                                 struct hatch_arena *scratch, struct hatch_err *err)
 {
-    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     HATCH_TRY(hatch_mesh_make(arena, (uint32_t)total.vertices, (uint32_t)total.faces, &f->mesh, err));
     if (total.normals)
         HATCH_TRY(hatch_mesh_add(arena, &f->mesh, "NORMAL", 3, &f->normals, err));
@@ -102,13 +131,12 @@ static enum hatch_status flatten(struct flat *f, struct totals total, struct hat
     for (uint32_t n = 0; n < f->scene->node_count; n++) {
         const struct hatch_node *node = &f->scene->nodes[n];
         for (uint32_t m = 0; m < node->mesh_count; m++)
-            add_mesh(f, n, &f->scene->meshes[node->first_mesh + m].mesh,
-                     node->skin == HATCH_NONE ? &f->pose.world[(size_t)n * 16] : identity);
+            HATCH_TRY(add_mesh(f, n, &f->scene->meshes[node->first_mesh + m].mesh, scratch, err));
     }
     return hatch_mesh_check(&f->mesh, err);
 }
 
-enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3],
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3], bool skins,
                                       struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err)
 {
@@ -120,11 +148,11 @@ enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const dou
                           "the meshes of all nodes have %llu faces and %llu vertices, too many for one mesh",
                           (unsigned long long)total.faces, (unsigned long long)total.vertices);
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct flat f = {.scene = scene, .origin = {origin[0], origin[1], origin[2]}};
+    struct flat f = {.scene = scene, .origin = {origin[0], origin[1], origin[2]}, .skins = skins};
     enum hatch_status status = hatch_pose_make(scene, scratch, &f.pose, err);
     if (status == HATCH_OK) {
         hatch_pose_set(&f.pose, HATCH_NONE, 0);
-        status = flatten(&f, total, arena, err);
+        status = flatten(&f, total, arena, scratch, err);
     }
     hatch_arena_rewind(scratch, mark);
     if (status == HATCH_OK)

@@ -226,12 +226,13 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
 /* Joins the meshes of all nodes at rest into one mesh in world coordinates, relative to an origin: floats are precise
- * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Skinned meshes keep their bind
- * pose. Under a mirroring matrix the winding of faces is reversed, so that they stay counter-clockwise.
+ * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Under the
+ * mirroring matrix of a node the winding of faces is reversed, so that they stay counter-clockwise.
  *   origin  of the mesh, in the world
+ *   skins   skinned meshes have the pose that their skins give them at rest, not their bind pose
  *   mesh    out: in arena
  * HATCH_BAD_INPUT for a scene without faces; HATCH_LIMIT also if there are too many faces for one mesh. */
-enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3],
+enum hatch_status hatch_scene_flatten(const struct hatch_scene *scene, const double origin[3], bool skins,
                                       struct hatch_arena *arena, struct hatch_arena *scratch, struct hatch_mesh *mesh,
                                       struct hatch_err *err) HATCH_MUST_USE;
 

@@ -63,7 +63,7 @@ static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arena
         if (joints)
             hatch_scene_skin(scene, s, world, joints);
     }
-    if (hatch_scene_flatten(scene, (const double[3]){0, 0, 0}, &arenas->keep, &arenas->scratch, &mesh, &err) ==
+    if (hatch_scene_flatten(scene, (const double[3]){0, 0, 0}, false, &arenas->keep, &arenas->scratch, &mesh, &err) ==
         HATCH_OK)
         fuzz_use_mesh(&mesh, arenas);
 }

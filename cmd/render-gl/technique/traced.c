@@ -171,8 +171,10 @@ void traced_set_families(uint32_t families, struct traced_state *state)
 double traced_scale(const struct scene *scene, const struct hatch_item *item)
 {
     double columns[3][3], largest = 0;
-    if (item->deformed)
-        return 1 / scene->unit.bounds.radius;
+    if (item->deformed) {
+        const struct hatch_item_rest rest = hatch_item_rest(&scene->unit, (uint32_t)(item - scene->unit.items));
+        return rest.scale / rest.unit;
+    }
     for (int c = 0; c < 3; c++)
         hatch_vec_of(item->to_unit + 4 * c, columns[c]);
     for (int c = 0; c < 3; c++) { /* no eigenvalue is greater than the largest sum of a row */

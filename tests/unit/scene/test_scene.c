@@ -246,7 +246,7 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
     nodes[2].mesh_count = 0;
     const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 3, .nodes = nodes};
     struct hatch_err err;
-    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), &err);
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, false, &keep, &scratch, &flat, &err), &err);
     ck_assert_uint_eq(flat.face_count, 2 * sphere.face_count);
     const float *normals = hatch_mesh_find(&flat, "NORMAL", 3);
     uint32_t back = 0;
@@ -266,7 +266,7 @@ START_TEST(a_flat_scene_holds_every_instance_and_mirrors_turn_faces)
     ck_assert_float_eq_tol(low[0], -1, 0.03f);
     ck_assert_float_eq_tol(high[0], 12, 0.06f);
     nodes[0].mesh_count = nodes[1].mesh_count = 0;
-    ck_assert_int_eq(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), HATCH_BAD_INPUT);
+    ck_assert_int_eq(hatch_scene_flatten(&scene, at_zero, false, &keep, &scratch, &flat, &err), HATCH_BAD_INPUT);
     hatch_arena_free(&scratch);
     hatch_arena_free(&keep);
 }
@@ -291,7 +291,7 @@ START_TEST(a_flat_scene_is_morphed_as_its_nodes_say)
     nodes[0].mesh_count = nodes[1].mesh_count = 1;
     nodes[1].weights = &half;
     const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 2, .nodes = nodes};
-    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, &keep, &scratch, &flat, &err), &err);
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, at_zero, false, &keep, &scratch, &flat, &err), &err);
     hatch_mesh_bounds(&flat, low, high);
     ck_assert_float_eq_tol(low[0], -1, 0.03f);
     ck_assert_float_eq_tol(high[0], 6, 0.03f);
@@ -299,6 +299,48 @@ START_TEST(a_flat_scene_is_morphed_as_its_nodes_say)
     for (uint32_t v = 0; v < sphere.vertex_count; v++) {
         ck_assert_float_eq_tol(normals[3 * v + 1], before[3 * v + 1], 1e-6f);
         ck_assert_float_eq_tol(normals[3 * (v + sphere.vertex_count) + 1], 1, 1e-5f);
+    }
+    hatch_arena_free(&scratch);
+    hatch_arena_free(&keep);
+}
+END_TEST
+
+/* A skin whose joint scales by 1/100 and moves along x; the node's own matrix does not count (glTF 2.0, Skins). */
+START_TEST(a_flat_scene_has_the_pose_of_skins_where_it_is_asked_for)
+{
+    hatch_arena_init(&keep, (size_t)1 << 28);
+    hatch_arena_init(&scratch, (size_t)1 << 28);
+    struct hatch_mesh sphere = make_sphere(), flat;
+    float *joints, *weights;
+    struct hatch_err err;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sphere, "JOINTS_0", 4, &joints, &err), &err);
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &sphere, "WEIGHTS_0", 4, &weights, &err), &err);
+    for (uint32_t v = 0; v < sphere.vertex_count; v++)
+        weights[4 * v] = 1;
+    struct hatch_scene_mesh meshes[1] = {{.mesh = sphere, .material = HATCH_NONE}};
+    struct hatch_node nodes[2] = {resting, resting};
+    uint32_t joint = 1;
+    float unbound[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    struct hatch_skin skin = {.joint_count = 1, .joints = &joint, .inverse_bind = unbound};
+    nodes[0].mesh_count = 1;
+    nodes[0].skin = 0;
+    nodes[0].translation[1] = 7;
+    nodes[1].translation[0] = 3;
+    for (int k = 0; k < 3; k++)
+        nodes[1].scale[k] = 0.01f;
+    const struct hatch_scene scene = {
+        .mesh_count = 1, .meshes = meshes, .node_count = 2, .nodes = nodes, .skin_count = 1, .skins = &skin};
+    for (int posed = 0; posed <= 1; posed++) {
+        HATCH_TEST_OK(hatch_scene_flatten(&scene, (const double[3]){2, 0, 0}, posed, &keep, &scratch, &flat, &err),
+                      &err);
+        for (size_t i = 0; i < 3 * (size_t)sphere.vertex_count; i++) {
+            double from = (double)sphere.attributes[0].data[i], x = i % 3 == 0 ? 1 : 0;
+            double want = posed ? 0.01 * from + 3 * x - 2 * x : from - 2 * x;
+            ck_assert_double_eq_tol((double)flat.attributes[0].data[i], want, 1e-6);
+        }
+        const float *normals = hatch_mesh_find(&flat, "NORMAL", 3), *before = hatch_mesh_find(&sphere, "NORMAL", 3);
+        for (size_t i = 0; i < 3 * (size_t)sphere.vertex_count; i++)
+            ck_assert_float_eq_tol(normals[i], before[i], 1e-5f);
     }
     hatch_arena_free(&scratch);
     hatch_arena_free(&keep);
@@ -320,7 +362,7 @@ START_TEST(a_flat_scene_is_precise_near_its_origin)
     }
     const struct hatch_scene scene = {.mesh_count = 1, .meshes = meshes, .node_count = 2, .nodes = nodes};
     struct hatch_err err;
-    HATCH_TEST_OK(hatch_scene_flatten(&scene, (const double[3]){1e7, 0, 2}, &keep, &scratch, &flat, &err), &err);
+    HATCH_TEST_OK(hatch_scene_flatten(&scene, (const double[3]){1e7, 0, 2}, false, &keep, &scratch, &flat, &err), &err);
     const float *from = sphere.attributes[0].data, *to = flat.attributes[0].data;
     for (size_t v = 0; v < 2 * (size_t)sphere.vertex_count; v++)
         for (size_t k = 0; k < 3; k++) {
@@ -344,7 +386,7 @@ static enum hatch_status flatten_one(void *context, struct hatch_arena *kept, st
     struct flattening *f = context;
     struct hatch_scene scene;
     enum hatch_status status = hatch_scene_of_mesh(&f->scene.meshes[0].mesh, kept, &scene, err);
-    return status == HATCH_OK ? hatch_scene_flatten(&scene, at_zero, kept, temporary, &f->mesh, err) : status;
+    return status == HATCH_OK ? hatch_scene_flatten(&scene, at_zero, false, kept, temporary, &f->mesh, err) : status;
 }
 
 START_TEST(every_failed_allocation_is_a_limit)
@@ -397,6 +439,7 @@ static Suite *suite(void)
     tcase_add_test(tests, a_skin_at_rest_leaves_its_mesh);
     tcase_add_test(tests, a_flat_scene_holds_every_instance_and_mirrors_turn_faces);
     tcase_add_test(tests, a_flat_scene_is_morphed_as_its_nodes_say);
+    tcase_add_test(tests, a_flat_scene_has_the_pose_of_skins_where_it_is_asked_for);
     tcase_add_test(tests, a_flat_scene_is_precise_near_its_origin);
     tcase_add_test(tests, meshes_are_left_out_and_nodes_draw_the_others);
     tcase_add_test(tests, every_failed_allocation_is_a_limit);

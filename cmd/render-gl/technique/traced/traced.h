@@ -129,8 +129,8 @@ struct traced_state {
 #define TRACED_HASH_BITS HATCH_STROKE_NUMBER_BITS
 
 /* Returns the length in the unit scene of a length of 1 in the units of an item's mesh, in the direction in which it is
- * greatest: exactly where the item's scales are along its axes, else a little more. Of a deformed item, which it does
- * not know, the length without a scale. */
+ * greatest: exactly where the item's scales are along its axes, else a little more. Of a deformed item, whose scales
+ * differ from place to place, the mean by which the matrices of its node or of its first joint scale. */
 double traced_scale(const struct scene *scene, const struct hatch_item *item);
 
 /* Computes the points of an item's ribbons. Returns the number of strokes that have some.
