@@ -87,6 +87,8 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
         {notes->contrary_edges, "edge between faces that cannot be oriented alike: the surface has one side only",
          "edges between faces that cannot be oriented alike: the surface has one side only"},
         {notes->primitives_skipped, "set of points or lines is skipped", "sets of points or lines are skipped"},
+        {notes->primitives_unplaced, "primitive without positions is skipped",
+         "primitives without positions are skipped"},
         {notes->free_forms_dropped, "free-form curve or surface is left out",
          "free-form curves or surfaces are left out"},
         {notes->texcoords_missing, "vertex has no texture coordinates: those of the others are not used",
@@ -111,8 +113,8 @@ void cmd_warn_mesh(const char *name, const struct hatch_mesh_notes *notes)
          "faces are needles, over 1000 times as long as high: they are used as they are"},
         {notes->texcoords_flat, "mesh has the same texture coordinates everywhere: strokes have no direction on it",
          "meshes have the same texture coordinates everywhere: strokes have no direction on them"},
-        {notes->weights_wrong, "vertex has joint weights that do not add up to 1: they are used as they are",
-         "vertices have joint weights that do not add up to 1: they are used as they are"},
+        {notes->weights_wrong, "vertex has joint weights that do not add up to 1: they count as shares of their sum",
+         "vertices have joint weights that do not add up to 1: they count as shares of their sum"},
         {notes->nodes_flat, "node has a scale of 0: its meshes are flat",
          "nodes have a scale of 0: their meshes are flat"},
         {notes->transparent_dropped, "transparent mesh is left out", "transparent meshes are left out"},
@@ -256,6 +258,9 @@ static void read_scene(struct cmd_args *args, const char *path, enum cmd_scene_c
         cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces, only %u set%s of points or lines",
                              notes->primitives_skipped, notes->primitives_skipped == 1 ? "" : "s"),
                   cmd_input_name(path), &err);
+    if (scene->mesh_count == 0 && notes->primitives_unplaced > 0)
+        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no faces: primitives with no POSITION"), cmd_input_name(path),
+                  &err);
     hatch_scene_doubt(scene, &args->scratch, notes);
     cmd_warn_mesh(cmd_input_name(path), notes);
 }

@@ -45,6 +45,7 @@ struct hatch_mesh_notes {
     uint32_t non_manifold_points;  /* points where faces meet that share no edge there */
     uint32_t contrary_edges;       /* edges whose two faces cannot agree, as on a Möbius strip */
     uint32_t primitives_skipped;   /* glTF: points and lines */
+    uint32_t primitives_unplaced;  /* glTF: faces without positions, which are left out */
     uint32_t texcoords_missing;    /* vertices without texture coordinates, where others have some: none are used */
     uint32_t free_forms_dropped;   /* OBJ: free-form curves and surfaces */
     uint32_t morphs_ignored;     /* glTF: meshes with morph targets that nothing animates; they keep their rest shape */

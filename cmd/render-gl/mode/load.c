@@ -101,7 +101,9 @@ void job_check_faces(const struct job *job, const struct hatch_mesh_notes *notes
     if (any)
         return;
     hatch_fail(&err, HATCH_BAD_INPUT, "the scene has no faces%s",
-               notes->primitives_skipped ? ", only points or lines" : "");
+               notes->primitives_skipped    ? ", only points or lines"
+               : notes->primitives_unplaced ? ": primitives with no POSITION"
+                                            : "");
     cmd_die(job->name, &err);
 }
 

@@ -363,6 +363,10 @@ enum hatch_status read_meshes(Reader &r, uint32_t **first_mesh)
                 r.notes->primitives_skipped += p == 0 || !is_strokes(list[p]);
                 continue;
             }
+            if (list[p].attributes.count("POSITION") == 0) {
+                r.notes->primitives_unplaced++;
+                continue;
+            }
             HATCH_TRY(
                 read_primitive(r, list[p], m, place("mesh", m, "primitive", p), &r.scene->meshes[r.scene->mesh_count]));
             HATCH_TRY(read_strokes(r, list, m, p + 1, &r.scene->meshes[r.scene->mesh_count]));

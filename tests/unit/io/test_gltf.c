@@ -224,6 +224,19 @@ START_TEST(sparse_values_replace_zeros)
 }
 END_TEST
 
+/* glTF 2.0, Meshes: primitives whose positions are not given are not drawn. */
+START_TEST(faces_without_positions_are_skipped_and_noted)
+{
+    HATCH_TEST_OK(read_text(HEAD ",\"meshes\":[{\"primitives\":["
+                                 "{\"attributes\":{\"NORMAL\":0}},"
+                                 "{\"attributes\":{\"POSITION\":0},\"mode\":6}]}]}"),
+                  &err);
+    ck_assert_uint_eq(notes.primitives_unplaced, 1);
+    ck_assert_uint_eq(notes.primitives_skipped, 0);
+    ck_assert_uint_eq(scene.mesh_count, 1);
+}
+END_TEST
+
 START_TEST(points_and_lines_are_skipped_and_noted)
 {
     HATCH_TEST_OK(read_text(HEAD ",\"meshes\":[{\"primitives\":["
@@ -349,7 +362,6 @@ START_TEST(errors_name_their_place)
     refused("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":4,\"uri\":\"%2e%2e/x\"}]}",
             "../x is outside");
     refused("{\"asset\":{\"version\":\"2.0\"},\"images\":[{\"uri\":\"/etc/passwd\"}]}", "is outside");
-    refused(MESH("\"attributes\":{\"NORMAL\":0}"), "mesh 0, primitive 0: no POSITION");
     refused(MESH("\"attributes\":{\"POSITION\":19}"), "POSITION: accessor 19");
     refused(MESH("\"attributes\":{\"POSITION\":0},\"indices\":9,\"mode\":5"), "index 0 is the primitive restart value");
     refused(MESH("\"attributes\":{\"POSITION\":2}"), "POSITION: 4 components, want 3");
@@ -454,6 +466,7 @@ static Suite *suite(void)
     tcase_add_test(tests, fans_become_triangles);
     tcase_add_test(tests, accessors_may_be_interleaved_and_normalised);
     tcase_add_test(tests, sparse_values_replace_zeros);
+    tcase_add_test(tests, faces_without_positions_are_skipped_and_noted);
     tcase_add_test(tests, points_and_lines_are_skipped_and_noted);
     tcase_add_test(tests, morph_targets_are_applied_at_rest);
     tcase_add_test(tests, nodes_follow_their_parents);
