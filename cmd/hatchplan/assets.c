@@ -112,7 +112,8 @@ void plan_add_common(const struct plan *plan, struct cmd_child_words *words)
 
 bool plan_may_fail(const struct cmd_child_end *end)
 {
-    return end->status == HATCH_OK || end->status == HATCH_BAD_INPUT || (end->status < 0 && end->signal == SIGXCPU);
+    return end->status == HATCH_OK || end->status == HATCH_BAD_INPUT || end->status == HATCH_LIMIT ||
+           (end->status < 0 && end->signal == SIGXCPU);
 }
 
 void plan_note_failure(struct plan *plan, const char *command, const struct cmd_child_end *end)
@@ -124,6 +125,7 @@ void plan_note_failure(struct plan *plan, const char *command, const struct cmd_
     else
         cmd_child_add(&words, "%s: %s", command, end->sentence);
     plan->failure = words.at[0];
+    plan->failed = end->status == HATCH_LIMIT ? HATCH_LIMIT : HATCH_BAD_INPUT;
     cmd_note("%s", plan->failure);
 }
 
@@ -166,6 +168,8 @@ static bool make(struct plan *plan, struct plan_asset *asset)
         plan_note_failure(plan, words.at[0], &end);
     asset->bytes = size_of(asset->path);
     asset->seconds = before_s + end.seconds;
+    if (end.status < 0 && end.signal == SIGXCPU) /* what is measured of a command that was ended may be a little less */
+        asset->seconds = fmax(asset->seconds, nextafter(most_s, INFINITY));
     return asset->made == PLAN_MADE;
 }
 

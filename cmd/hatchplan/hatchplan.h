@@ -100,6 +100,7 @@ struct plan {
     double plain_ms;     /* time of a plain frame, without strokes, as in figures.ms */
     double scale[2];     /* factors from a time of render-gl to figures.ms: of pictures of full size, of small ones */
     const char *failure; /* last message of a command that failed; NULL: none */
+    enum hatch_status failed; /* status of that command: HATCH_LIMIT, or HATCH_BAD_INPUT for all others */
 };
 
 /* Makes the list of all candidates. Dies with HATCH_USAGE for a name in --techniques that is none. */
@@ -146,7 +147,7 @@ void plan_add_recipe(const struct plan *plan, const struct plan_asset *asset, st
 void plan_add_common(const struct plan *plan, struct cmd_child_words *words);
 
 /* Returns whether the search goes on after a command has ended so: it has succeeded, the scene does not suit it, or it
- * has exceeded the limit of time. */
+ * has reached a limit of time, memory or size. */
 bool plan_may_fail(const struct cmd_child_end *end);
 
 /* Notes why a command has failed. */

@@ -188,8 +188,8 @@ static enum hatch_status write_results(struct plan *plan, struct cmd_output *out
     const struct plan_candidate *best = bounded ? plan_choice(plan) : NULL, *nearest = plan_nearest(plan);
     struct hatch_err err;
     if (!nearest)
-        cmd_check(hatch_fail(&err, HATCH_BAD_INPUT, "no technique can draw the scene: %s",
-                             plan->failure ? plan->failure : "there is none"),
+        cmd_check(hatch_fail(&err, plan->failure ? plan->failed : HATCH_BAD_INPUT,
+                             "no technique can draw the scene: %s", plan->failure ? plan->failure : "there is none"),
                   cmd_input_name(plan->files[0].path), &err);
     if (bounded && !best) {
         char text[128], how[64];

@@ -1,7 +1,8 @@
 #!/usr/bin/env perl
 # In place of render-gl, for search.t: draws pictures of one tone in times that are known.
 #   $KNOWN  a file with a line for each candidate, as in "rptam 20x1 | 50 .08 | 48,52 .07": its time in ms and error of
-#           tone in small pictures, and in full ones. Of several times, each run takes the next; "-": it cannot be drawn
+#           tone in small pictures, and in full ones. Of several times, each run takes the next; "-": it cannot be drawn;
+#           "limit": a limit is reached
 #   $RUNS   a file to which each run appends: small or full, the candidate, how often each picture is drawn, and of a
 #           film the pictures and their rate
 use strict;
@@ -31,9 +32,10 @@ seek $runs, 0, 0;
 my $before = grep { /^$size \Q$name\E \d/ } <$runs>;
 print $runs join(' ', $size, $name, grep { defined } @given{qw(--draws --frames --rate)}), "\n";
 my $ms = $times[$before < @times ? $before : -1];
-if ($ms eq '-') {
+my %failures = ('-' => 3, limit => 5);
+if (my $status = $failures{$ms}) {
     print STDERR "render-gl: $name cannot be drawn\n";
-    exit 3;
+    exit $status;
 }
 
 sub attribute {

@@ -127,6 +127,18 @@ EOF
 )" "f40:6 f20:6 f10:6 f40:6 f10:6 f40:6 f10:6"
 is "but those that cannot be drawn" "$(table)" "rptam 10: 40 ms, 0.05
 rptam 40: 60 ms, 0.07"
+is "nor those that reach a limit" "$(plan --techniques rptam --exhaustive --rounds 3 --all <<'EOF'
+rptam 40x1 | | 48,60,61 .07
+rptam 20x1 | | limit .08
+rptam 10x1 | | 49,30,40 .05
+EOF
+)" "f40:6 f20:6 f10:6 f40:6 f10:6 f40:6 f10:6"
+is "the status tells of the limit where there is no other candidate" "$(plan --techniques rptam 2>said <<'EOF' | head -1
+rptam 40x1 | limit .2 | limit .2
+rptam 20x1 | limit .2 | limit .2
+rptam 10x1 | limit .2 | limit .2
+EOF
+)" "status 5"
 
 # Of ten pictures three are measured, in the same time; render-gl then draws all of them.
 is "a film is measured in three pictures" "$(plan --techniques rptam --tolerance .1 --make --frames 10 --rate 20 \
