@@ -29,7 +29,8 @@ static uint32_t index_of(const struct technique *technique)
     return i;
 }
 
-static void set_technique(struct window *window, uint32_t index)
+/* Draws with a technique from now on. Returns false if something is missing for it, and says what. */
+static bool set_technique(struct window *window, uint32_t index)
 {
     struct job *job = window->job;
     const struct technique *technique = techniques[index];
@@ -38,15 +39,25 @@ static void set_technique(struct window *window, uint32_t index)
     struct hatch_err err;
     if (!assets_have(&job->assets, technique->asset)) {
         cmd_say("%s needs %s: --tam FILE", technique->name, technique->asset->name);
-        return;
+        return false;
     }
     if (job_check(job, technique, &file, &err) != HATCH_OK || !(instance = job_open(job, technique, &err)) ||
         technique_prepare(&job->context, instance, &err) != HATCH_OK) {
         cmd_say("%s", err.text);
-        return;
+        return false;
     }
     window->instance = instance;
     window->title_s = 0;
+    return true;
+}
+
+/* Goes on to the next technique that can be used. */
+static void next_technique(struct window *window)
+{
+    uint32_t index = index_of(window->instance->technique);
+    for (uint32_t i = 1; i < TECHNIQUE_COUNT; i++)
+        if (set_technique(window, (index + i) % TECHNIQUE_COUNT))
+            return;
 }
 
 static void reload(struct window *window)
@@ -114,7 +125,7 @@ static void on_character(GLFWwindow *handle, unsigned character)
     else if (character == '+' || character == '-')
         zoom(window, character == '+' ? 0.9 : 1 / 0.9);
     else if (character == 't')
-        set_technique(window, (index_of(window->instance->technique) + 1) % TECHNIQUE_COUNT);
+        next_technique(window);
     else if (character == ' ')
         window->paused = !window->paused;
     else if (character == '[' || character == ']' || character == '<' || character == '>')

@@ -224,6 +224,8 @@ is "changing parameters prints no message" "$(grep -v 'saved set' err)" ""
 
 open_window teapot.glb way --technique rptam --animate overlap=0..1 --animate stroke=10x1..40x4
 plays "--animate plays in the window" "space pauses --animate" way
+xdotool key t
+ok "t passes techniques that need files" soon $window titled_by '^render-gl: strokes'
 xdotool key q
 closed
 
