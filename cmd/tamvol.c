@@ -78,7 +78,7 @@ static enum hatch_texels_code choose_blocks(const struct hatch_texels *texels)
 static void warn(const char *name, const struct hatch_tam *tam, const struct hatch_volume *volume,
                  const struct hatch_volume_figures *figures)
 {
-    uint32_t dense = hatch_volume_dense_levels(&volume->texels, volume->levels);
+    uint32_t dense = hatch_volume_dense_levels(&volume->texels, volume->levels, (double)volume->top);
     if (volume->texels.depth && dense < volume->levels)
         cmd_warn(name,
                  "strokes of %u of %u levels are grey, because these have fewer than %u slices: "

@@ -220,11 +220,11 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
     return HATCH_OK;
 }
 
-uint32_t hatch_volume_dense_levels(const struct hatch_texels *texels, uint32_t levels)
+uint32_t hatch_volume_dense_levels(const struct hatch_texels *texels, uint32_t levels, double top)
 {
     uint32_t count = 0;
-    while (count < levels &&
-           (texels->depth ? hatch_mip_size(texels->depth, count) : texels->layers) >= HATCH_VOLUME_SLICES_FEW)
+    while (count < levels && round((texels->depth ? hatch_mip_size(texels->depth, count) : texels->layers) / top) >=
+                                 HATCH_VOLUME_SLICES_FEW)
         count++;
     return count;
 }

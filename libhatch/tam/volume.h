@@ -66,10 +66,12 @@ enum hatch_status hatch_volume_make(const struct hatch_tam *tam, const struct ha
                                     struct hatch_pool *pool, struct hatch_arena *arena, struct hatch_volume *volume,
                                     struct hatch_volume_figures *figures, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Returns how many of the drawn levels of a volume have HATCH_VOLUME_SLICES_FEW slices or more.
+/* Returns how many of the drawn levels of a volume have HATCH_VOLUME_SLICES_FEW slices or more, those that are left out
+ * with them: the step of tone between slices makes strokes grey.
  *   texels  of the volume
- *   levels  number of drawn levels */
-uint32_t hatch_volume_dense_levels(const struct hatch_texels *texels, uint32_t levels);
+ *   levels  number of drawn levels
+ *   top     of the volume */
+uint32_t hatch_volume_dense_levels(const struct hatch_texels *texels, uint32_t levels, double top);
 
 /* Key of the file, beside HATCH_TAM_ATTR_LEVELS and HATCH_TAM_ATTR_SEED. */
 #define HATCH_VOLUME_KEY_DARKEST "hatch:darkest"

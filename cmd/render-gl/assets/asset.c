@@ -68,7 +68,7 @@ uint32_t asset_levels(const struct asset *asset)
 uint32_t asset_dense_levels(const struct asset *asset)
 {
     if (asset->texture.holds == TONE_TEXTURE_VOLUME && asset->texture.texels.depth)
-        return hatch_volume_dense_levels(&asset->texture.texels, asset->texture.levels);
+        return hatch_volume_dense_levels(&asset->texture.texels, asset->texture.levels, (double)asset->texture.top);
     return asset_levels(asset);
 }
 

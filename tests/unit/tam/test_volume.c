@@ -74,10 +74,11 @@ END_TEST
 START_TEST(levels_of_a_volume_are_dense_up_to_four_slices)
 {
     const struct hatch_texels thick = {.depth = 31}, layered = {.layers = 4}, thin = {.layers = 3};
-    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 3), 3);
-    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 5), 3); /* 31, 15, 7 slices */
-    ck_assert_uint_eq(hatch_volume_dense_levels(&layered, 5), 5);
-    ck_assert_uint_eq(hatch_volume_dense_levels(&thin, 5), 0);
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 3, 1), 3);
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 5, 1), 3);   /* 31, 15, 7 slices */
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thick, 5, 0.5), 4); /* the first of 62, 30, 14, 6 slices */
+    ck_assert_uint_eq(hatch_volume_dense_levels(&layered, 5, 1), 5);
+    ck_assert_uint_eq(hatch_volume_dense_levels(&thin, 5, 1), 0);
 }
 END_TEST
 
