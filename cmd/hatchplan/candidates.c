@@ -211,9 +211,9 @@ void plan_add_view(const struct plan *plan, uint32_t views, double scale, struct
     if (options->frames_given) {
         cmd_child_add(words, "--frames");
         cmd_child_add(words, "%u", views);
-        if (!options->turntable) { /* an animation takes as long with fewer pictures */
+        if (!options->turntable) { /* an animation takes as long with fewer pictures, as far as --rate goes */
             cmd_child_add(words, "--rate");
-            cmd_child_add(words, "%.17g", options->rate * views / (double)options->frames);
+            cmd_child_add(words, "%.17g", fmax(options->rate * views / (double)options->frames, 0.001));
         }
     }
 }

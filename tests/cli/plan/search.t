@@ -149,4 +149,10 @@ EOF
 )" "s20:6 3 6 s40:6 3 6 f20:4 3 6"
 is "and drawn in ten" "$(grep ^DRAW table.tsv)" "DRAW := --technique rptam --samples 4 --style ink --stroke 20x1 \
 --size 320x320 --zoom 1 --tone-range 0.1:0.6 --lines none --frames 10 --rate 20"
+is "a long film is measured no slower than render-gl can draw it" "$(plan --techniques rptam --tolerance .1 \
+    --frames 4096 --rate 1 <<'EOF'
+rptam 40x1 | 90 .05 | 90 .05
+rptam 20x1 | 50 .08 | 50 .08
+EOF
+)" "s20:6 3 0.001 s40:6 3 0.001 f20:4 3 0.001"
 finish
