@@ -322,19 +322,16 @@ struct picture job_picture(struct job *job, struct technique_instance *instance)
                             .draws_lines = job->has_lines && options_draw_lines(job->options, instance->technique)};
 }
 
-/* Sets the upper end of --tone-range, if it was not given, to the darkest tone of the asset or the technique. */
-static void set_darkest(struct job *job)
+void job_set_darkest(struct job *job, const struct technique_instance *instance)
 {
     struct options *options = job->options;
-    struct hatch_err err;
-    const struct technique_instance *instance = job_open(job, options->technique, &err);
     if (options->tone_range_given)
         return;
-    bool reads = options->map_path && technique_asset(options->technique);
+    bool reads = options->map_path && technique_asset(instance->technique);
     if (options->map_path)
         options->tone_range[1] = (double)asset_darkest(&job->asset);
-    if (options->technique->darkest && !reads)
-        options->tone_range[1] = options->technique->darkest(instance);
+    if (instance->technique->darkest && !reads)
+        options->tone_range[1] = instance->technique->darkest(instance);
 }
 
 /* Sets how often the map repeats over each surface; for --needs, how often one that is large enough does. */
@@ -362,7 +359,7 @@ void job_prepare(struct job *job)
     job->assets.limits = (struct asset_limits){job->gpu.size_max_px, (float)options->anisotropy};
     if (options->line_kinds)
         cmd_check(job_make_lines(job, options->line_kinds, &err), NULL, &err);
-    set_darkest(job);
+    job_set_darkest(job, job_open(job, options->technique, &err));
     job_set_frame(job, 0, &job->first_view);
     if (!(options->exposure > 0)) {
         cmd_check(hatch_auto_exposure(&job->scene.unit, &job->span, &job->first_view,
@@ -421,7 +418,7 @@ enum hatch_status job_refresh(struct job *job, struct technique_instance *instan
     if (subjects & 1u << PARAM_TECHNIQUE && instance->technique->changed) {
         double begin_ms = cmd_elapsed_ms();
         HATCH_TRY(instance->technique->changed(&job->context, instance, err));
-        set_darkest(job);
+        job_set_darkest(job, instance);
         job->changes++;
         job->changes_ms += cmd_elapsed_ms() - begin_ms;
     }

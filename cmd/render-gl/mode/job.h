@@ -79,6 +79,9 @@ enum hatch_status job_make_lines(struct job *job, uint32_t kinds, struct hatch_e
 enum hatch_status job_check(struct job *job, const struct technique *technique, const char **file,
                             struct hatch_err *err) HATCH_MUST_USE;
 
+/* Sets the upper end of --tone-range, if it was not given, to the darkest tone of the asset or the technique. */
+void job_set_darkest(struct job *job, const struct technique_instance *instance);
+
 /* Recomputes everything that depends on changed parameters.
  *   instance  the instance that draws
  *   subjects  bits 1 << enum param_subject of the changed parameters */

@@ -46,6 +46,8 @@ static bool set_technique(struct window *window, uint32_t index)
         cmd_say("%s", err.text);
         return false;
     }
+    job_set_darkest(job, instance);
+    options_style(job->options, &job->frame.style);
     window->instance = instance;
     window->title_s = 0;
     return true;

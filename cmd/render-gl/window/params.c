@@ -56,16 +56,25 @@ static double stepped(double value, bool more, const struct param *param)
 static void change(struct window *window, const struct param *param, unsigned character)
 {
     double values[2] = {0}, *start = window->start[window->param];
+    bool *given = param->option->given, *start_given = &window->start_given[window->param];
     struct hatch_err err;
     params_get(param, values);
-    if (!window->has_start[window->param])
+    if (!window->has_start[window->param]) {
         memcpy(start, values, sizeof values);
+        *start_given = given && *given;
+    }
     window->has_start[window->param] = true;
     if (character == 'd')
         memcpy(values, start, sizeof values);
     else
         values[window->component] = stepped(values[window->component], character == '.', param);
-    if (params_set(param, values) && job_refresh(window->job, window->instance, 1u << param->subject, &err) != HATCH_OK)
+    bool is_new = params_set(param, values);
+    if (character == 'd' && given &&
+        *given != *start_given) { /* as of the lights of the scene, which --light replaces */
+        *given = *start_given;
+        is_new = true;
+    }
+    if (is_new && job_refresh(window->job, window->instance, 1u << param->subject, &err) != HATCH_OK)
         cmd_say("%s", err.text);
 }
 

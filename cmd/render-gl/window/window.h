@@ -24,6 +24,7 @@ struct window {
     bool has_param;                      /* a parameter is chosen for keys to change */
     uint32_t param, component;           /* index of that parameter (params_at), and which of its values, 0 or 1 */
     double start[WINDOW_PARAMS_MAX][2];  /* per parameter: its values before the first change */
+    bool start_given[WINDOW_PARAMS_MAX]; /* per parameter: its option was given then */
     bool has_start[WINDOW_PARAMS_MAX];   /* per parameter: start is set */
     bool lines_off;                      /* a key has switched feature lines off */
     bool lines_on;                       /* a key has switched them on, for all techniques */

@@ -229,6 +229,49 @@ ok "t passes techniques that need files" soon $window titled_by '^render-gl: str
 xdotool key q
 closed
 
+# A light shines on a triangle. The key d gives the scene's lights back, which --light replaces.
+cat >lit.gltf <<'END'
+{"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"], "scenes": [{"nodes": [0, 1]}],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}},
+ "nodes": [{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "lit.bin"}]}
+END
+{
+    head -c 12 /dev/zero
+    printf '\0\0\200\077\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0'
+} >lit.bin
+open_window lit.gltf lit --technique gouraud
+shot lit1
+xdotool key p p p p
+titled "p comes to the light" "render-gl: gouraud, light [-40]:40"
+xdotool key period
+shot lit2
+ok "--light replaces the lights of the scene" changed lit1 lit2
+xdotool key d
+shot lit3
+ok "d gives them back" cmp lit1.png lit3.png
+xdotool key q
+closed
+
+# rptam has the tone range of its own strokes, whenever it begins.
+open_window teapot.glb own --technique rptam
+shot own1
+xdotool key 7
+shot own2
+xdotool key 8
+shot own3
+ok "a technique draws the same when it is chosen again" cmp own1.png own3.png
+xdotool key q
+closed
+open_window teapot.glb late --technique gouraud
+xdotool key 8
+shot late1
+ok "and when it is chosen later" cmp own1.png late1.png
+xdotool key q
+closed
+
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >bare.off
 open_window bare.off bare --technique gouraud --tam map.exr
 shot bare1
