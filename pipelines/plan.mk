@@ -44,7 +44,7 @@ $(words): always
 	@printf '%s\n' $(call quoted,$(wanted)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(wanted)) >$@
 $(OUT)/plan.chosen.mk: $(words)
 	hatchplan $(if $(BUDGET),--budget '$(BUDGET)') $(if $(TOLERANCE),--tolerance $(TOLERANCE)) --size $(SIZE) $(film) \
-	    $(OPTIONS) $(call quoted,$(MESH)) --make -o $@
+	    $(OPTIONS) --make -o $@ -- $(call quoted,$(MESH))
 include $(OUT)/plan.chosen.mk
 # The plan tells which files it was made from, and their times and sizes. It is made anew once, not for as long as they
 # change.
@@ -70,11 +70,11 @@ $(file_thresholds): $(file_map)
 $(file_solid): $(OUT)/plan.chosen.mk
 	solidgen $(SOLIDGEN) -o $@
 $(OUT)/plan.patches.glb: $(OUT)/plan.chosen.mk
-	dirfield $(call quoted,$(MESH)) | lapped-param -o $@
+	dirfield -- $(call quoted,$(MESH)) | lapped-param -o $@
 $(OUT)/plan.strokes.glb: $(OUT)/plan.chosen.mk
-	dirfield $(call quoted,$(MESH)) | strokegen $(STROKEGEN) -o $@
+	dirfield -- $(call quoted,$(MESH)) | strokegen $(STROKEGEN) -o $@
 
 picture: $(asset) $(scene)
 	$(name) && render-gl $(DRAW) \
 	    $(if $(asset),$(if $(filter solid,$(READS)),--solid,--tam) $(asset)) \
-	    $(if $(scene),$(scene),$(call quoted,$(MESH))) -o "$(if $(film),$${name//\%/%%}-%03d,$$name).png"
+	    -o "$(if $(film),$${name//\%/%%}-%03d,$$name).png" -- $(if $(scene),$(scene),$(call quoted,$(MESH)))

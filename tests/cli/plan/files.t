@@ -42,6 +42,9 @@ if command -v make >/dev/null; then
     mv "my plane.bin" away.bin
     make -s -f "$TOP/pipelines/plan.mk" SIZE=32x24 MESH="my plane.gltf" OUT=out TOLERANCE=1 OPTIONS="$options" 2>words
     is "plan.mk: a file is missing" "$(grep -c '^hatchplan: my plane.gltf: my plane.bin: cannot open' words)" 1
+    cp plane.glb ./-t.glb
+    make -s -f "$TOP/pipelines/plan.mk" SIZE=32x24 MESH=-t.glb OUT=dash TOLERANCE=1 OPTIONS="--techniques rptam" >made 2>&1
+    is "plan.mk: a name that begins with a dash" "$? $(ls ./dash/*.png)" "0 ./dash/-t.png"
 else
     skip "plan.mk" "no make"
 fi
