@@ -19,9 +19,17 @@ static void resize(struct window *window)
     uint32_t wide = width > 0 ? (uint32_t)width : 1, high = height > 0 ? (uint32_t)height : 1;
     if (window->canvas.width == wide && window->canvas.height == high)
         return;
+    uint32_t side = job->options->side;
+    enum hatch_status status;
     struct hatch_err err;
     canvas_free(&window->canvas);
-    cmd_check(canvas_make(wide, high, job->options->side, &job->frame.programs, &window->canvas, &err), NULL, &err);
+    while ((status = canvas_make(wide, high, side, &job->frame.programs, &window->canvas, &err)) == HATCH_LIMIT &&
+           side > 1)
+        side--;
+    cmd_check(status, NULL, &err);
+    if (side < job->options->side)
+        cmd_say("the window is drawn with %u %s: the GPU cannot draw so many pixels with %u", side * side,
+                cmd_plural(side * side, "sample", "samples"), job->options->side * job->options->side);
     window->stale = true;
 }
 

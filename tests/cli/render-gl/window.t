@@ -48,7 +48,7 @@ open_window() {
     scene=$1
     pictures=$2
     shift 2
-    timeout 1200 render-gl "$scene" --window --size 320x240 --samples 1 -o "$pictures%d.png" "$@" 2>err &
+    timeout 1200 render-gl "$scene" --window --size 320x240 --samples "${samples:-1}" -o "$pictures%d.png" "$@" 2>err &
     window=$!
     soon $window shown
 }
@@ -106,7 +106,7 @@ drag() {
 
 open_window teapot.glb shot --tam map.exr
 shot shot1
-render-gl teapot.glb --tam map.exr --size 320x240 --samples 1 -o drawn.png
+render-gl teapot.glb --tam map.exr --size 320x240 --samples "${samples:-1}" -o drawn.png
 ok "the first picture is the one without a window" cmp shot1.png drawn.png
 drag 1
 shot shot2
@@ -254,6 +254,16 @@ shot lit3
 ok "d gives them back" cmp lit1.png lit3.png
 xdotool key q
 closed
+
+# A window that becomes too wide for its samples has fewer.
+samples=4
+open_window lit.gltf wide --technique gouraud
+samples=1
+xdotool search --name '^render-gl: ' windowsize 9000 20
+ok "a window that is too wide for its samples stays open" soon $window grep -q 'drawn with 1 sample:' err
+xdotool key q
+closed
+is "and can be closed" $? 0
 
 # rptam has the tone range of its own strokes, whenever it begins.
 open_window teapot.glb own --technique rptam
