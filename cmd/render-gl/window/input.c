@@ -42,7 +42,8 @@ static bool set_technique(struct window *window, uint32_t index)
         return false;
     }
     if (job_check(job, technique, &file, &err) != HATCH_OK || !(instance = job_open(job, technique, &err)) ||
-        technique_prepare(&job->context, instance, &err) != HATCH_OK) {
+        technique_prepare(&job->context, instance, &err) != HATCH_OK ||
+        (window->own_changed && job_refresh(job, instance, 1u << PARAM_TECHNIQUE, &err) != HATCH_OK)) {
         cmd_say("%s", err.text);
         return false;
     }

@@ -74,6 +74,7 @@ static void change(struct window *window, const struct param *param, unsigned ch
         *given = *start_given;
         is_new = true;
     }
+    window->own_changed |= is_new && param->subject == PARAM_TECHNIQUE;
     if (is_new && job_refresh(window->job, window->instance, 1u << param->subject, &err) != HATCH_OK)
         cmd_say("%s", err.text);
 }

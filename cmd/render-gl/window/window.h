@@ -26,14 +26,15 @@ struct window {
     double start[WINDOW_PARAMS_MAX][2];  /* per parameter: its values before the first change */
     bool start_given[WINDOW_PARAMS_MAX]; /* per parameter: its option was given then */
     bool has_start[WINDOW_PARAMS_MAX];   /* per parameter: start is set */
-    bool lines_off;                      /* a key has switched feature lines off */
-    bool lines_on;                       /* a key has switched them on, for all techniques */
-    enum window_drag drag;               /* effect of moving the pointer now */
-    double x, y;                         /* position of the pointer, in GLFW's screen coordinates */
-    double time_s;                       /* time of the animation */
-    double last_s;                       /* clock at the last frame, gpu_timer_now_s */
-    double moving_s;                     /* total time for which the parameters of --animate have moved */
-    double title_s;                      /* clock at the last update of the title */
+    bool own_changed;      /* options of a technique have changed, which others may share that were opened before */
+    bool lines_off;        /* a key has switched feature lines off */
+    bool lines_on;         /* a key has switched them on, for all techniques */
+    enum window_drag drag; /* effect of moving the pointer now */
+    double x, y;           /* position of the pointer, in GLFW's screen coordinates */
+    double time_s;         /* time of the animation */
+    double last_s;         /* clock at the last frame, gpu_timer_now_s */
+    double moving_s;       /* total time for which the parameters of --animate have moved */
+    double title_s;        /* clock at the last update of the title */
     bool paused;
     bool stale; /* the picture must be drawn again */
     bool save;  /* the next frame is also saved as a picture */

@@ -265,6 +265,18 @@ xdotool key q
 closed
 is "and can be closed" $? 0
 
+# Techniques share options: each draws with the present values, though another one drew when they changed.
+open_window teapot.glb shared --technique strokes --stroke 40x3
+xdotool key 8
+shot shared1
+xdotool key t p comma comma comma
+soon $window titled_by 'strokes, stroke \[[0-9.]*\]x3'
+xdotool key 8
+shot shared2
+ok "a technique follows the options that another one has changed" changed shared1 shared2
+xdotool key q
+closed
+
 # rptam has the tone range of its own strokes, whenever it begins.
 open_window teapot.glb own --technique rptam
 shot own1
