@@ -1,13 +1,17 @@
 # Smaller work for tests that run lines as users do; such a test includes this file after tests/tap.sh. The commands
-# below are then scripts, which append options to the arguments, make two frames and small pages, and zoom less.
+# below are then scripts, which add options to those given, make two frames and small pages, and zoom less.
 mkdir "$WORK/.small"
 
 # small COMMAND ARGUMENTS
 small() {
     cat >"$WORK/.small/$1" <<EOF
 #!/bin/bash
-words=() last=
+words=() operands=() last=
 for word; do
+    if [[ \$word = -- || \${#operands[@]} -gt 0 ]]; then
+        operands+=("\$word")
+        continue
+    fi
     case \$last=\$word in
     --frames=*) word=2 ;;
     --page=a?) word=a6 ;;
@@ -16,7 +20,7 @@ for word; do
     words+=("\$word")
     last=\$word
 done
-exec "$BIN/$1" "\${words[@]}" $2
+exec "$BIN/$1" "\${words[@]}" $2 "\${operands[@]}"
 EOF
     chmod +x "$WORK/.small/$1"
 }
