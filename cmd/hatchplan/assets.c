@@ -168,7 +168,7 @@ static bool make(struct plan *plan, struct plan_asset *asset)
         plan_note_failure(plan, words.at[0], &end);
     asset->bytes = size_of(asset->path);
     asset->seconds = before_s + end.seconds;
-    if (end.status < 0 && end.signal == SIGXCPU) /* what is measured of a command that was ended may be a little less */
+    if (end.status < 0 && end.signal == SIGXCPU) /* its measured time may be a little under the limit */
         asset->seconds = fmax(asset->seconds, nextafter(most_s, INFINITY));
     return asset->made == PLAN_MADE;
 }

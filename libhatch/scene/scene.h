@@ -226,8 +226,8 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
 void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
 
 /* Joins the meshes of all nodes at rest into one mesh in world coordinates, relative to an origin: floats are precise
- * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Under the
- * mirroring matrix of a node the winding of faces is reversed, so that they stay counter-clockwise.
+ * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Under the mirroring matrix of a
+ * node the winding of faces is reversed, so that they stay counter-clockwise.
  *   origin  of the mesh, in the world
  *   skins   skinned meshes have the pose that their skins give them at rest, not their bind pose
  *   mesh    out: in arena

@@ -69,8 +69,8 @@ static void change(struct window *window, const struct param *param, unsigned ch
     else
         values[window->component] = stepped(values[window->component], character == '.', param);
     bool is_new = params_set(param, values);
-    if (character == 'd' && given &&
-        *given != *start_given) { /* as of the lights of the scene, which --light replaces */
+    /* An option that was not given at the start has no effect again: --light replaces the lights of the scene. */
+    if (character == 'd' && given && *given != *start_given) {
         *given = *start_given;
         is_new = true;
     }
