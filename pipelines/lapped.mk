@@ -45,7 +45,7 @@ image := $(if $(wildcard $(style)),$(shell awk -F'\043' '{print $$1}' $(style) |
 # The name of the map tells its style and seed, so that each has a map of its own.
 map := $(OUT)/$(subst /,-,$(STYLE:./%=%))$(if $(filter-out 1,$(SEED)),-$(SEED)).tam.exr
 draw = render-gl --technique $(TECHNIQUE) --tam "$(map)" --size $(SIZE) $(OPTIONS)
-# What the views need, before the patches are made.
+# Needs of the views are measured before the patches are made.
 $(if $(MESHES),$(if $(NEEDS)$(TURN:0=)$(FRAMES:0=)$(SHOW),$(error NEEDS, TURN, FRAMES and SHOW are for one MESH)))
 views = $(if $(filter-out 0,$(TURN)),--turntable --frames $(TURN),$(if $(filter-out 0,$(FRAMES)),--frames $(FRAMES)))
 measure = $(if $(NEEDS),render-gl --size $(SIZE) $(OPTIONS) $(views) --needs --tolerance $(NEEDS) \

@@ -54,7 +54,7 @@ $(OUT)/plan.chosen.mk: always
 endif
 endif
 
-# What the technique reads, and the scene that it draws.
+# Files that the technique may read, and the scene that it draws.
 file_map        := $(OUT)/plan.map.exr
 file_volume     := $(OUT)/plan.volume.ktx2
 file_thresholds := $(OUT)/plan.thresholds.ktx2

@@ -251,7 +251,7 @@ awk 'BEGIN {
 awk '/^f/ && NF == 5 {$0 = "f " $2 "//" $2 " " $3 "//" $3 " " $4 "//" $4 " " $5 "//" $5}
     1
     /^v/ {print "vn", $2, 0, $4}' prism.obj >smooth.obj
-for by in dirfield lapped-param strokegen meshfit; do
+for by in dirfield lapped-param "strokegen --levels 2" meshfit; do
     $by -q prism.obj -o prism.glb
     $by -q smooth.obj -o smooth.glb
     for of in prism.obj prism.glb smooth.obj smooth.glb; do

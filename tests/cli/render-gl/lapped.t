@@ -60,7 +60,7 @@ is "pictures are named after it" "$(ls odd | grep -c '^a $HOME 100%-00[01].png$'
 try make -s -f "$TOP/pipelines/lapped.mk" MESHES='ball.glb plane.glb' TURN=2
 is "lapped.mk turns one mesh alone" "$((status > 0)) $(grep -c 'TURN, FRAMES and SHOW are for one MESH' .err)" "1 1"
 ok "engrave.mk has widths for pictures and for drawings" make -s -f "$TOP/pipelines/engrave.mk" MESH=ball.glb WIDTH=2 \
-    PAGE=a5 SIZE=48x48 OUT=engraved
+    PAGE=a6 SIZE=48x48 OUT=engraved
 is "engrave.mk writes both" "$(ls engraved | tr '\n' ' ')" "ball.png ball.strokes.glb ball.svg "
 try make -s -f "$TOP/pipelines/lapped.mk" MESH=ball.glb OUT='a way'
 is "lapped.mk refuses a folder with a space in its name" "$status $(ls -d a way 2>/dev/null)" "2 "
