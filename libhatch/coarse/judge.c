@@ -7,6 +7,7 @@
 
 #define GRID_TOLERANCES 6 /* distance of places on a face that are tested, in tolerances */
 #define GRID_MAX 64       /* rows of them */
+#define BESIDE 0.05       /* in tolerances */
 
 /* A sample's place and tolerance. */
 struct place {
@@ -30,23 +31,41 @@ static struct place place_of(const struct hatch_coarse_work *work, uint32_t samp
     return place;
 }
 
+/* Returns the square of a place's distance to a face that is kept, as a share of its tolerance.
+ *   share  out: weights of the corners at the nearest place on the face */
+static double face_error(const struct hatch_coarse_collapse *collapse, uint32_t kept, const struct place *place,
+                         double share[3])
+{
+    return hatch_triangle_distance_squared(collapse->corners[kept][0], collapse->corners[kept][1],
+                                           collapse->corners[kept][2], place->at, share) /
+           (place->tolerance * place->tolerance);
+}
+
 /* Finds the best face for a sample among those that are kept. Returns the square of its error as a share of its
- * tolerance: the distance to the face, or an attribute's error, whichever is larger. */
+ * tolerance: the distance to the face, or an attribute's error, whichever is larger. Attributes are compared on the
+ * nearest face, and on others that are farther by at most BESIDE. */
 static double best_face(struct hatch_coarse_work *work, const struct hatch_coarse_collapse *collapse, uint32_t sample,
                         uint32_t part)
 {
     const struct place place = place_of(work, sample);
-    double best = INFINITY, scale = 1 / (place.tolerance * place.tolerance);
-    bool compares = work->checks[part].count > 0 && sample < work->wedge_count;
+    double nearest = INFINITY, best = INFINITY, share[3];
     for (uint32_t i = 0; i < collapse->kept_count; i++) {
         uint32_t face = collapse->ring->faces[collapse->kept[i]];
-        double share[3];
-        if (work->part_of[face] != part)
+        double error = work->part_of[face] == part ? face_error(collapse, i, &place, share) : INFINITY;
+        if (error < nearest) {
+            nearest = error;
+            work->choice[sample] = face;
+        }
+    }
+    if (nearest > 1 || work->checks[part].count == 0 || sample >= work->wedge_count)
+        return nearest;
+    double most = fmin(1, (sqrt(nearest) + BESIDE) * (sqrt(nearest) + BESIDE));
+    for (uint32_t i = 0; i < collapse->kept_count; i++) {
+        uint32_t face = collapse->ring->faces[collapse->kept[i]];
+        double error = work->part_of[face] == part ? face_error(collapse, i, &place, share) : INFINITY;
+        if (error > most || error >= best)
             continue;
-        double error = scale * hatch_triangle_distance_squared(collapse->corners[i][0], collapse->corners[i][1],
-                                                               collapse->corners[i][2], place.at, share);
-        if (compares && error <= 1 && error < best)
-            error = fmax(error, hatch_coarse_attribute_error(work, part, sample, collapse->wedges[i], share));
+        error = fmax(error, hatch_coarse_attribute_error(work, part, sample, collapse->wedges[i], share));
         if (error < best) {
             best = error;
             work->choice[sample] = face;

@@ -140,6 +140,44 @@ START_TEST(no_removed_point_is_farther_than_its_tolerance)
 }
 END_TEST
 
+/* Returns the difference of a vertex's colour from that of the nearest place on a coarse mesh. */
+static double colour_error(const struct hatch_mesh *coarse, const struct hatch_mesh *mesh, uint32_t vertex)
+{
+    const float *colors = hatch_mesh_find(coarse, "COLOR_0", 3);
+    double at[3], least = INFINITY, color = 0;
+    hatch_vec_of(&mesh->attributes[0].data[3 * (size_t)vertex], at);
+    for (uint32_t f = 0; f < coarse->face_count; f++) {
+        double corners[3][3], share[3], distance, sum = 0;
+        hatch_mesh_corners(coarse, f, corners);
+        distance = hatch_triangle_distance_squared(corners[0], corners[1], corners[2], at, share);
+        for (uint32_t c = 0; c < 3; c++)
+            sum += share[c] * (double)colors[3 * coarse->indices[3 * f + c]];
+        color = distance < least ? sum : color;
+        least = fmin(least, distance);
+    }
+    return fabs(color - (double)hatch_mesh_find(mesh, "COLOR_0", 3)[3 * vertex]);
+}
+
+/* Colours may differ by 0.03 on the nearest face, and on others that are hardly farther; here many are within the
+ * tolerance. */
+START_TEST(colours_are_compared_where_they_are_near)
+{
+    struct hatch_mesh waves = sheet(40, 0.3);
+    float *colors;
+    HATCH_TEST_OK(hatch_mesh_add(&keep, &waves, "COLOR_0", 3, &colors, &err), &err);
+    for (uint32_t v = 0; v < waves.vertex_count; v++) {
+        const float *at = &waves.attributes[0].data[3 * (size_t)v];
+        colors[3 * v] = 0.5f + 0.5f * sinf(9 * at[0] + 5 * at[1]);
+    }
+    struct hatch_mesh coarse = coarse_of(&waves, 0.05);
+    double largest = 0;
+    ck_assert_uint_lt(coarse.face_count, waves.face_count / 2);
+    for (uint32_t v = 0; v < waves.vertex_count; v++)
+        largest = fmax(largest, colour_error(&coarse, &waves, v));
+    ck_assert_double_le(largest, 0.035);
+}
+END_TEST
+
 /* Makes a mesh coarser, loosely.
  *   cosine  of the normals, at all vertices */
 static struct hatch_mesh loose_of(const struct hatch_mesh *mesh, double tolerance, float cosine)
@@ -428,6 +466,7 @@ static Suite *suite(void)
     tcase_add_test(tests, loosely_waves_keep_their_height);
     tcase_add_test(tests, loosely_faces_keep_near_the_normals_of_their_corners);
     tcase_add_test(tests, no_removed_point_is_farther_than_its_tolerance);
+    tcase_add_test(tests, colours_are_compared_where_they_are_near);
     tcase_add_test(tests, a_point_where_surfaces_touch_stays);
     tcase_add_test(tests, points_of_a_border_stay_on_it);
     tcase_add_test(tests, closed_surfaces_stay_closed);
