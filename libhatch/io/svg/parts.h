@@ -146,7 +146,7 @@ enum hatch_status hatch_svg_arc(struct hatch_svg_pen *pen, const double radii[2]
 /* Ends the current subpath, if any. */
 enum hatch_status hatch_svg_end(struct hatch_svg_pen *pen, struct hatch_err *err) HATCH_MUST_USE;
 
-/* Draws path data ("m 3,4 l 5,6"). */
+/* Draws path data ("m 3,4 l 5,6"); "none" is an empty path. */
 enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *pen,
                                  struct hatch_err *err) HATCH_MUST_USE;
 

@@ -228,6 +228,7 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
     struct hatch_text rest = data;
     char letter = 0;
     hatch_svg_skip(&rest);
+    rest.length = hatch_text_is(rest, "none") ? 0 : rest.length;
     while (rest.length) {
         char first = *rest.at;
         bool repeated = letter && first != 0 && strchr("+-.0123456789", first);

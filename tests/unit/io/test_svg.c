@@ -86,6 +86,13 @@ START_TEST(points_of_curves_lie_on_them)
 }
 END_TEST
 
+START_TEST(a_path_may_be_none)
+{
+    read_page("<path stroke='black' d='none'/><path stroke='black' d=''/><path stroke='black' d='M1 2 3 4'/>");
+    ck_assert_uint_eq(list.count, 1);
+}
+END_TEST
+
 START_TEST(shapes_have_the_right_lengths)
 {
     read_page("<g stroke='black'><circle cx='50' cy='50' r='20'/><rect x='1' y='2' width='30' height='20'/>"
@@ -453,6 +460,7 @@ static Suite *suite(void)
     tcase_add_checked_fixture(tests, begin, end);
     tcase_add_loop_test(tests, equivalent_paths_have_the_same_ends, 0, sizeof same_ends / sizeof *same_ends);
     tcase_add_loop_test(tests, points_of_curves_lie_on_them, 0, 3);
+    tcase_add_test(tests, a_path_may_be_none);
     tcase_add_test(tests, shapes_have_the_right_lengths);
     tcase_add_test(tests, radii_may_be_absent);
     tcase_add_test(tests, arcs_lie_on_their_ellipse);
