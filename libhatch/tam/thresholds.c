@@ -329,24 +329,30 @@ static void store_filled_row(void *context, uint32_t y)
                 *value_of(job, job->level, texel, bin, 0) = job->filled_x[texel * 8 + bin];
 }
 
-/* Returns a texel of a picture's first channel, box-filtered to size x size texels. NULL counts as a picture that is 1
- * everywhere. */
-static uint8_t filtered_texel(const struct hatch_image *image, uint32_t x, uint32_t y, uint32_t size)
+/* Returns the length of what two intervals have in common, [a, a + length_a) and [b, b + length_b). */
+static double common_length(uint64_t a, uint64_t length_a, uint64_t b, uint64_t length_b)
+{
+    uint64_t from = a > b ? a : b, to = a + length_a < b + length_b ? a + length_a : b + length_b;
+    return to > from ? (double)(to - from) : 0;
+}
+
+/* Returns a texel of a picture's first channel, box-filtered to size x size texels: pixels that are partly in the texel
+ * count by that part. NULL counts as a picture that is 1 everywhere. */
+static uint8_t filtered_texel(const struct hatch_image *image, uint64_t x, uint64_t y, uint64_t size)
 {
     if (!image)
         return FULL;
-    uint32_t from[2], to[2];
-    const uint32_t at[2] = {x, y}, sides[2] = {image->width, image->height};
-    for (int axis = 0; axis < 2; axis++) {
-        from[axis] = (uint32_t)((uint64_t)at[axis] * sides[axis] / size);
-        to[axis] = (uint32_t)(((uint64_t)at[axis] + 1) * sides[axis] / size);
-        to[axis] = to[axis] > from[axis] ? to[axis] : from[axis] + 1;
-    }
-    double sum = 0;
-    for (uint32_t row = from[1]; row < to[1]; row++)
-        for (uint32_t column = from[0]; column < to[0]; column++)
-            sum += (double)image->pixels[((size_t)row * image->width + column) * image->channel_count];
-    return hatch_unorm8((float)(sum / (to[0] - from[0]) / (to[1] - from[1])));
+    /* Lengths are in parts of a pixel, `size` of them: a texel is as wide as the picture has pixels. */
+    const uint64_t width = image->width, height = image->height;
+    double sum = 0, area = 0;
+    for (uint64_t row = y * height / size; row * size < (y + 1) * height; row++)
+        for (uint64_t column = x * width / size; column * size < (x + 1) * width; column++) {
+            double part = common_length(x * width, width, column * size, size) *
+                          common_length(y * height, height, row * size, size);
+            sum += part * (double)image->pixels[(row * width + column) * image->channel_count];
+            area += part;
+        }
+    return hatch_unorm8((float)(sum / area));
 }
 
 static void mask_row(void *context, uint32_t y)

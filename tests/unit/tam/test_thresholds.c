@@ -273,20 +273,30 @@ START_TEST(paper_has_no_steps)
 }
 END_TEST
 
-START_TEST(pictures_are_stored_in_the_spare_channels)
+/* Makes a map with a picture that is 0.2 on the left of a column, 0.8 from there on. */
+static void make_with_picture(uint32_t width, uint32_t height, uint32_t column)
 {
     struct hatch_tam tam = made_map(64, 4, 1, "Y", two_strokes);
     struct hatch_image picture;
-    HATCH_TEST_OK(hatch_image_make(&map_arena, 128, 32, "Y", &picture, &map_err), &map_err);
-    for (size_t i = 0; i < 128 * 32; i++)
-        picture.pixels[i] = i % 128 < 64 ? 0.2f : 0.8f;
+    HATCH_TEST_OK(hatch_image_make(&map_arena, width, height, "Y", &picture, &map_err), &map_err);
+    for (size_t i = 0; i < (size_t)width * height; i++)
+        picture.pixels[i] = i % width < column ? 0.2f : 0.8f;
     const struct hatch_threshold_options how = {.bins = 7, .modulation = &picture};
     HATCH_TEST_OK(hatch_thresholds_make(&tam, &how, NULL, &map_arena, &map_scratch, &made, &map_err), &map_err);
+}
+
+START_TEST(pictures_are_stored_in_the_spare_channels)
+{
+    make_with_picture(128, 32, 64);
     ck_assert_uint_eq(channel_of(0, 31, 1, 3), 51);
     ck_assert_uint_eq(channel_of(0, 32, 1, 3), 204);
     ck_assert_uint_eq(channel_of(6, 0, 1, 3), 128);
     for (size_t i = 0; i < 4096; i++)
         ck_assert_uint_eq(channel_of(0, i, 3, 3), 255);
+    make_with_picture(96, 40, 32); /* a texel is 1.5 pixels wide: a third of the one at the step is left of it */
+    ck_assert_uint_eq(channel_of(0, 20, 1, 3), 51);
+    ck_assert_uint_eq(channel_of(0, 21, 1, 3), 153);
+    ck_assert_uint_eq(channel_of(0, 22, 1, 3), 204);
 }
 END_TEST
 
