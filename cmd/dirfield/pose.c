@@ -7,18 +7,18 @@ static bool shows(const struct hatch_node *node, uint32_t mesh)
 }
 
 /* The transform of the node does not apply to a skinned mesh (glTF). */
-static struct dirfield_pose pose_of(const struct hatch_node *node, const float *world)
+static struct dirfield_pose pose_of(const struct hatch_node *node, const double *world)
 {
     struct dirfield_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
     for (int row = 0; row < 3 && node->skin == HATCH_NONE; row++) {
         for (int k = 0; k < 3; k++)
-            pose.matrix[row][k] = (double)world[k * 4 + row];
-        pose.offset[row] = (double)world[12 + row];
+            pose.matrix[row][k] = world[k * 4 + row];
+        pose.offset[row] = world[12 + row];
     }
     return pose;
 }
 
-static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, const float *world,
+static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, const double *world,
                        struct dirfield_job *job)
 {
     struct hatch_err err;
@@ -34,7 +34,7 @@ static void find_poses(struct cmd_args *args, const struct hatch_scene *scene, c
 void dirfield_find_poses(struct cmd_args *args, const struct hatch_scene *scene, struct dirfield_job *jobs)
 {
     struct hatch_err err;
-    float *world;
+    double *world;
     cmd_check(HATCH_ALLOC(&args->keep, &world, (size_t)scene->node_count * 16, &err), NULL, &err);
     hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t i = 0; i < scene->mesh_count; i++)

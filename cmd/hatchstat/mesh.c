@@ -35,7 +35,7 @@ static void find_origin(struct cmd_args *args, const char *name, const struct ha
     cmd_check(hatch_pose_bounds(&pose, &rest, &args->scratch, &bounds, &err), name, &err);
     bool far = !bounds.empty && hatch_vec_length(bounds.center) > FAR * bounds.radius;
     for (int k = 0; k < 3; k++)
-        origin[k] = single ? (double)node->translation[k] : far ? bounds.center[k] : 0;
+        origin[k] = single ? node->translation[k] : far ? bounds.center[k] : 0;
 }
 
 static void report_row(struct cmd_report *report, const char *name, uint32_t file_vertices, const double origin[3],

@@ -234,7 +234,7 @@ void cmd_read_scene_silently(struct cmd_args *args, const char *path, enum cmd_s
             cmd_check(hatch_mesh_clean(&args->keep, &args->scratch, &mesh, notes, &err), name, &err);
         cmd_check(hatch_scene_of_mesh(&mesh, &args->keep, scene, &err), name, &err);
         for (int k = 0; k < 3; k++) /* large coordinates are moved to the node, to keep their precision */
-            scene->nodes[0].translation[k] = (float)origin[k];
+            scene->nodes[0].translation[k] = origin[k];
         if (is_file(path))
             warn_library(path, notes->library);
         if (care == CMD_SCENE_AS_IS) {

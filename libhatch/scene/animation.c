@@ -5,27 +5,26 @@
 #include <math.h>
 #include <string.h>
 
-/* Offsets in a node's 16 floats of `world` while a pose is computed. These floats first hold the node's local
+/* Offsets in a node's 16 numbers of `world` while a pose is computed. These numbers first hold the node's local
  * translation, rotation and scale; a pass over the nodes, parents first, then replaces them by the world matrix. This
  * saves scratch memory. */
 enum { LOCAL_TRANSLATION = 0, LOCAL_ROTATION = 3, LOCAL_SCALE = 7 };
 
-static void multiply(const float *a, const float *b, float *out)
+static void multiply(const double *a, const double *b, double *out)
 {
     for (int column = 0; column < 4; column++)
         for (int row = 0; row < 4; row++) {
             double sum = 0;
             for (int k = 0; k < 4; k++)
-                sum += (double)a[k * 4 + row] * (double)b[column * 4 + k];
-            out[column * 4 + row] = (float)sum;
+                sum += a[k * 4 + row] * b[column * 4 + k];
+            out[column * 4 + row] = sum;
         }
 }
 
-static void matrix_of(const float *local, float *matrix)
+static void matrix_of(const double *local, double *matrix)
 {
-    const float *t = local + LOCAL_TRANSLATION, *s = local + LOCAL_SCALE;
-    double x = (double)local[LOCAL_ROTATION], y = (double)local[LOCAL_ROTATION + 1];
-    double z = (double)local[LOCAL_ROTATION + 2], w = (double)local[LOCAL_ROTATION + 3];
+    const double *t = local + LOCAL_TRANSLATION, *q = local + LOCAL_ROTATION, *s = local + LOCAL_SCALE;
+    double x = q[0], y = q[1], z = q[2], w = q[3];
     const double turn[3][3] = {
         {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
         {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
@@ -33,7 +32,7 @@ static void matrix_of(const float *local, float *matrix)
     };
     for (int column = 0; column < 3; column++) {
         for (int row = 0; row < 3; row++)
-            matrix[column * 4 + row] = (float)(turn[column][row] * (double)s[column]);
+            matrix[column * 4 + row] = turn[column][row] * s[column];
         matrix[column * 4 + 3] = 0;
     }
     memcpy(matrix + 12, t, 3 * sizeof *t);
@@ -127,7 +126,7 @@ static void value_at(const struct hatch_animation_channel *channel, double time_
 }
 
 /* Replaces the part of a node's local transform that a channel animates. */
-static void sample(const struct hatch_animation_channel *channel, double time_s, float *local)
+static void sample(const struct hatch_animation_channel *channel, double time_s, double *local)
 {
     static const int offset[] = {[HATCH_PATH_TRANSLATION] = LOCAL_TRANSLATION,
                                  [HATCH_PATH_ROTATION] = LOCAL_ROTATION,
@@ -139,7 +138,7 @@ static void sample(const struct hatch_animation_channel *channel, double time_s,
     if (channel->path == HATCH_PATH_ROTATION)
         normalize4(value);
     for (uint32_t i = 0; i < hatch_channel_width(channel); i++)
-        local[offset[channel->path] + (int)i] = (float)value[i];
+        local[offset[channel->path] + (int)i] = value[i];
 }
 
 double hatch_animation_wrap(const struct hatch_animation *animation, double time_s)
@@ -153,10 +152,10 @@ double hatch_animation_wrap(const struct hatch_animation *animation, double time
     return wrapped < 0 ? wrapped + duration_s : wrapped;
 }
 
-void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world)
+void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, double *world)
 {
     for (uint32_t i = 0; i < scene->node_count; i++) {
-        float *local = &world[(size_t)i * 16];
+        double *local = &world[(size_t)i * 16];
         memcpy(local + LOCAL_TRANSLATION, scene->nodes[i].translation, 3 * sizeof *local);
         memcpy(local + LOCAL_ROTATION, scene->nodes[i].rotation, 4 * sizeof *local);
         memcpy(local + LOCAL_SCALE, scene->nodes[i].scale, 3 * sizeof *local);
@@ -170,7 +169,7 @@ void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, doubl
     }
     for (uint32_t i = 0; i < scene->node_count; i++) {
         const struct hatch_node *node = &scene->nodes[i];
-        float local[16];
+        double local[16];
         if (node->has_matrix)
             memcpy(local, node->matrix, sizeof local);
         else
@@ -200,9 +199,13 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
     }
 }
 
-void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints)
+void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const double *world, double *joints)
 {
     const struct hatch_skin *s = &scene->skins[skin];
-    for (uint32_t j = 0; j < s->joint_count; j++)
-        multiply(&world[(size_t)s->joints[j] * 16], &s->inverse_bind[(size_t)j * 16], &joints[(size_t)j * 16]);
+    for (size_t j = 0; j < s->joint_count; j++) {
+        double inverse[16];
+        for (size_t i = 0; i < 16; i++)
+            inverse[i] = (double)s->inverse_bind[16 * j + i];
+        multiply(&world[(size_t)s->joints[j] * 16], inverse, &joints[16 * j]);
+    }
 }

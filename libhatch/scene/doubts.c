@@ -108,7 +108,7 @@ static bool is_flat(const struct hatch_node *node)
     if (!node->has_matrix)
         return node->scale[0] == 0 || node->scale[1] == 0 || node->scale[2] == 0;
     for (int k = 0; k < 3; k++)
-        hatch_vec_of(&node->matrix[4 * k], column[k]);
+        hatch_vec_copy(&node->matrix[4 * k], column[k]);
     hatch_vec_cross(column[0], column[1], normal);
     return hatch_vec_dot(normal, column[2]) == 0;
 }

@@ -10,11 +10,11 @@
 /* Ratio of the smallest to the largest scale below which a matrix flattens. */
 #define FLAT 1e-6
 
-static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 /* Extends a box by the transformed bounding box of a mesh.
  *   matrix  column-major */
-static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const float *matrix)
+static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const double *matrix)
 {
     float ends[2][3];
     if (!hatch_mesh_bounds(mesh, ends[0], ends[1]))
@@ -22,9 +22,9 @@ static void add_mesh(struct hatch_box *box, const struct hatch_mesh *mesh, const
     for (int corner = 0; corner < 8; corner++) {
         double point[3];
         for (int row = 0; row < 3; row++) {
-            point[row] = (double)matrix[12 + row];
+            point[row] = matrix[12 + row];
             for (int k = 0; k < 3; k++)
-                point[row] += (double)matrix[4 * k + row] * (double)ends[corner >> k & 1][k];
+                point[row] += matrix[4 * k + row] * (double)ends[corner >> k & 1][k];
         }
         hatch_box_add(box, point);
     }
@@ -56,11 +56,11 @@ static void sum_areas(const struct hatch_mesh *mesh, double areas[3][3])
 /* Returns the scale of a matrix for a mesh: the root of the factor by which it makes the areas of faces larger, in the
  * root mean square.
  *   areas  of the mesh, from sum_areas */
-static double scale_of(const float *matrix, double areas[3][3])
+static double scale_of(const double *matrix, double areas[3][3])
 {
     double columns[3][3], across[3][3], sum = 0;
     for (int column = 0; column < 3; column++)
-        hatch_vec_of(&matrix[4 * column], columns[column]);
+        hatch_vec_copy(&matrix[4 * column], columns[column]);
     for (int k = 0; k < 3; k++) /* an area with normal n gets the normal across' n */
         hatch_vec_cross(columns[(k + 1) % 3], columns[(k + 2) % 3], across[k]);
     for (int i = 0; i < 3; i++)
@@ -70,11 +70,11 @@ static double scale_of(const float *matrix, double areas[3][3])
 }
 
 /* Finds the largest and the smallest length of the images of unit vectors. */
-static void find_lengths(const float *matrix, double lengths[2])
+static void find_lengths(const double *matrix, double lengths[2])
 {
     double columns[3][3], products[9], axes[9], next[9];
     for (int column = 0; column < 3; column++)
-        hatch_vec_of(&matrix[4 * column], columns[column]);
+        hatch_vec_copy(&matrix[4 * column], columns[column]);
     for (int k = 0; k < 9; k++)
         products[k] = hatch_vec_dot(columns[k / 3], columns[k % 3]);
     hatch_pca_directions(products, 3, 3, axes, next);
@@ -95,7 +95,7 @@ static double unevenness_of(const double lengths[2])
 /* Returns the matrix that places a node's meshes in the scene. For a node with a skin, whose own transform does not
  * move its meshes, this is the matrix of the skin's first joint.
  *   joints  room for the matrices of the largest skin */
-static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const float *world, float *joints)
+static const double *matrix_of(const struct hatch_scene *scene, uint32_t n, const double *world, double *joints)
 {
     if (scene->nodes[n].skin == HATCH_NONE)
         return world + 16 * (size_t)n;
@@ -106,14 +106,14 @@ static const float *matrix_of(const struct hatch_scene *scene, uint32_t n, const
 /* A scene while it is measured. */
 struct measuring {
     const struct hatch_scene *scene;
-    float *world, *joints; /* matrices of all nodes, and of the largest skin */
-    double (*areas)[3][3]; /* per mesh, from sum_areas */
-    double *scale;         /* per mesh: the largest so far */
-    double *stretch;       /* per mesh: the largest so far */
-    double *unevenness;    /* per mesh: the largest so far, at rest */
-    bool *known;           /* per mesh: its scale no longer changes */
-    struct hatch_box box;  /* of all that is drawn */
-    bool box_known;        /* it no longer changes */
+    double *world, *joints; /* matrices of all nodes, and of the largest skin */
+    double (*areas)[3][3];  /* per mesh, from sum_areas */
+    double *scale;          /* per mesh: the largest so far */
+    double *stretch;        /* per mesh: the largest so far */
+    double *unevenness;     /* per mesh: the largest so far, at rest */
+    bool *known;            /* per mesh: its scale no longer changes */
+    struct hatch_box box;   /* of all that is drawn */
+    bool box_known;         /* it no longer changes */
 };
 
 static enum hatch_status begin(struct measuring *measuring, struct hatch_arena *arena, struct hatch_arena *scratch,
@@ -144,7 +144,7 @@ static void measure_pose(struct measuring *measuring, uint32_t animation, double
         const struct hatch_node *node = &scene->nodes[n];
         if (node->mesh_count == 0)
             continue;
-        const float *matrix = matrix_of(scene, n, measuring->world, measuring->joints);
+        const double *matrix = matrix_of(scene, n, measuring->world, measuring->joints);
         double lengths[2];
         find_lengths(matrix, lengths);
         const double unevenness = animation == HATCH_NONE ? unevenness_of(lengths) : 1;

@@ -13,23 +13,23 @@ struct flat {
     uint32_t vertex, face;      /* numbers of vertices and faces added so far */
 };
 
-static void transform(const float *matrix, const double origin[3], const double p[3], float *out)
+static void transform(const double *matrix, const double origin[3], const double p[3], float *out)
 {
     for (int row = 0; row < 3; row++) {
-        double sum = (double)matrix[12 + row] - origin[row];
+        double sum = matrix[12 + row] - origin[row];
         for (int k = 0; k < 3; k++)
-            sum += (double)matrix[k * 4 + row] * p[k];
+            sum += matrix[k * 4 + row] * p[k];
         out[row] = (float)sum;
     }
 }
 
 /* Computes the cofactors of a matrix; returns its determinant. They transform normals, because they are the transposed
  * inverse times the determinant; for a mirroring matrix their sign must be changed. */
-static double cofactors(const float *matrix, double out[3][3])
+static double cofactors(const double *matrix, double out[3][3])
 {
     double column[3][3];
     for (int k = 0; k < 3; k++)
-        hatch_vec_of(matrix + 4 * k, column[k]);
+        hatch_vec_copy(matrix + 4 * k, column[k]);
     for (int k = 0; k < 3; k++)
         hatch_vec_cross(column[(k + 1) % 3], column[(k + 2) % 3], out[k]);
     return hatch_vec_dot(column[0], out[0]);
@@ -45,7 +45,7 @@ static void turn_normal(double cofactor[3][3], double determinant, const double 
 }
 
 /* Adds the vertices of a mesh that its node's matrix places. Returns whether the matrix mirrors. */
-static bool add_placed(struct flat *f, uint32_t node, const struct hatch_mesh *mesh, const float *matrix)
+static bool add_placed(struct flat *f, uint32_t node, const struct hatch_mesh *mesh, const double *matrix)
 {
     double cofactor[3][3], determinant = cofactors(matrix, cofactor), at[3];
     const float *positions = mesh->attributes[0].data;
@@ -82,7 +82,7 @@ static enum hatch_status add_skinned(struct flat *f, uint32_t node, const struct
 static enum hatch_status add_mesh(struct flat *f, uint32_t node, const struct hatch_mesh *mesh,
                                   struct hatch_arena *scratch, struct hatch_err *err)
 {
-    static const float identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const float *texcoords = hatch_mesh_find(mesh, "TEXCOORD_0", 2);
     bool skinned = f->scene->nodes[node].skin != HATCH_NONE, mirrored = false;
     if (skinned && f->skins)

@@ -33,8 +33,7 @@ void hatch_pose_set(struct hatch_pose *pose, uint32_t animation, double time_s)
 
 void hatch_pose_matrix(const struct hatch_pose *pose, uint32_t node, double matrix[16])
 {
-    for (int i = 0; i < 16; i++)
-        matrix[i] = (double)pose->world[16 * (size_t)node + (size_t)i];
+    memcpy(matrix, &pose->world[16 * (size_t)node], 16 * sizeof *matrix);
 }
 
 bool hatch_pose_normal_matrix(const double m[16], double normal[9])
@@ -53,7 +52,7 @@ bool hatch_pose_normal_matrix(const double m[16], double normal[9])
 }
 
 /* Computes the skinning matrix of a vertex, with weights normalized to a sum of 1. */
-static void blend_joints(const float *joints, const float *ids, const float *weights, uint32_t joint_count,
+static void blend_joints(const double *joints, const float *ids, const float *weights, uint32_t joint_count,
                          double matrix[16])
 {
     memset(matrix, 0, 16 * sizeof *matrix);
@@ -65,11 +64,11 @@ static void blend_joints(const float *joints, const float *ids, const float *wei
             continue;
         sum += weight;
         for (int i = 0; i < 16; i++)
-            matrix[i] += weight * (double)joints[16 * (size_t)joint + (size_t)i];
+            matrix[i] += weight * joints[16 * (size_t)joint + (size_t)i];
     }
     if (!(sum > 0) && joint_count > 0) /* no valid weight: the vertex follows its first joint */
         for (int i = 0; i < 16; i++)
-            matrix[i] = (double)joints[16 * (size_t)(ids[0] < (float)joint_count ? ids[0] : 0) + (size_t)i];
+            matrix[i] = joints[16 * (size_t)(ids[0] < (float)joint_count ? ids[0] : 0) + (size_t)i];
     for (int i = 0; sum > 0 && i < 16; i++)
         matrix[i] /= sum;
 }

@@ -11,8 +11,8 @@
 
 struct hatch_pose {
     const struct hatch_scene *scene;
-    float *world;       /* world matrices: 16 per node, column-major */
-    float *joints;      /* scratch: 16 per joint of the largest skin */
+    double *world;      /* world matrices: 16 per node, column-major */
+    double *joints;     /* scratch: 16 per joint of the largest skin */
     double *weights;    /* scratch: one per morph target of the mesh that has most */
     uint32_t animation; /* index, or HATCH_NONE: the rest pose */
     double time_s;

@@ -135,8 +135,8 @@ static enum hatch_status make_room(const struct hatch_scene *scenes, uint32_t co
 enum hatch_status hatch_scene_turn_up(struct hatch_scene *scene, enum hatch_up up, struct hatch_arena *arena,
                                       struct hatch_err *err)
 {
-    static const float z_to_y[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
-    static const float x_to_y[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    static const double z_to_y[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
+    static const double x_to_y[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     struct hatch_node root = {
         .parent = HATCH_NONE, .has_matrix = true, .skin = HATCH_NONE, .camera = HATCH_NONE, .light = HATCH_NONE};
     struct hatch_scene turned;
@@ -183,10 +183,10 @@ enum hatch_status hatch_scene_join_row(const struct hatch_scene *scenes, uint32_
                                   .camera = HATCH_NONE,
                                   .light = HATCH_NONE};
         for (int k = 0; k < 3; k++) {
-            root.scale[k] = (float)size;
-            root.translation[k] = (float)(first.center[k] + (k == 0 ? x : 0) - size * bounds.center[k]);
+            root.scale[k] = size;
+            root.translation[k] = first.center[k] + (k == 0 ? x : 0) - size * bounds.center[k];
             if (k == 1 && stand)
-                root.translation[k] += (float)(size * bounds.half[k] - first.half[k]);
+                root.translation[k] += size * bounds.half[k] - first.half[k];
         }
         HATCH_TRY(append(&scenes[i], &root, (float)size, &made, arena, err));
         x += left;

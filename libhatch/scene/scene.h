@@ -96,8 +96,8 @@ struct hatch_scene_mesh {
 
 struct hatch_node {
     uint32_t parent; /* lower than the node's own index, or HATCH_NONE */
-    float translation[3], rotation[4] /* x y z w */, scale[3];
-    float matrix[16];                /* column-major; see has_matrix */
+    double translation[3], rotation[4] /* x y z w */, scale[3];
+    double matrix[16];               /* column-major; see has_matrix */
     bool has_matrix;                 /* matrix replaces translation, rotation and scale */
     uint32_t first_mesh, mesh_count; /* range in scene.meshes */
     float *weights;  /* rest weights of its meshes' morph targets, less those already applied; NULL: all 0 */
@@ -210,7 +210,7 @@ double hatch_animation_wrap(const struct hatch_animation *animation, double time
  *   animation  index, or HATCH_NONE: the rest pose
  *   time_s     any time; wrapped by hatch_animation_wrap
  *   world      out: 16 per node, column-major */
-void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, float *world);
+void hatch_scene_pose(const struct hatch_scene *scene, uint32_t animation, double time_s, double *world);
 
 /* Computes the weights of the morph targets of a node's meshes at a time of an animation.
  *   animation, time_s  as for hatch_scene_pose
@@ -223,7 +223,7 @@ void hatch_scene_weights(const struct hatch_scene *scene, uint32_t node, uint32_
  * the matrix of the skinned node.
  *   world   from hatch_scene_pose
  *   joints  out: 16 per joint, column-major */
-void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const float *world, float *joints);
+void hatch_scene_skin(const struct hatch_scene *scene, uint32_t skin, const double *world, double *joints);
 
 /* Joins the meshes of all nodes at rest into one mesh in world coordinates, relative to an origin: floats are precise
  * near it only. It has POSITION, and NORMAL and TEXCOORD_0 if all meshes have them. Under the mirroring matrix of a

@@ -50,7 +50,7 @@ static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arena
     struct hatch_mesh mesh;
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         use_strokes(&scene->meshes[m]);
-    float *world = HATCH_NEW(&arenas->keep, float, (size_t)scene->node_count * 16, &err);
+    double *world = HATCH_NEW(&arenas->keep, double, (size_t)scene->node_count * 16, &err);
     for (uint32_t a = 0; world && a < scene->animation_count; a++) {
         hatch_scene_pose(scene, a, 0.37, world);
         use_weights(scene, a, arenas);
@@ -59,7 +59,7 @@ static void use_scene(const struct hatch_scene *scene, struct fuzz_arenas *arena
         hatch_scene_pose(scene, HATCH_NONE, 0, world);
     for (uint32_t s = 0; world && s < scene->skin_count; s++) {
         size_t count = (size_t)scene->skins[s].joint_count * 16;
-        float *joints = HATCH_NEW(&arenas->keep, float, count, &err);
+        double *joints = HATCH_NEW(&arenas->keep, double, count, &err);
         if (joints)
             hatch_scene_skin(scene, s, world, joints);
     }

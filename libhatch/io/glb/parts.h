@@ -106,6 +106,8 @@ enum hatch_status hatch_glb_string(struct hatch_glb *glb, const char *key, const
 enum hatch_status hatch_glb_number(struct hatch_glb *glb, const char *key, float value);
 enum hatch_status hatch_glb_integer(struct hatch_glb *glb, const char *key, uint32_t value);
 enum hatch_status hatch_glb_numbers(struct hatch_glb *glb, const char *key, const float *values, uint32_t count);
+/* Appends key and values, with as many significant digits as identify each, up to 17. */
+enum hatch_status hatch_glb_doubles(struct hatch_glb *glb, const char *key, const double *values, uint32_t count);
 
 /* Opens an object, with the name that is kept of it. */
 enum hatch_status hatch_glb_open_named(struct hatch_glb *glb, const struct hatch_kept *kept);

@@ -53,15 +53,15 @@ static enum hatch_status print_children(struct hatch_glb *glb, const char *key, 
 
 static enum hatch_status print_transform(struct hatch_glb *glb, const struct hatch_node *node)
 {
-    static const float no_translation[3], no_rotation[4] = {0, 0, 0, 1}, no_scale[3] = {1, 1, 1};
+    static const double no_translation[3], no_rotation[4] = {0, 0, 0, 1}, no_scale[3] = {1, 1, 1};
     if (node->has_matrix)
-        return hatch_glb_numbers(glb, "matrix", node->matrix, 16);
+        return hatch_glb_doubles(glb, "matrix", node->matrix, 16);
     if (memcmp(node->translation, no_translation, sizeof no_translation) != 0)
-        HATCH_TRY(hatch_glb_numbers(glb, "translation", node->translation, 3));
+        HATCH_TRY(hatch_glb_doubles(glb, "translation", node->translation, 3));
     if (memcmp(node->rotation, no_rotation, sizeof no_rotation) != 0)
-        HATCH_TRY(hatch_glb_numbers(glb, "rotation", node->rotation, 4));
+        HATCH_TRY(hatch_glb_doubles(glb, "rotation", node->rotation, 4));
     if (memcmp(node->scale, no_scale, sizeof no_scale) != 0)
-        HATCH_TRY(hatch_glb_numbers(glb, "scale", node->scale, 3));
+        HATCH_TRY(hatch_glb_doubles(glb, "scale", node->scale, 3));
     return HATCH_OK;
 }
 

@@ -59,11 +59,11 @@ void fill(const Transforms &transforms, uint32_t instance, uint32_t parent, stru
     node->skin = node->camera = node->light = HATCH_NONE;
     node->rotation[3] = node->scale[0] = node->scale[1] = node->scale[2] = 1;
     for (size_t k = 0; transforms.translation && k < 3; k++)
-        node->translation[k] = transforms.translation[3 * static_cast<size_t>(instance) + k];
+        node->translation[k] = static_cast<double>(transforms.translation[3 * static_cast<size_t>(instance) + k]);
     for (size_t k = 0; transforms.rotation && k < 4; k++)
-        node->rotation[k] = transforms.rotation[4 * static_cast<size_t>(instance) + k];
+        node->rotation[k] = static_cast<double>(transforms.rotation[4 * static_cast<size_t>(instance) + k]);
     for (size_t k = 0; transforms.scale && k < 3; k++)
-        node->scale[k] = transforms.scale[3 * static_cast<size_t>(instance) + k];
+        node->scale[k] = static_cast<double>(transforms.scale[3 * static_cast<size_t>(instance) + k]);
 }
 
 /* Makes room for more nodes; if that needs memory, the capacity at least doubles. */

@@ -289,16 +289,17 @@ enum hatch_status load(struct hatch_bytes file, const struct hatch_gltf_resolver
     return parsed ? expand_views(model, scratch, err) : fail_with(text, err);
 }
 
-/* Fails when the transform of a node in the scene is not finite: products of finite transforms may overflow. */
+/* Fails when the transform of a node in the scene is not finite as floats: products of finite transforms may overflow.
+ */
 enum hatch_status check_transforms(Reader &r)
 {
     size_t count = r.scene->node_count;
-    float *world = HATCH_NEW(r.scratch, float, 16 * count, r.err);
+    double *world = HATCH_NEW(r.scratch, double, 16 * count, r.err);
     if (!world)
         return HATCH_LIMIT;
     hatch_scene_pose(r.scene, HATCH_NONE, 0, world);
     size_t at = 0;
-    while (at < 16 * count && std::isfinite(world[at]))
+    while (at < 16 * count && std::isfinite(static_cast<float>(world[at])))
         at++;
     if (at == 16 * count)
         return HATCH_OK;

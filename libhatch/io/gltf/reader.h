@@ -85,6 +85,8 @@ enum hatch_status expand_views(tinygltf::Model *model, const struct hatch_arena 
 /* Copies count numbers, which must be finite; if from is empty, to is unchanged.
  *   what  name of the property, for messages */
 enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
+                               const char *what, double *to);
+enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
                                const char *what, float *to);
 
 /* Normalises a node's rotation; fails when it is zero. */

@@ -1,5 +1,6 @@
 #include "io/gltf/reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -7,7 +8,7 @@ namespace hatch
 {
 
 enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
-                               const char *what, float *to)
+                               const char *what, double *to)
 {
     if (from.empty())
         return HATCH_OK;
@@ -15,10 +16,19 @@ enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_
         return bad(r, where,
                    std::string(what) + ": " + std::to_string(from.size()) + " values, want " + std::to_string(count));
     for (size_t i = 0; i < count; i++) {
-        to[i] = static_cast<float>(from[i]);
-        if (!std::isfinite(to[i]))
+        to[i] = from[i];
+        if (!std::isfinite(static_cast<float>(to[i])))
             return bad(r, where, std::string(what) + " is not finite");
     }
+    return HATCH_OK;
+}
+
+enum hatch_status copy_numbers(Reader &r, const std::vector<double> &from, size_t count, const std::string &where,
+                               const char *what, float *to)
+{
+    std::vector<double> copied(from.size());
+    HATCH_TRY(copy_numbers(r, from, count, where, what, copied.data()));
+    std::transform(copied.begin(), copied.end(), to, [](double value) { return static_cast<float>(value); });
     return HATCH_OK;
 }
 
@@ -130,13 +140,13 @@ bool is_left_out(struct hatch_bytes bytes)
 enum hatch_status normalize_rotation(Reader &r, struct hatch_node *node, const std::string &where)
 {
     double length = 0;
-    for (float q : node->rotation)
-        length += static_cast<double>(q) * static_cast<double>(q);
+    for (double q : node->rotation)
+        length += q * q;
     if (!(length > 0))
         return bad(r, where, "rotation is zero");
     /* A rotation of unit length up to rounding is kept as it is, so that reading a written file changes nothing. */
-    for (float &q : node->rotation)
-        q = std::fabs(length - 1) < 1e-6 ? q : static_cast<float>(static_cast<double>(q) / std::sqrt(length));
+    for (double &q : node->rotation)
+        q = std::fabs(length - 1) < 1e-6 ? q : q / std::sqrt(length);
     return HATCH_OK;
 }
 

@@ -132,4 +132,20 @@ holes same 0
 holes other 1
 draw half.gltf half.png --lines none
 is "a texture has holes in one mesh and none in another" "$(apart same.png other.png)$(apart same.png half.png)" 00
+
+# parts_at X: two spheres that touch, of which one is a child of a node at X
+meshgen sphere --faces 200 -o ball.glb
+unpack ball.glb ball
+parts_at() {
+    nodes="{\"children\":[1],\"translation\":[$1.1,0,0]},{\"mesh\":0,\"translation\":[0.07,0,0]}"
+    nodes="$nodes,{\"mesh\":0,\"rotation\":[0,0,0.6,0.8],\"translation\":[$1.32,2.01,0]}"
+    sed "s/\"nodes\":\[0\]}\],\"nodes\":\[{[^}]*}\]/\"nodes\":[0,2]}],\"nodes\":[$nodes]/" ball.gltf
+}
+parts_at 0 >near.gltf
+parts_at 4500000 >far.gltf
+strokegen -q --levels 2 far.gltf -o far.glb
+for file in near.gltf far.gltf far.glb; do
+    render-gl -q $file -t gouraud --size 96x72 -o $file.png
+done
+is "nodes far from the origin keep their places" "$(apart near.gltf.png far.gltf.png)$(apart near.gltf.png far.glb.png)" 00
 finish

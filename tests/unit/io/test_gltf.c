@@ -286,8 +286,8 @@ START_TEST(nodes_follow_their_parents)
     const uint32_t parents[] = {HATCH_NONE, 0, 0, 1};
     for (int i = 0; i < 4; i++)
         ck_assert_uint_eq(scene.nodes[i].parent, parents[i]);
-    ck_assert_float_eq(scene.nodes[0].rotation[1], 1); /* normalised */
-    ck_assert_float_eq(scene.nodes[1].translation[2], 3);
+    ck_assert_double_eq(scene.nodes[0].rotation[1], 1); /* normalised */
+    ck_assert_double_eq(scene.nodes[1].translation[2], 3);
     ck_assert_uint_eq(scene.nodes[2].light, 0);
     ck_assert_uint_eq(scene.nodes[3].camera, 0);
     ck_assert_float_eq(scene.cameras[0].zfar, 0);

@@ -141,14 +141,14 @@ START_TEST(instances_are_nodes)
     for (uint32_t i = 2; i < 5; i++) {
         ck_assert_uint_eq(scene.nodes[i].parent, 0);
         ck_assert_uint_eq(scene.nodes[i].mesh_count, 1);
-        ck_assert_float_eq(scene.nodes[i].translation[0], 2 * (float)(i - 1));
-        ck_assert_float_eq(scene.nodes[i].scale[2], 1);
+        ck_assert_double_eq(scene.nodes[i].translation[0], 2 * (i - 1.0));
+        ck_assert_double_eq(scene.nodes[i].scale[2], 1);
     }
-    ck_assert_float_eq(scene.nodes[3].rotation[2], 1); /* normalised */
-    float world[5 * 16];
+    ck_assert_double_eq(scene.nodes[3].rotation[2], 1); /* normalised */
+    double world[5 * 16];
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
-    ck_assert_float_eq(world[4 * 16 + 12], 6);
-    ck_assert_float_eq(world[4 * 16 + 13], 7);
+    ck_assert_double_eq(world[4 * 16 + 12], 6);
+    ck_assert_double_eq(world[4 * 16 + 13], 7);
     refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":7,\"ROTATION\":4"),
             "node 0, instances' ROTATION: 3 elements, other attributes have 2");
     refuses(HEAD SQUARE("0},\"mode\":5") INSTANCES("\"TRANSLATION\":8"),
@@ -196,11 +196,11 @@ START_TEST(two_keys_may_have_one_time)
 {
     reads(HEAD ",\"nodes\":[{}],\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":"
                "\"translation\"}}],\"samplers\":[{\"input\":5,\"output\":6}]}]}");
-    float world[16];
+    double world[16];
     hatch_scene_pose(&scene, 0, 0.5, world);
-    ck_assert_float_eq(world[12], 0.5f);
+    ck_assert_double_eq(world[12], 0.5);
     hatch_scene_pose(&scene, 0, 1, world);
-    ck_assert_float_eq(world[12], 8);
+    ck_assert_double_eq(world[12], 8);
 }
 END_TEST
 

@@ -14,7 +14,7 @@ static enum hatch_status row(void *context, struct hatch_arena *lasting, struct 
 START_TEST(scenes_stand_in_a_row)
 {
     struct hatch_scene scene, scenes[2], joined;
-    float world[16 * 8];
+    double world[16 * 8];
     struct hatch_mesh sphere = shape_of(HATCH_SHAPE_SPHERE, 100);
     struct hatch_mesh large = shape_of(HATCH_SHAPE_SPHERE, 100);
     for (size_t i = 0; i < 3 * (size_t)large.vertex_count; i++)
@@ -34,10 +34,10 @@ START_TEST(scenes_stand_in_a_row)
     ck_assert_uint_eq(joined.materials[2].base.texture, 1);
     hatch_scene_pose(&joined, HATCH_NONE, 0, world);
     /* The second scene is scaled by 1/5; the centres are half of each width and the gap apart. */
-    const float *place = world + 16 * 5;
-    ck_assert_double_eq_tol((double)place[0], 0.2, 0.01);
-    ck_assert_double_eq_tol((double)(place[0] * 7 + place[12]), 2 + 0.2 * sqrt(3), 0.05);
-    ck_assert_double_eq_tol((double)(place[5] * 7 + place[13]), 0, 0.01);
+    const double *place = world + 16 * 5;
+    ck_assert_double_eq_tol(place[0], 0.2, 0.01);
+    ck_assert_double_eq_tol(place[0] * 7 + place[12], 2 + 0.2 * sqrt(3), 0.05);
+    ck_assert_double_eq_tol(place[5] * 7 + place[13], 0, 0.01);
     ck_assert_uint_gt(hatch_test_fail_alloc(row, scenes, NULL, 0), 8);
 }
 END_TEST

@@ -17,24 +17,24 @@ static const struct hatch_node resting = {.parent = HATCH_NONE,
                                           .camera = HATCH_NONE,
                                           .light = HATCH_NONE};
 
-static void apply(const float *matrix, float x, float y, float z, float out[3])
+static void apply(const double *matrix, double x, double y, double z, double out[3])
 {
     for (int row = 0; row < 3; row++)
         out[row] = matrix[row] * x + matrix[4 + row] * y + matrix[8 + row] * z + matrix[12 + row];
 }
 
-static void is_at(const float *matrix, float x, float y, float z)
+static void is_at(const double *matrix, double x, double y, double z)
 {
-    ck_assert_float_eq_tol(matrix[12], x, 1e-6f);
-    ck_assert_float_eq_tol(matrix[13], y, 1e-6f);
-    ck_assert_float_eq_tol(matrix[14], z, 1e-6f);
+    ck_assert_double_eq_tol(matrix[12], x, 1e-6);
+    ck_assert_double_eq_tol(matrix[13], y, 1e-6);
+    ck_assert_double_eq_tol(matrix[14], z, 1e-6);
 }
 
 START_TEST(nodes_are_placed_by_their_parents)
 {
     struct hatch_node nodes[3] = {resting, resting, resting};
-    const float matrix[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 0, 0, 1};
-    float world[48], p[3];
+    const double matrix[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 0, 0, 1};
+    double world[48], p[3];
     nodes[0].translation[0] = 1;
     nodes[0].rotation[1] = nodes[0].rotation[3] = HALF_SQRT; /* a quarter turn around y */
     nodes[1].parent = 0;
@@ -49,7 +49,21 @@ START_TEST(nodes_are_placed_by_their_parents)
     is_at(world + 16, 2, 0, 0);  /* z has become x */
     is_at(world + 32, 2, 0, -5); /* and x has become -z */
     apply(world + 32, 0, 1, 0, p);
-    ck_assert_float_eq_tol(p[1], 6, 1e-5f);
+    ck_assert_double_eq_tol(p[1], 6, 1e-6);
+}
+END_TEST
+
+/* Floats are half a unit apart there. */
+START_TEST(nodes_far_away_keep_their_places)
+{
+    struct hatch_node nodes[2] = {resting, resting};
+    double world[32];
+    nodes[0].translation[0] = 4500000.1;
+    nodes[1].parent = 0;
+    nodes[1].translation[0] = 0.07;
+    const struct hatch_scene scene = {.node_count = 2, .nodes = nodes};
+    hatch_scene_pose(&scene, HATCH_NONE, 0, world);
+    ck_assert_double_eq_tol(world[16 + 12], 4500000.17, 1e-8);
 }
 END_TEST
 
@@ -77,13 +91,13 @@ START_TEST(keys_are_interpolated_each_way)
                                                                                .values = values});
     const struct {
         double time_s;
-        float linear[2], step[2];
+        double linear[2], step[2];
     } want[] = {
-        {0, {0, 0}, {0, 0}},    {1.25, {2.5f, 0}, {0, 0}}, {2, {10, 0}, {10, 0}},
-        {3, {10, 2}, {10, 0}},  {4, {10, 4}, {10, 4}},     {5.25, {2.5f, 0}, {0, 0}}, /* wrapped */
+        {0, {0, 0}, {0, 0}},    {1.25, {2.5, 0}, {0, 0}}, {2, {10, 0}, {10, 0}},
+        {3, {10, 2}, {10, 0}},  {4, {10, 4}, {10, 4}},    {5.25, {2.5, 0}, {0, 0}}, /* wrapped */
         {-1, {10, 2}, {10, 0}},
     };
-    float world[16];
+    double world[16];
     for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
         moving.interpolation = HATCH_LINEAR;
         hatch_scene_pose(&scene, 0, want[i].time_s, world);
@@ -108,9 +122,9 @@ START_TEST(cubic_keys_follow_their_tangents)
                                                                                .times_s = times,
                                                                                .values = values});
     for (double t = 0; t <= 2; t += 0.125) {
-        float world[16];
+        double world[16];
         hatch_scene_pose(&scene, 0, t, world);
-        is_at(world, (float)(t * t * t - t), 0, 0);
+        is_at(world, t * t * t - t, 0, 0);
     }
 }
 END_TEST
@@ -129,7 +143,7 @@ START_TEST(weights_of_morph_targets_move)
     double weights[4] = {0, 0, 0, 7}; /* the last one is that of another node */
     moved_node.weights = rest;
     for (double t = 0; t <= 2; t += 0.125) {
-        float world[16];
+        double world[16];
         hatch_scene_pose(&scene, 0, t, world);
         is_at(world, 0, 0, 0);
         hatch_scene_weights(&scene, 0, 0, t, 3, weights);
@@ -153,11 +167,11 @@ START_TEST(rotations_turn_evenly_the_short_way)
                                                                                .times_s = times,
                                                                                .values = values});
     for (double t = 0; t <= 1; t += 0.125) {
-        float world[16], p[3];
+        double world[16], p[3];
         hatch_scene_pose(&scene, 0, t, world);
         apply(world, 1, 0, 0, p);
-        ck_assert_float_eq_tol(p[0], (float)cos(t * 1.5707963), 1e-5f);
-        ck_assert_float_eq_tol(p[1], (float)sin(t * 1.5707963), 1e-5f);
+        ck_assert_double_eq_tol(p[0], cos(t * 1.5707963), 1e-6);
+        ck_assert_double_eq_tol(p[1], sin(t * 1.5707963), 1e-6);
     }
 }
 END_TEST
@@ -168,8 +182,8 @@ START_TEST(rotations_turn_about_their_axis)
     static const double axes[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 3, 6}, {-6, 2, 3}, {3, -6, -2}};
     for (size_t i = 0; i < sizeof axes / sizeof *axes; i++)
         for (double angle = 0.4; angle < 3; angle += 0.6) {
-            double axis[3], half = angle; /* the keys are twice as far apart as the angle */
-            float times[] = {0, 1}, values[8] = {0, 0, 0, 1}, world[16];
+            double axis[3], world[16], half = angle; /* the keys are twice as far apart as the angle */
+            float times[] = {0, 1}, values[8] = {0, 0, 0, 1};
             hatch_vec_copy(axes[i], axis);
             hatch_vec_normalize(axis);
             for (int k = 0; k < 3; k++)
@@ -186,7 +200,7 @@ START_TEST(rotations_turn_about_their_axis)
                 double v[3] = {column == 0, column == 1, column == 2}, across[3];
                 hatch_vec_cross(axis, v, across);
                 for (int row = 0; row < 3; row++)
-                    ck_assert_double_eq_tol((double)world[4 * column + row],
+                    ck_assert_double_eq_tol(world[4 * column + row],
                                             v[row] * cos(turn) + across[row] * sin(turn) +
                                                 axis[row] * axis[column] * (1 - cos(turn)),
                                             1e-5);
@@ -206,7 +220,7 @@ START_TEST(a_skin_at_rest_leaves_its_mesh)
                          1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, -2, 0, 1};
     struct hatch_skin skin = {.joint_count = 2, .joints = joints, .inverse_bind = inverse};
     const struct hatch_scene scene = {.node_count = 2, .nodes = nodes, .skin_count = 1, .skins = &skin};
-    float world[32], matrices[32];
+    double world[32], matrices[32];
     hatch_scene_pose(&scene, HATCH_NONE, 0, world);
     hatch_scene_skin(&scene, 0, world, matrices);
     is_at(matrices, 0, 0, 0);
@@ -431,6 +445,7 @@ static Suite *suite(void)
     Suite *suite = suite_create("mesh scene");
     TCase *tests = tcase_create("scene");
     tcase_add_test(tests, nodes_are_placed_by_their_parents);
+    tcase_add_test(tests, nodes_far_away_keep_their_places);
     tcase_add_test(tests, keys_are_interpolated_each_way);
     tcase_add_test(tests, cubic_keys_follow_their_tangents);
     tcase_add_test(tests, weights_of_morph_targets_move);

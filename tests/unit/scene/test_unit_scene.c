@@ -134,12 +134,12 @@ START_TEST(turned_textures_continue_from_mesh_to_mesh)
 END_TEST
 
 /* Poses a shape that its node scales. Returns the length of a unit. */
-static double scale_of(enum hatch_shape shape, float x, float y, float z)
+static double scale_of(enum hatch_shape shape, double x, double y, double z)
 {
     const struct hatch_bounds bounds = {.radius = 1};
     struct hatch_mesh mesh = shape_of(shape, 2000);
     HATCH_TEST_OK(hatch_scene_of_mesh(&mesh, &keep, &scene, &err), &err);
-    memcpy(scene.nodes[0].scale, (const float[]){x, y, z}, 3 * sizeof x);
+    memcpy(scene.nodes[0].scale, (const double[]){x, y, z}, 3 * sizeof x);
     HATCH_TEST_OK(hatch_unit_scene_make(&scene, NULL, &bounds, &keep, &unit, &err), &err);
     hatch_unit_scene_pose(&unit, HATCH_NONE, 0);
     struct hatch_item_rest rest = hatch_item_rest(&unit, 0);

@@ -23,7 +23,7 @@ static void begin_scene(void)
     cameras[0] = far;
     cameras[1] = flat;
     for (uint32_t i = 0; i < 3; i++) {
-        const float at[3] = {10, 20, i == 1 ? 60 : 40};
+        const double at[3] = {10, 20, i == 1 ? 60 : 40};
         nodes[i] = scene.nodes[0];
         nodes[i].mesh_count = i == 0 ? nodes[i].mesh_count : 0;
         nodes[i].camera = i == 0 ? HATCH_NONE : i - 1;

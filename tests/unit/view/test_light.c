@@ -1,5 +1,6 @@
 /* Lights in the unit scene, and the exposure that makes them white. */
 #include "math/angle.h"
+#include "math/vector.h"
 #include "meshes.h"
 #include "view/exposure.h"
 #include "views.h"
@@ -18,7 +19,7 @@ static void light_plane(struct hatch_light light, const float translation[3])
     nodes[0].light = HATCH_NONE;
     nodes[1].mesh_count = 0;
     nodes[1].light = 0;
-    memcpy(nodes[1].translation, translation, sizeof nodes[1].translation);
+    hatch_vec_of(translation, nodes[1].translation);
     scene.nodes = nodes;
     scene.node_count = 2;
     scene.lights = HATCH_NEW(&keep, struct hatch_light, 1, &err);
