@@ -19,11 +19,22 @@ struct evening {
     const struct hatch_mesh *mesh;
     const float *thresholds;
     double (*at)[3];
-    float *drawn;      /* share of the line from the point before it that makes ink; 0: there is no line */
-    float *correction; /* a logarithm */
-    double wanted;     /* strokes per mesh unit: those of the level */
+    float *drawn;         /* share of the line from the point before it that makes ink; 0: there is no line */
+    float *correction[2]; /* logarithms: those of every second level each. At most two levels correct a point, and one
+                             follows the other, so that threads write to different arrays. */
+    struct level *levels; /* the finest first */
+};
+
+/* A level while thresholds are corrected by it, on one thread. */
+struct level {
+    const struct evening *evening;
+    double wanted; /* strokes per mesh unit: those of the level */
+    float *correction;
     bool coarsest, finest;
     struct hatch_cells cells;
+    struct hatch_arena arena; /* in which the cells grow once they have the surface */
+    enum hatch_status status;
+    struct hatch_err err;
 };
 
 static int parts_of(double length, double side)
@@ -71,78 +82,99 @@ static enum hatch_status add_face(struct hatch_cells *cells, const struct hatch_
 }
 
 /* Adds the area of the surface, from the cells of a finer level where there are some.
- *   finer  may be empty */
-static enum hatch_status add_surface(struct evening *evening, const struct hatch_cells *finer, struct hatch_err *err)
+ *   finer  NULL: there is no such level */
+static enum hatch_status add_surface(struct hatch_cells *cells, const struct hatch_mesh *mesh,
+                                     const struct hatch_cells *finer, struct hatch_err *err)
 {
-    for (size_t f = 0; f < evening->mesh->face_count && finer->keys.count == 0; f++)
-        HATCH_TRY(add_face(&evening->cells, evening->mesh, f, err));
-    for (uint32_t i = 0; i < finer->keys.count; i++) {
+    for (size_t f = 0; f < mesh->face_count && !finer; f++)
+        HATCH_TRY(add_face(cells, mesh, f, err));
+    for (uint32_t i = 0; finer && i < finer->keys.count; i++) {
         double at[3], area = (double)finer->cells[i].area;
         hatch_cells_middle(finer, i, at);
         if (area > 0)
-            HATCH_TRY(hatch_cells_add(&evening->cells, at, 0, area, err));
+            HATCH_TRY(hatch_cells_add(cells, at, 0, area, err));
     }
     return HATCH_OK;
 }
 
 /* Adds the ink of the line that leads to a point from the one before it. */
-static enum hatch_status add_line(struct evening *evening, uint32_t point, struct hatch_err *err)
+static enum hatch_status add_line(struct level *level, uint32_t point, struct hatch_err *err)
 {
+    const struct evening *evening = level->evening;
     double before = (double)evening->thresholds[point - 1], after = (double)evening->thresholds[point];
-    double most = HATCH_STROKE_FADE * evening->wanted;
+    double most = HATCH_STROKE_FADE * level->wanted;
     if (before >= most && after >= most)
         return HATCH_OK;
     const double *from = evening->at[point - 1], *to = evening->at[point];
     double length = hatch_vec_distance(from, to), ink = length * (double)evening->drawn[point];
     if (!(ink > 0))
         return HATCH_OK;
-    int parts = parts_of(length, evening->cells.side);
+    int parts = parts_of(length, level->cells.side);
     for (int i = 0; i < parts; i++) {
         double share = (i + 0.5) / parts, at[3], threshold = before + share * (after - before);
         for (int k = 0; k < 3; k++)
             at[k] = from[k] + share * (to[k] - from[k]);
-        HATCH_TRY(hatch_cells_add(&evening->cells, at, ink / parts * hatch_stroke_share(evening->wanted / threshold), 0,
-                                  err));
+        HATCH_TRY(
+            hatch_cells_add(&level->cells, at, ink / parts * hatch_stroke_share(level->wanted / threshold), 0, err));
     }
     return HATCH_OK;
 }
 
 /* Adds the correction of the level at a point: the logarithm of the ink around it, as a share of what the thresholds
  * promise. */
-static enum hatch_status correct(struct evening *evening, uint32_t point, struct hatch_err *err)
+static enum hatch_status correct(struct level *level, uint32_t point, struct hatch_err *err)
 {
-    double ratio = (double)evening->thresholds[point] / evening->wanted, octaves, ink = 0, area = 0, weight[8];
+    const struct evening *evening = level->evening;
+    double ratio = (double)evening->thresholds[point] / level->wanted, octaves, ink = 0, area = 0, weight[8];
     uint32_t corner[8];
-    if ((ratio > 2 && !evening->finest) || (ratio < 0.5 && !evening->coarsest))
+    if ((ratio >= 2 && !level->finest) || (ratio <= 0.5 && !level->coarsest))
         return HATCH_OK;
     octaves = log2(ratio);
-    if ((octaves > 0 && evening->finest) || (octaves < 0 && evening->coarsest))
+    if ((octaves > 0 && level->finest) || (octaves < 0 && level->coarsest))
         octaves = 0;
-    HATCH_TRY(hatch_cells_around(&evening->cells, evening->at[point], corner, weight, err));
+    HATCH_TRY(hatch_cells_around(&level->cells, evening->at[point], corner, weight, err));
     for (int i = 0; i < 8; i++) {
-        ink += weight[i] * (double)evening->cells.cells[corner[i]].ink;
-        area += weight[i] * (double)evening->cells.cells[corner[i]].area;
+        ink += weight[i] * (double)level->cells.cells[corner[i]].ink;
+        area += weight[i] * (double)level->cells.cells[corner[i]].area;
     }
-    double share = area > 0 ? ink / (area * HATCH_STROKE_GAIN * evening->wanted) : 1;
-    evening->correction[point] += (float)((1 - fabs(octaves)) * log(fmax(share, 1e-3)));
+    double share = area > 0 ? ink / (area * HATCH_STROKE_GAIN * level->wanted) : 1;
+    level->correction[point] += (float)((1 - fabs(octaves)) * log(fmax(share, 1e-3)));
     return HATCH_OK;
 }
 
 /* Adds the corrections of a level for the sets of a family, from `first` on to `end`. */
-static enum hatch_status even_family(struct evening *evening, uint32_t first, uint32_t end, struct hatch_err *err)
+static enum hatch_status even_family(struct level *level, uint32_t first, uint32_t end, struct hatch_err *err)
 {
-    const struct hatch_curve_set *sets = evening->curves->sets;
-    const struct hatch_curve *curves = evening->curves->curves;
+    const struct hatch_curve_set *sets = level->evening->curves->sets;
+    const struct hatch_curve *curves = level->evening->curves->curves;
     uint32_t low = sets[first].first, high = sets[end - 1].first + sets[end - 1].count;
-    for (uint32_t i = 0; i < evening->cells.keys.count; i++)
-        evening->cells.cells[i].ink = 0;
+    for (uint32_t i = 0; i < level->cells.keys.count; i++)
+        level->cells.cells[i].ink = 0;
     for (uint32_t c = low; c < high; c++)
         for (uint32_t i = curves[c].first + 1; i < curves[c].first + curves[c].count; i++)
-            HATCH_TRY(add_line(evening, i, err));
+            HATCH_TRY(add_line(level, i, err));
     for (uint32_t c = low; c < high; c++)
         for (uint32_t i = curves[c].first; i < curves[c].first + curves[c].count; i++)
-            HATCH_TRY(correct(evening, i, err));
+            HATCH_TRY(correct(level, i, err));
     return HATCH_OK;
+}
+
+static enum hatch_status even_families(struct level *level, struct hatch_err *err)
+{
+    const struct hatch_curves *curves = level->evening->curves;
+    for (uint32_t s = 0, next; s < curves->set_count; s = next) {
+        for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family;)
+            next++;
+        HATCH_TRY(even_family(level, s, next, err));
+    }
+    return HATCH_OK;
+}
+
+/* Corrects by one level of all families. */
+static void even_level(void *context, uint32_t index)
+{
+    struct level *level = &((struct evening *)context)->levels[index];
+    level->status = even_families(level, &level->err);
 }
 
 /* Finds where the points of a curve are, and which share of each of its lines makes ink.
@@ -167,25 +199,6 @@ static void measure_curve(struct evening *evening, const struct hatch_curve *cur
     }
 }
 
-/* Corrects by one level of all families.
- *   level  a set whose gap is that of the level
- *   finer  in, out: the cells of the level before, then of this one */
-static enum hatch_status even_level(struct evening *evening, uint32_t level, struct hatch_cells *finer,
-                                    struct hatch_arena *scratch, struct hatch_err *err)
-{
-    const struct hatch_curves *curves = evening->curves;
-    evening->wanted = 1 / (double)curves->sets[level].gap;
-    HATCH_TRY(hatch_cells_make(CELL_GAPS / evening->wanted, scratch, &evening->cells, err));
-    HATCH_TRY(add_surface(evening, finer, err));
-    for (uint32_t s = 0, next; s < curves->set_count; s = next) {
-        for (next = s; next < curves->set_count && curves->sets[next].family == curves->sets[s].family;)
-            next++;
-        HATCH_TRY(even_family(evening, s, next, err));
-    }
-    *finer = evening->cells;
-    return HATCH_OK;
-}
-
 static double area_of(const struct hatch_mesh *mesh)
 {
     double sum = 0;
@@ -194,31 +207,77 @@ static double area_of(const struct hatch_mesh *mesh)
     return sum;
 }
 
+/* Lists the levels that have enough points, the finest first, each with the area of the surface in its cells.
+ *   count   of all levels
+ *   listed  out: number of those that are listed */
+static enum hatch_status list_levels(struct evening *evening, uint32_t count, struct hatch_arena *scratch,
+                                     uint32_t *listed, struct hatch_err *err)
+{
+    const struct hatch_curves *curves = evening->curves;
+    double least_side = sqrt(area_of(evening->mesh) / (CELLS_MAX * curves->point_count));
+    HATCH_TRY(HATCH_ALLOC(scratch, &evening->levels, count, err));
+    *listed = 0;
+    for (uint32_t i = count; i-- > 0;) {
+        struct level *level = &evening->levels[*listed];
+        if (CELL_GAPS * (double)curves->sets[i].gap < least_side)
+            continue;
+        *level = (struct level){.evening = evening,
+                                .wanted = 1 / (double)curves->sets[i].gap,
+                                .correction = evening->correction[*listed % 2],
+                                .coarsest = i == 0,
+                                .finest = *listed == 0};
+        HATCH_TRY(hatch_cells_make(CELL_GAPS / level->wanted, scratch, &level->cells, err));
+        HATCH_TRY(add_surface(&level->cells, evening->mesh, level->finest ? NULL : &level[-1].cells, err));
+        ++*listed;
+    }
+    return HATCH_OK;
+}
+
+/* Corrects by all levels, each on a thread. */
+static enum hatch_status even_levels(struct evening *evening, uint32_t count, struct hatch_pool *pool,
+                                     struct hatch_arena *scratch, struct hatch_err *err)
+{
+    enum hatch_status status = HATCH_OK;
+    for (uint32_t i = 0; i < count; i++) {
+        struct level *level = &evening->levels[i];
+        if (scratch->budget)
+            hatch_arena_init_shared(&level->arena, scratch->budget);
+        else
+            hatch_arena_init(&level->arena, scratch->limit_bytes);
+        level->cells.keys.arena = level->cells.blocks.arena = &level->arena;
+    }
+    hatch_parallel_for(pool, count, even_level, evening);
+    for (uint32_t i = 0; i < count; i++) {
+        const struct level *level = &evening->levels[i];
+        if (status == HATCH_OK && level->status != HATCH_OK)
+            status = hatch_fail(err, level->status, "%s", level->err.text);
+        hatch_arena_free(&evening->levels[i].arena);
+    }
+    return status;
+}
+
 enum hatch_status hatch_curves_even_places(const struct hatch_curves *curves, const struct hatch_mesh *mesh,
-                                           struct hatch_arena *scratch, float *thresholds, struct hatch_err *err)
+                                           struct hatch_pool *pool, struct hatch_arena *scratch, float *thresholds,
+                                           struct hatch_err *err)
 {
     struct hatch_arena_mark mark = hatch_arena_mark(scratch);
-    struct evening evening = {.curves = curves, .mesh = mesh, .thresholds = thresholds, .finest = true};
-    struct hatch_cells finer = {.side = 0};
-    double least_side = sqrt(area_of(mesh) / (CELLS_MAX * curves->point_count));
-    uint32_t levels = 0;
+    struct evening evening = {.curves = curves, .mesh = mesh, .thresholds = thresholds};
+    uint32_t levels = 0, listed;
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &evening.at, curves->point_count, err));
     HATCH_TRY(HATCH_ALLOC_UNSET(scratch, &evening.drawn, curves->point_count, err));
-    HATCH_TRY(HATCH_ALLOC(scratch, &evening.correction, curves->point_count, err));
+    for (int i = 0; i < 2; i++)
+        HATCH_TRY(HATCH_ALLOC(scratch, &evening.correction[i], curves->point_count, err));
     for (uint32_t s = 0; s < curves->set_count; s++) {
         levels += curves->sets[s].family == curves->sets[0].family;
         for (uint32_t c = curves->sets[s].first; c < curves->sets[s].first + curves->sets[s].count; c++)
             measure_curve(&evening, &curves->curves[c], LOST_GAPS * (double)curves->sets[s].gap);
     }
-    for (uint32_t level = levels; level-- > 0;) {
-        evening.coarsest = level == 0;
-        if (CELL_GAPS * (double)curves->sets[level].gap < least_side)
-            continue;
-        HATCH_TRY(even_level(&evening, level, &finer, scratch, err));
-        evening.finest = false;
+    HATCH_TRY(list_levels(&evening, levels, scratch, &listed, err));
+    HATCH_TRY(even_levels(&evening, listed, pool, scratch, err));
+    for (uint32_t i = 0; i < curves->point_count; i++) {
+        double correction = (double)(evening.correction[0][i] + evening.correction[1][i]);
+        thresholds[i] *= (float)fmin(fmax(exp(correction), 1 / MOST), MOST);
     }
-    for (uint32_t i = 0; i < curves->point_count; i++)
-        thresholds[i] *= (float)fmin(fmax(exp((double)evening.correction[i]), 1 / MOST), MOST);
     hatch_arena_rewind(scratch, mark);
     return HATCH_OK;
 }

@@ -94,7 +94,8 @@ static enum hatch_status upload(struct technique_context *context, struct traced
     glCreateVertexArrays(1, &state->array);
     for (uint32_t i = 0; i < from->mesh_count; i++)
         if (from->meshes[i].curves.count > 0 && from->meshes[i].mesh.face_count > 0) {
-            const struct traced_source source = {.mesh = &from->meshes[i].mesh, .curves = &from->meshes[i].curves};
+            const struct traced_source source = {
+                .mesh = &from->meshes[i].mesh, .curves = &from->meshes[i].curves, .pool = cmd_pool(context->args)};
             HATCH_TRY(traced_upload(&source, keep, &context->args->scratch, &state->strokes[i], err));
         }
     for (uint32_t i = 0; i < scene->unit.item_count; i++) {

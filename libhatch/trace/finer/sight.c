@@ -211,17 +211,34 @@ static bool shows(const struct looking *looking, const struct polygon *polygon)
     return hatch_depths_show(&looking->store->depths, corners, polygon->count);
 }
 
-/* Finds how many strokes the face wants. */
+/* Returns the area of a polygon in the picture, in pixels. */
+static double area_px(const struct looking *looking, const struct polygon *polygon)
+{
+    double sum = 0;
+    for (int i = 0; i < polygon->count; i++) {
+        const double *a = polygon->corners[i].clip, *b = polygon->corners[(i + 1) % polygon->count].clip;
+        sum += (a[0] * b[1] - a[1] * b[0]) / (a[3] * b[3]);
+    }
+    return fabs(sum) / 8 * looking->view->width_px * looking->view->height_px;
+}
+
+/* Finds how many strokes the face wants, and how much ink. */
 static void measure_face(struct looking *looking)
 {
     struct hatch_store *store = looking->store;
     const double fade = looking->view->alike ? 1 : HATCH_STROKE_FADE;
+    double densest = looking->view->densest, area;
     struct polygon polygon;
     if (!find_polygon(looking, &polygon) || !shows(looking, &polygon))
         return;
-    for (int i = 0; i < polygon.count; i++)
-        store->wanted =
-            fmax(store->wanted, wanted_at(looking, &polygon.corners[i]) / (fade * polygon.corners[i].clip[3]));
+    area = area_px(looking, &polygon) / polygon.count;
+    for (int i = 0; i < polygon.count; i++) {
+        const struct corner *corner = &polygon.corners[i];
+        double wanted = wanted_at(looking, corner) / (fade * corner->clip[3]), ink = area * most_at(looking, corner);
+        store->wanted = fmax(store->wanted, wanted);
+        store->ink += ink;
+        store->lack += wanted > densest ? ink * (1 - densest / wanted) : 0;
+    }
 }
 
 /* Adds the windows of the face. */
@@ -305,7 +322,7 @@ enum hatch_status hatch_store_look(struct hatch_store *store, const struct hatch
                                    struct hatch_err *err)
 {
     struct looking looking = begin_looking(store, mesh, view);
-    store->wanted = 0;
+    store->wanted = store->ink = store->lack = 0;
     HATCH_TRY(draw_depths(&looking, arena, err));
     return look_at_faces(&looking, arena, NULL, err);
 }

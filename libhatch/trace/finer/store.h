@@ -59,16 +59,19 @@ struct hatch_store {
     uint32_t family, level_count;       /* level_count: levels that the mesh came with */
     float angle_rad;
     struct hatch_store_batch given;    /* the strokes of these levels; in keep */
+    bool taken;                        /* given is complete */
     struct hatch_store_batch *batches; /* newest first */
     uint64_t view;                     /* number of the present view */
     uint32_t traced;                   /* strokes in this view */
     bool enough;                       /* the view's greatest number of levels suffices for it */
     double wanted;                     /* most strokes per mesh unit that the view wants anywhere */
-    double drawn;                      /* strokes per mesh unit, above which the view draws none */
-    double raised;                     /* factor of the thresholds of traced strokes in the view */
-    struct hatch_depths depths;        /* of the view */
-    double drift[HATCH_STORE_DRIFTS];  /* what drawn thresholds differ from measured ones, as logarithms, by the part of
-                                          an octave: those of each octave repeat */
+    double ink, lack; /* ink that the view wants, and what the strokes that the mesh came with lack of it if all are
+                         alike; in pixels times strokes per pixel */
+    double drawn;     /* strokes per mesh unit, above which the view draws none */
+    double raised;    /* factor of the thresholds of traced strokes in the view */
+    struct hatch_depths depths;       /* of the view */
+    double drift[HATCH_STORE_DRIFTS]; /* what drawn thresholds differ from measured ones, as logarithms, by the part of
+                                         an octave: those of each octave repeat */
 };
 
 /* Windows of what a view shows, in an array that grows. */

@@ -65,14 +65,23 @@ static void open_store(void *context, uint32_t index)
     struct hatch_finer *finer = context;
     struct hatch_store *store = &finer->stores[index];
     struct hatch_err *err = &finer->errs[index];
-    enum hatch_status status =
+    finer->statuses[index] =
         hatch_trace_lay_out(&finer->surface, &finer->frames, finer->direction, (double)store->angle_rad,
                             store->options.hard_rad, &store->keep, &store->ground, err);
+}
+
+/* Takes the strokes of the mesh into the store of a family, before the first strokes are traced between them. */
+static void take_curves(void *context, uint32_t index)
+{
+    struct hatch_finer *finer = context;
+    struct hatch_store *store = &finer->stores[index];
     struct hatch_arena_mark mark = hatch_arena_mark(&store->scratch);
-    if (status == HATCH_OK)
-        status = hatch_store_take_curves(store, &finer->source, err);
+    finer->statuses[index] = HATCH_OK;
+    if (store->taken)
+        return;
+    finer->statuses[index] = hatch_store_take_curves(store, &finer->source, &finer->errs[index]);
+    store->taken = true;
     hatch_arena_rewind(&store->scratch, mark);
-    finer->statuses[index] = status;
 }
 
 /* Lists the families of the curves. */
@@ -273,6 +282,8 @@ static enum hatch_status trace_all(struct hatch_finer *finer, struct hatch_arena
 {
     struct hatch_store_sink sink = {.arena = arena, .mesh = finer->source.mesh, .found = found};
     sink.scratch = &finer->scratch;
+    hatch_parallel_for(finer->source.pool, finer->store_count, take_curves, finer);
+    HATCH_TRY(first_failure(finer, err));
     hatch_parallel_for(finer->source.pool, finer->store_count, find_windows, finer);
     HATCH_TRY(first_failure(finer, err));
     sink.finest = finest_gap(finer);
@@ -288,10 +299,27 @@ static enum hatch_status trace_all(struct hatch_finer *finer, struct hatch_arena
     return HATCH_OK;
 }
 
+/* Returns whether the view wants finer strokes than the mesh came with.
+ *   most  out: strokes that it wants anywhere, per mesh unit */
+static bool wants_finer(const struct hatch_finer *finer, double *most)
+{
+    double ink = 0, lack = 0, densest = finer->view->densest;
+    *most = 0;
+    for (uint32_t i = 0; i < finer->store_count; i++) {
+        *most = fmax(*most, finer->stores[i].wanted);
+        ink += finer->stores[i].ink;
+        lack += finer->stores[i].lack;
+    }
+    if (!finer->view->alike)
+        return *most > HATCH_FINER_START * densest;
+    return *most > HATCH_FINER_ALIKE * densest &&
+           (*most > HATCH_FINER_SPARED * densest || lack > HATCH_FINER_LACK * ink);
+}
+
 enum hatch_status hatch_finer_find(struct hatch_finer *finer, const struct hatch_finer_view *view,
                                    struct hatch_arena *arena, struct hatch_finer_found *found, struct hatch_err *err)
 {
-    double wanted = 0;
+    double wanted;
     *found = (struct hatch_finer_found){.traced = 0};
     finer->view = view;
     for (uint32_t i = 0; i < finer->store_count; i++)
@@ -299,9 +327,7 @@ enum hatch_status hatch_finer_find(struct hatch_finer *finer, const struct hatch
             finer->windows[i][level] = (struct hatch_store_windows){NULL, 0, 0};
     hatch_parallel_for(finer->source.pool, finer->store_count, look, finer);
     enum hatch_status status = first_failure(finer, err);
-    for (uint32_t i = 0; i < finer->store_count; i++)
-        wanted = fmax(wanted, finer->stores[i].wanted);
-    if (status == HATCH_OK && wanted > (view->alike ? HATCH_FINER_ALIKE : HATCH_FINER_START) * view->densest) {
+    if (status == HATCH_OK && wants_finer(finer, &wanted)) {
         join_strokes(finer, wanted, found);
         status = trace_all(finer, arena, found, err);
     }

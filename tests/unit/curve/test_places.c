@@ -53,7 +53,7 @@ static void even_rows(double dense, double cut)
     if (set.count < STROKES)
         curves[set.count].count = 0; /* ends the list */
     const struct hatch_curves all = {1, set.count, 2 * set.count, &set, curves, points, 0, 0};
-    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, &scratch, thresholds, &err), &err);
+    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, NULL, &scratch, thresholds, &err), &err);
 }
 
 /* Returns the mean factor of thresholds between two places along the x axis, far from the borders.
@@ -133,7 +133,14 @@ static void even_levels(uint32_t families, struct hatch_curve_point *listed, flo
     for (uint32_t i = 0; i < from; i++)
         evened[i] = listed[i].threshold;
     const struct hatch_curves all = {2 * families, count, from, sets, list, listed, 0, 0};
-    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, &scratch, evened, &err), &err);
+    float *again = HATCH_NEW(&keep, float, from, &err);
+    struct hatch_pool *pool;
+    memcpy(again, evened, from * sizeof *again);
+    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, NULL, &scratch, evened, &err), &err);
+    HATCH_TEST_OK(hatch_pool_make(3, &keep, &pool, &err), &err);
+    HATCH_TEST_OK(hatch_curves_even_places(&all, &mesh, pool, &scratch, again, &err), &err);
+    hatch_pool_free(pool);
+    ck_assert_mem_eq(again, evened, from * sizeof *again);
 }
 
 /* Where every second row is missing, the strokes of each level are corrected by as much as any are; families do not

@@ -250,6 +250,37 @@ START_TEST(strokes_that_are_alike_soon_need_finer_ones)
 }
 END_TEST
 
+/* The square wants half of the strokes but for one vertex, which wants all of them: hardly any ink is lacking. */
+START_TEST(a_dark_spot_spares_finer_strokes)
+{
+    struct finer_case plane;
+    struct hatch_trace_options options = with_gap(0.1, 3);
+    make_case(&plane, trace_plane(1200, 0.3f), &options);
+    struct hatch_finer *finer = open_finer(&plane);
+    const struct hatch_mesh *mesh = &plane.field.mesh;
+    float *ink = HATCH_NEW(&keep, float, 2 * (size_t)mesh->vertex_count, &err);
+    uint32_t nearest = 0;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++) {
+        const float *at = &mesh->attributes[0].data[3 * (size_t)v], *best = &mesh->attributes[0].data[3 * nearest];
+        nearest = hypot((double)at[0], (double)at[1]) < hypot((double)best[0], (double)best[1]) ? v : nearest;
+    }
+    for (double wanted = 1.05; wanted < 1.5; wanted += 0.1)
+        for (int dark = 0; dark < 2; dark++) { /* dark: all of the square is like that vertex */
+            struct hatch_finer_view view = view_of(0, 0, 1.5, 0.01);
+            for (uint32_t i = 0; i < HATCH_STROKE_TONES; i++)
+                most[0][i] *= (float)(i + 1) / HATCH_STROKE_TONES;
+            for (uint32_t i = 0; i < 2 * mesh->vertex_count; i++)
+                ink[i] = dark || i / 2 == nearest ? 1 : 0.5f;
+            view.alike = true;
+            view.densest = 100 / wanted;
+            view.ink = ink;
+            struct hatch_finer_found found = find(finer, &view);
+            ck_assert(found.finer == (wanted > (dark ? HATCH_FINER_ALIKE : HATCH_FINER_SPARED)));
+        }
+    hatch_finer_free(finer);
+}
+END_TEST
+
 /* Strokes of a level are no longer than 60 of its gaps, however long those of the mesh are: else every tile would need
  * everything around it. */
 START_TEST(long_strokes_do_not_need_the_whole_mesh)
@@ -451,6 +482,7 @@ static Suite *suite(void)
     tcase_add_test(tests, strokes_of_a_plane_are_straight_and_whole);
     tcase_add_test(tests, as_many_strokes_are_drawn_as_are_wanted);
     tcase_add_test(tests, strokes_that_are_alike_soon_need_finer_ones);
+    tcase_add_test(tests, a_dark_spot_spares_finer_strokes);
     tcase_add_test(tests, long_strokes_do_not_need_the_whole_mesh);
     tcase_add_test(tests, an_angle_of_zero_is_no_missing_one);
     tcase_add_test(tests, a_view_that_comes_back_has_the_same_strokes);

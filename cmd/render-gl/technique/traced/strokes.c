@@ -210,7 +210,7 @@ static enum hatch_status find_densities(const struct traced_source *source, stru
         densities->thresholds[i] = curves->points[i].threshold;
     if (!source->parts) {
         HATCH_TRY(hatch_curves_group(curves, source->mesh, arena, scratch, &densities->groups, err));
-        HATCH_TRY(hatch_curves_even_places(curves, source->mesh, scratch, densities->thresholds, err));
+        HATCH_TRY(hatch_curves_even_places(curves, source->mesh, source->pool, scratch, densities->thresholds, err));
         HATCH_TRY(hatch_curves_even_thresholds(curves, source->mesh, &densities->groups, scratch, densities->thresholds,
                                                err));
     }

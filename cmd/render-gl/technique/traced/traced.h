@@ -90,6 +90,7 @@ struct traced_source {
     const struct hatch_curves *curves;
     const struct hatch_finer_part *parts; /* per curve; their points' thresholds are those that are drawn. NULL: curves
                                              are whole strokes, whose thresholds are made even */
+    struct hatch_pool *pool;              /* NULL: one thread */
 };
 
 /* Uploads strokes.
