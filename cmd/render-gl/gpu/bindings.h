@@ -66,6 +66,7 @@
 #define UNIFORM_REST 17      /* place of an item in solid textures: offset, and units of a mesh's length */
 #define UNIFORM_REST_LOG 18  /* binary logarithm of a unit's length in the unit scene */
 #define UNIFORM_REST_AXES 30 /* rows: the axes of solid textures in coordinates of the mesh */
+#define UNIFORM_DEPTHS 31    /* whether depths of the surfaces can be read */
 #define UNIFORM_MATERIAL 19  /* index of the item's material */
 #define UNIFORM_PROFILE 32   /* BRUSH_PROFILE locations */
 #define BRUSH_PROFILE 17

@@ -242,7 +242,7 @@ void traced_place_vertices(const struct frame *frame, const struct traced_state 
              GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t index, int ink)
+uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t index, int ink, GLuint depths)
 {
     const struct scene *scene = frame->scene;
     const struct hatch_item *item = &scene->unit.items[index];
@@ -260,6 +260,8 @@ uint32_t traced_place(const struct frame *frame, struct traced_state *state, uin
     gpu_storage_bind(STORAGE_POINTS, strokes->points);
     gpu_storage_bind(STORAGE_RIBBON, traced_ribbon_of(state, index)->buffer);
     glProgramUniform1i(program, UNIFORM_INK, ink);
+    glProgramUniform1i(program, UNIFORM_DEPTHS, depths != 0);
+    gpu_texture_bind(UNIT_TECHNIQUE + 1, depths, 0);
     glProgramUniform3f(program, UNIFORM_DENSEST, state->alike ? FLT_MAX : strokes->densest, strokes->raised,
                        state->strokes[item->mesh].coarsest);
     set_lift(frame, item, CHORD * (double)strokes->finest * traced_scale(scene, item), program);
@@ -311,7 +313,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     HATCH_TRY(traced_refine(context, state, err));
     for (uint32_t i = 0; i < state->item_count; i++)
         for (int ink = 0; ink < (frame->style.inks.two ? 2 : 1); ink++) {
-            uint32_t count = traced_place(frame, state, i, ink);
+            uint32_t count = traced_place(frame, state, i, ink, frame->request.canvas->samples.depth);
             gpu_timer_end_pass(frame->timer, "points");
             if (count)
                 draw_ribbons(frame, state, i, count, ink);

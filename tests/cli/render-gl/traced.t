@@ -208,6 +208,17 @@ near "the torus from inside" "$(ink)" .4 .05
 # Nor do they sink into slanted back sides.
 draw torus.glb --size 160x120 --camera 1,0,0:1,0,-1 --fov 60 --tone-range .5:.5
 near "the torus from inside, along it" "$(ink)" .5 .02
+# Two walls that lean against each other: strokes on the back of the one behind do not come through.
+for side in 0.1 0.3; do
+    printf '%s\n' 'v -1 1 0' 'v 1 1 0' "v 1 -1 $side" "v -1 -1 $side" "v 1 -1 -$side" "v -1 -1 -$side" \
+        'f 4 3 2 1' 'f 1 2 5 6' >walls.obj
+    strokegen -q --levels 5 --angles 90 walls.obj -o walls.glb 2>/dev/null
+    for technique in traced gouraud; do
+        render-gl -q walls.glb -t $technique --lines none --size 320x240 --from 0:10 --light 0:40 -o picture.exr
+        ink >$technique.ink
+    done
+    near "thin walls, $side" "$(cat traced.ink)" "$(cat gouraud.ink)" .002
+done
 meshgen wave --faces 2000 | strokegen -q --levels 5 -o wave.glb
 for technique in traced gouraud; do
     draw wave.glb --size 320x240 --from 180:50 --tone-range .3:.3 -t $technique

@@ -29,6 +29,8 @@ layout(location = UNIFORM_COUNT) uniform uint count;
 layout(location = UNIFORM_LIFT) uniform vec4 lift; // change of clip z and w per unit towards the eye; units by which
                                                    // strokes are moved so; -1: the item is mirrored, else 1
 layout(location = UNIFORM_INK) uniform int ink_index;
+layout(location = UNIFORM_DEPTHS) uniform bool has_depths;
+layout(binding = UNIT_TECHNIQUE + 1) uniform sampler2D depths; // of the surfaces, in samples
 layout(location = UNIFORM_DENSEST) uniform vec3 densest; // of all strokes, for width_law; coarsest gap, in mesh units:
                                                          // the unit of arc lengths in ribbons
 
@@ -38,6 +40,8 @@ const float TURNED_GAPS = 10.0; // between drawn strokes: half a stroke that is 
 const float SPARSEST = 32.0; // factor up to which dots fill the gaps between sparse strokes
 const float ASIDE = 0.15; // pixels towards the eye per pixel aside
 const float NEAREST = 4.0; // depth up to which points before the near plane are placed; it is 1 at that plane
+const float WALL_PX = 24.0; // thickness up to which strokes on the back of a wall could come through it when they are lifted
+const float BESIDE_PX = 0.1; // by which the face beside may be nearer, on a surface that faces the eye
 const float STEEPEST = 6.0; // slope of the surface, as seen, up to which strokes are lifted by all of their half width
 
 vec3 floats_at(uint vertex, uint offset)
@@ -104,6 +108,19 @@ float right_length()
     return length(first - dot(first, last) * last);
 }
 
+// Returns whether a surface is just before a place. The face beside that of the place is not one.
+// gradient: of the place's depth, per pixel; flat_rise: change of depth along a pixel towards the eye
+bool is_behind_wall(vec3 place, vec2 gradient, float flat_rise)
+{
+    vec2 samples = vec2(textureSize(depths, 0)) / (2.0 * viewport.xy); // per pixel
+    ivec2 at = ivec2(floor(place.xy * samples));
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(depths, 0))))
+        return false;
+    float own = place.z + dot(gradient, (vec2(at) + 0.5) / samples - place.xy);
+    float nearer = (texelFetch(depths, at, 0).r - own) / flat_rise;
+    return nearer > BESIDE_PX * (1.0 + length(gradient) / flat_rise) && nearer < WALL_PX;
+}
+
 void main()
 {
     uint i = index_of();
@@ -162,7 +179,7 @@ void main()
     float rise = dot(gradient, across), steep = length(gradient) / flat_rise;
     scatter /= 1.0 + steep * steep / 25.0; // and dots, which are farther away, less so
     if (behind) // next to silhouettes, the front is too near to tell them apart
-        width *= clamp(2.0 - 0.25 * steep, 0.0, 1.0);
+        width *= has_depths && is_behind_wall(place, gradient, flat_rise) ? 0.0 : clamp(2.0 - 0.25 * steep, 0.0, 1.0);
     float reach = min(abs(rise), STEEPEST * flat_rise) * (0.5 * width + scatter + 1.0);
     wobble /= 1.0 + steep * steep; // strokes stay inside of silhouettes
     reach += ASIDE * abs(wobble) * flat_rise * (1.0 + steep); // beside its own place, it is over faces of other slopes

@@ -212,7 +212,7 @@ static enum hatch_status add_item(struct gathering *gathering, struct technique_
     const struct hatch_unit_scene *unit = &context->frame->scene->unit;
     const struct hatch_item *item = &unit->items[index];
     const struct traced_strokes *strokes = traced_strokes_of(context->frame, state, index);
-    uint32_t count = traced_place(context->frame, state, index, (int)gathering->ink);
+    uint32_t count = traced_place(context->frame, state, index, (int)gathering->ink, 0);
     if (count == 0)
         return HATCH_OK;
     double *positions, scale;

@@ -135,8 +135,10 @@ struct traced_state {
 double traced_scale(const struct scene *scene, const struct hatch_item *item);
 
 /* Computes the points of an item's ribbons. Returns the number of strokes that have some.
- *   ink  0: of the dark ink; 1: of the light one */
-uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t item, int ink);
+ *   ink     0: of the dark ink; 1: of the light one
+ *   depths  texture with the depths of the surfaces, which hide strokes on backs of thin walls; 0: nothing hides them
+ */
+uint32_t traced_place(const struct frame *frame, struct traced_state *state, uint32_t item, int ink, GLuint depths);
 
 /* Places and lights the vertices of an item. */
 void traced_place_vertices(const struct frame *frame, const struct traced_state *state, uint32_t item);
