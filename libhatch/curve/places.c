@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/budget.h"
 #include "curve/cells.h"
 #include "curve/width.h"
 #include "math/vector.h"
@@ -233,20 +234,30 @@ static enum hatch_status list_levels(struct evening *evening, uint32_t count, st
     return HATCH_OK;
 }
 
+/* Returns whether the gaps of levels are so far apart that no point is corrected by every second one. Those from
+ * tracing are: each is twice the one before. */
+static bool are_apart(const struct level *levels, uint32_t count)
+{
+    for (uint32_t i = 2; i < count; i++)
+        if (!(4 * levels[i].wanted <= levels[i - 2].wanted))
+            return false;
+    return true;
+}
+
 /* Corrects by all levels, each on a thread. */
 static enum hatch_status even_levels(struct evening *evening, uint32_t count, struct hatch_pool *pool,
                                      struct hatch_arena *scratch, struct hatch_err *err)
 {
     enum hatch_status status = HATCH_OK;
+    size_t left = scratch->limit_bytes - scratch->used_bytes;
+    struct hatch_budget budget;
+    hatch_budget_init(&budget, left > 0 ? left : 1);
     for (uint32_t i = 0; i < count; i++) {
         struct level *level = &evening->levels[i];
-        if (scratch->budget)
-            hatch_arena_init_shared(&level->arena, scratch->budget);
-        else
-            hatch_arena_init(&level->arena, scratch->limit_bytes);
+        hatch_arena_init_shared(&level->arena, scratch->budget ? scratch->budget : &budget);
         level->cells.keys.arena = level->cells.blocks.arena = &level->arena;
     }
-    hatch_parallel_for(pool, count, even_level, evening);
+    hatch_parallel_for(are_apart(evening->levels, count) ? pool : NULL, count, even_level, evening);
     for (uint32_t i = 0; i < count; i++) {
         const struct level *level = &evening->levels[i];
         if (status == HATCH_OK && level->status != HATCH_OK)

@@ -342,7 +342,8 @@ static uint8_t filtered_texel(const struct hatch_image *image, uint64_t x, uint6
 {
     if (!image)
         return FULL;
-    /* Lengths are in parts of a pixel, `size` of them: a texel is as wide as the picture has pixels. */
+    /* In units of 1 / size of a pixel, a pixel is `size` wide, and a texel `width`, since size texels are width pixels.
+     */
     const uint64_t width = image->width, height = image->height;
     double sum = 0, area = 0;
     for (uint64_t row = y * height / size; row * size < (y + 1) * height; row++)

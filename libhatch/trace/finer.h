@@ -12,9 +12,10 @@
 #define HATCH_FINER_LEVELS_MAX 24u /* more than the mesh came with */
 #define HATCH_FINER_START 1.4      /* strokes wanted, times the densest: from here on, finer ones are traced */
 #define HATCH_FINER_ALIKE 1.1      /* the same where all strokes are alike */
-#define HATCH_FINER_SPARED 1.3     /* and the same where a picture without them lacks so little of its ink: */
-#define HATCH_FINER_LACK 0.002     /* at most this share */
+#define HATCH_FINER_SPARED 1.3 /* the same in pictures that lack at most HATCH_FINER_LACK of their ink without them */
+#define HATCH_FINER_LACK 0.002
 
+/* A mesh and its strokes, which must outlive the finer ones. */
 struct hatch_finer_source {
     const struct hatch_mesh *mesh; /* with the direction field in _HATCH_DIR */
     const struct hatch_curves *curves;

@@ -18,6 +18,7 @@
 #define CHORD 0.3      /* share of the finest gap by which strokes may pass under the surface between their points */
 #define NARROWEST 0.02 /* share of the view's distance at which an item's strokes are all taken as visible */
 #define SMOOTH 8.0     /* greatest threshold in sight, in finest gaps, from which on lines are drawn as curves */
+#define DEPTHS_PX 32u  /* beyond a tile, in which surfaces are drawn, too: about the longest line between two points */
 #define PARTS_MAX 4u   /* straight parts of a line between two points in near views */
 #define LINE_PRESSURE 0.3f /* share of the strokes' changes of ink that feature lines have: they must hold together */
 #define MOST_INK 0.95f     /* that strokes of one direction make */
@@ -309,6 +310,7 @@ static enum hatch_status draw(struct technique_context *context, struct techniqu
     const struct frame *frame = context->frame;
     struct traced_state *state = instance->state;
     HATCH_TRY(draw_paper(context->frame, &instance->technique->shading, state, err));
+    glTextureBarrier(); /* points read the depths of the surfaces */
     traced_set_style(frame, 0, state);
     HATCH_TRY(traced_refine(context, state, err));
     for (uint32_t i = 0; i < state->item_count; i++)
@@ -348,6 +350,13 @@ static void free_state(struct technique_instance *instance)
     glDeleteBuffers(1, &state->block_buffer);
 }
 
+/* Points that near to a tile must have depths, which tell whether their strokes are hidden. */
+static uint32_t reach_px(const struct technique_instance *instance)
+{
+    (void)instance;
+    return DEPTHS_PX;
+}
+
 const struct technique technique_traced = {
     .name = "traced",
     .summary = "strokes that strokegen has traced on the meshes",
@@ -365,5 +374,6 @@ const struct technique technique_traced = {
     .draw = draw,
     .curves = traced_curves,
     .line_brush = line_brush,
+    .reach_px = reach_px,
     .free = free_state,
 };

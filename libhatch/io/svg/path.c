@@ -221,6 +221,14 @@ static void make_absolute(const struct hatch_svg_pen *pen, char command, uint32_
         }
 }
 
+/* Returns whether path data are "none" and white space. */
+static bool is_none(struct hatch_text data)
+{
+    while (data.length && strchr(" \t\r\n\f", data.at[data.length - 1]))
+        data.length--;
+    return hatch_text_is(data, "none");
+}
+
 enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *pen, struct hatch_err *err)
 {
     static const char commands[] = "MLHVCSQTAZ", counts[] = "2211644270";
@@ -228,7 +236,8 @@ enum hatch_status hatch_svg_path(struct hatch_text data, struct hatch_svg_pen *p
     struct hatch_text rest = data;
     char letter = 0;
     hatch_svg_skip(&rest);
-    rest.length = hatch_text_is(rest, "none") ? 0 : rest.length;
+    if (is_none(rest))
+        rest.length = 0;
     while (rest.length) {
         char first = *rest.at;
         bool repeated = letter && first != 0 && strchr("+-.0123456789", first);

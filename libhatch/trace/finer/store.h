@@ -65,8 +65,8 @@ struct hatch_store {
     uint32_t traced;                   /* strokes in this view */
     bool enough;                       /* the view's greatest number of levels suffices for it */
     double wanted;                     /* most strokes per mesh unit that the view wants anywhere */
-    double ink, lack; /* ink that the view wants, and what the strokes that the mesh came with lack of it if all are
-                         alike; in pixels times strokes per pixel */
+    double ink, lack; /* ink that the view wants, and the part of it that cannot be drawn without finer strokes where
+                         all strokes are alike; in pixels times strokes per pixel */
     double drawn;     /* strokes per mesh unit, above which the view draws none */
     double raised;    /* factor of the thresholds of traced strokes in the view */
     struct hatch_depths depths;       /* of the view */

@@ -75,13 +75,17 @@ static void take_curves(void *context, uint32_t index)
 {
     struct hatch_finer *finer = context;
     struct hatch_store *store = &finer->stores[index];
-    struct hatch_arena_mark mark = hatch_arena_mark(&store->scratch);
+    struct hatch_arena_mark kept = hatch_arena_mark(&store->keep), mark = hatch_arena_mark(&store->scratch);
     finer->statuses[index] = HATCH_OK;
     if (store->taken)
         return;
     finer->statuses[index] = hatch_store_take_curves(store, &finer->source, &finer->errs[index]);
-    store->taken = true;
     hatch_arena_rewind(&store->scratch, mark);
+    store->taken = finer->statuses[index] == HATCH_OK;
+    if (store->taken)
+        return;
+    hatch_arena_rewind(&store->keep, kept);
+    store->given = (struct hatch_store_batch){.line_count = 0};
 }
 
 /* Lists the families of the curves. */

@@ -113,8 +113,8 @@ float right_length()
 bool is_behind_wall(vec3 place, vec2 gradient, float flat_rise)
 {
     vec2 samples = vec2(textureSize(depths, 0)) / (2.0 * viewport.xy); // per pixel
-    ivec2 at = ivec2(floor(place.xy * samples));
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, textureSize(depths, 0))))
+    ivec2 texel = ivec2(floor(place.xy * samples)), at = clamp(texel, ivec2(0), textureSize(depths, 0) - 1);
+    if (any(greaterThan(abs(texel - at), ivec2(WALL_PX * samples)))) // just beside the picture its border tells
         return false;
     float own = place.z + dot(gradient, (vec2(at) + 0.5) / samples - place.xy);
     float nearer = (texelFetch(depths, at, 0).r - own) / flat_rise;
