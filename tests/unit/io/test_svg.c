@@ -88,7 +88,8 @@ END_TEST
 
 START_TEST(a_path_may_be_none)
 {
-    read_page("<path stroke='black' d='none'/><path stroke='black' d=' none '/><path stroke='black' d=''/><path stroke='black' d='M1 2 3 4'/>");
+    read_page("<path stroke='black' d='none'/><path stroke='black' d=' none '/><path stroke='black' d=''/><path "
+              "stroke='black' d='M1 2 3 4'/>");
     ck_assert_uint_eq(list.count, 1);
 }
 END_TEST
